@@ -1,0 +1,121 @@
+"""All that a rule imports: the decorator, findings, and the words of the model."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from collections.abc import Iterable
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from bringup_lint.finding import Applicability
+from bringup_lint.finding import Confidence
+from bringup_lint.finding import Edit
+from bringup_lint.finding import Finding
+from bringup_lint.finding import Fix
+from bringup_lint.finding import Related
+from bringup_lint.finding import Severity
+from bringup_lint.finding import span_of
+from bringup_lint.robot import Robot
+from bringup_lint.source import Located
+from bringup_lint.source import Source
+from bringup_lint.source import Span
+
+__all__ = [
+    "Edit",
+    "Finding",
+    "Located",
+    "Robot",
+    "Source",
+    "Span",
+    "finding",
+    "fix",
+    "note",
+    "rule",
+]
+
+Place = Located | Span | Source
+Check = Callable[[Robot], Iterator[Finding]]
+
+
+@dataclass(frozen=True)
+class Metadata:
+    """What a rule says about itself."""
+
+    severity: Severity
+    confidence: Confidence
+    fix: str
+    since: str
+    symptoms: tuple[str, ...]
+    tags: tuple[str, ...]
+    aliases: tuple[str, ...]
+    check: Check
+
+
+def rule(
+    severity: str,
+    *,
+    confidence: str = "high",
+    fix: str = "none",
+    since: str = "0.1",
+    symptoms: Iterable[str] = (),
+    tags: Iterable[str] = (),
+    aliases: Iterable[str] = (),
+) -> Callable[[Check], Metadata]:
+    """Make a generator function a rule.
+
+    ``severity`` is ``error``, ``warning`` or ``info`` (a single finding may differ); ``fix`` is ``none``, ``safe`` or
+    ``unsafe``; ``symptoms`` are log lines by which people meet the defect; ``tags`` are words such as ``CWE-250``.
+    """
+    if fix not in ("none", "safe", "unsafe"):
+        raise ValueError(f"fix must be none, safe or unsafe, not {fix!r}")
+
+    def decorate(check: Check) -> Metadata:
+        return Metadata(
+            Severity[severity.upper()],
+            Confidence[confidence.upper()],
+            fix,
+            since,
+            tuple(symptoms),
+            tuple(tags),
+            tuple(aliases),
+            check,
+        )
+
+    return decorate
+
+
+def note(where: Place, message: str) -> Related:
+    """Another place that has a part in the finding: ``note(interface.name, "the interface is declared here")``."""
+    return Related(span_of(where), message)
+
+
+def fix(title: str, *edits: tuple[Place, str], safe: bool = True) -> Fix:
+    """A change of one or more places; an empty replacement deletes."""
+    applicability = Applicability.SAFE if safe else Applicability.UNSAFE
+    return Fix(title, tuple(Edit(span_of(where), text) for where, text in edits), applicability)
+
+
+def finding(
+    where: Place,
+    message: str,
+    *,
+    advice: str = "",
+    related: Iterable[Related] = (),
+    chain: Iterable[Related] = (),
+    fix: Fix | None = None,
+    severity: str | None = None,
+    confidence: str = "high",
+    hidden: Iterable[Place] = (),
+) -> Finding:
+    """One defect at one place. ``message`` says what happens on the robot, ``advice`` what to write instead."""
+    return Finding(
+        message=message,
+        span=span_of(where),
+        severity=None if severity is None else Severity[severity.upper()],
+        confidence=Confidence[confidence.upper()],
+        advice=advice,
+        related=tuple(related),
+        chain=tuple(chain),
+        fix=fix,
+        hidden=tuple(span_of(place) for place in hidden),
+    )

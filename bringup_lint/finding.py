@@ -1,0 +1,104 @@
+"""What a rule hands over: findings with their locations, chains and fixes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+from enum import IntEnum
+from typing import NamedTuple
+
+from bringup_lint.source import Located
+from bringup_lint.source import Source
+from bringup_lint.source import Span
+
+
+class Severity(IntEnum):
+    """What happens on the robot."""
+
+    INFO = 1
+    """Hygiene; not shown unless asked for."""
+    WARNING = 2
+    """Works today and will hurt."""
+    ERROR = 3
+    """Will not start, will silently not apply, or is unsafe."""
+
+    def __str__(self) -> str:
+        return self.name.lower()
+
+
+class Confidence(IntEnum):
+    MEDIUM = 1
+    HIGH = 2
+
+    def __str__(self) -> str:
+        return self.name.lower()
+
+
+class Applicability(str, Enum):
+    """Whether a fix may be applied unseen."""
+
+    SAFE = "safe"
+    UNSAFE = "unsafe"
+
+    def __str__(self) -> str:
+        return self.value
+
+
+class Edit(NamedTuple):
+    """Replace the text of ``span`` by ``text``; an empty span inserts."""
+
+    span: Span
+    text: str
+
+
+@dataclass(frozen=True)
+class Fix:
+    """A change that removes the finding."""
+
+    title: str
+    edits: tuple[Edit, ...]
+    applicability: Applicability = Applicability.SAFE
+
+
+class Related(NamedTuple):
+    """Another place that has a part in the finding, with a word on which part."""
+
+    span: Span
+    message: str
+
+
+class Suppression(NamedTuple):
+    """The comment that silences a finding."""
+
+    span: Span
+    reason: str
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One defect. Rules make it with ``api.finding``; the engine fills in ``rule``."""
+
+    message: str
+    span: Span
+    rule: str = ""
+    severity: Severity | None = None
+    confidence: Confidence = Confidence.HIGH
+    advice: str = ""
+    related: tuple[Related, ...] = ()
+    chain: tuple[Related, ...] = ()
+    """The steps, in order, that lead to the defect; a cycle ends where it starts."""
+    fix: Fix | None = None
+    hidden: tuple[Span, ...] = ()
+    """Further places where a suppression comment counts, such as the drop-in that changed the line."""
+    suppression: Suppression | None = None
+
+    @property
+    def source(self) -> Source:
+        return self.span.source
+
+
+def span_of(where: Located | Span | Source) -> Span:
+    """The span of whatever knows its place."""
+    if isinstance(where, Source):
+        return where.whole
+    return where.span if isinstance(where, Located) else where

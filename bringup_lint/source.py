@@ -1,0 +1,175 @@
+"""Text that knows where it stands: Source, Span and Located values."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+
+class Position(NamedTuple):
+    """A place in a text, as people count: lines and columns start at 1, columns count code points."""
+
+    line: int
+    column: int
+
+
+@dataclass(eq=False)
+class Source:
+    """One file as it was read; nothing ever reads it from disk again."""
+
+    name: str
+    """The path shown to the user: relative to the working folder when it lies below it."""
+    text: str = ""
+    kind: str = ""
+    """What the file is (see ``discover.kinds``), e.g. ``systemd-unit``; empty when nothing claimed it."""
+    robot_path: str | None = None
+    """The absolute path on the robot (``/etc/...``), when the tree tells it."""
+    judged: bool = True
+    """False for context, such as the vendor's units beside a checked ``/etc``: read, never reported on."""
+    template: str = ""
+    """The template language (``jinja``, ``m4``, ``empy``, ``cmake``) when the text is not final, else empty."""
+    mode: int | None = None
+    """Permission bits, when they are real (a root file system); None in a checkout."""
+    link: str | None = None
+    """Where the symbolic link points, as written in it; None for a plain file."""
+    uid: int | None = None
+    gid: int | None = None
+
+    @cached_property
+    def line_starts(self) -> list[int]:
+        starts = [0]
+        find = self.text.find
+        at = find("\n")
+        while at != -1:
+            starts.append(at + 1)
+            at = find("\n", at + 1)
+        return starts
+
+    def position(self, offset: int) -> Position:
+        line = bisect_right(self.line_starts, offset)
+        return Position(line, offset - self.line_starts[line - 1] + 1)
+
+    def line_text(self, line: int) -> str:
+        """The text of a line, counted from 1, without its line end."""
+        starts = self.line_starts
+        end = starts[line] if line < len(starts) else len(self.text)
+        return self.text[starts[line - 1] : end].rstrip("\r\n")
+
+    def span(self, start: int, end: int) -> Span:
+        return Span(self, start, end)
+
+    def located(self, start: int, end: int) -> Located:
+        return Located(self.text[start:end], Span(self, start, end))
+
+    @property
+    def whole(self) -> Span:
+        """Stands for the file itself, when no line of it is to blame."""
+        return Span(self, 0, 0)
+
+    @property
+    def basename(self) -> str:
+        return self.name.rpartition("/")[2]
+
+
+class Span(NamedTuple):
+    """A stretch of a source: code point offsets, ``end`` exclusive."""
+
+    source: Source
+    start: int
+    end: int
+
+    @property
+    def path(self) -> str:
+        return self.source.name
+
+    @property
+    def line(self) -> int:
+        return self.source.position(self.start).line
+
+    @property
+    def column(self) -> int:
+        return self.source.position(self.start).column
+
+    @property
+    def end_position(self) -> Position:
+        """Where the stretch ends, exclusive, on the line of its last character."""
+        if self.end <= self.start:
+            return self.source.position(self.start)
+        line, column = self.source.position(self.end - 1)
+        return Position(line, column + 1)
+
+    @property
+    def text(self) -> str:
+        return self.source.text[self.start : self.end]
+
+
+class Located(str):
+    """A string with its span. Where text and source differ (continued lines, removed quotes), ``pieces`` maps one
+    to the other: pairs of (offset in the string, offset in the source), ascending."""
+
+    __slots__ = ("pieces", "span")
+
+    span: Span
+    pieces: tuple[tuple[int, int], ...] | None
+
+    def __new__(cls, text: str, span: Span, pieces: tuple[tuple[int, int], ...] | None = None) -> Located:
+        self = super().__new__(cls, text)
+        self.span = span
+        self.pieces = pieces
+        return self
+
+    def __reduce__(self):
+        return (Located, (str(self), self.span, self.pieces))
+
+    def origin(self, index: int) -> int:
+        """Offset in the source of the character at ``index``."""
+        if self.pieces is None:
+            return min(self.span.start + index, self.span.end)
+        at = bisect_right(self.pieces, (index, float("inf"))) - 1
+        inner, outer = self.pieces[max(at, 0)]
+        return outer + index - inner
+
+    def part(self, start: int, end: int) -> Located:
+        """The characters from ``start`` to ``end``, with their own span."""
+        if end <= start:
+            at = self.origin(start)
+            return Located("", Span(self.span.source, at, at))
+        first = self.origin(start)
+        last = self.origin(end - 1) + 1
+        text = str.__getitem__(self, slice(start, end))
+        if self.pieces is None or last - first == end - start:
+            return Located(text, Span(self.span.source, first, last))
+        inside = tuple((i - start, o) for i, o in self.pieces if start < i < end)
+        return Located(text, Span(self.span.source, first, last), ((0, first), *inside))
+
+    def strip_located(self, chars: str | None = None) -> Located:
+        """Like ``str.strip``, keeping the place."""
+        start = len(self) - len(self.lstrip(chars))
+        return self.part(start, max(start, len(self.rstrip(chars))))
+
+    def words(self) -> Iterator[Located]:
+        """The blank-separated words, each with its place."""
+        end = 0
+        for word in self.split():
+            start = self.find(word, end)
+            end = start + len(word)
+            yield self.part(start, end)
+
+    @property
+    def line(self) -> int:
+        return self.span.line
+
+    @property
+    def path(self) -> str:
+        return self.span.path
+
+
+class Problem(NamedTuple):
+    """What a parser could not read: a stable code (``missing-equals``), the place, and what is known about it."""
+
+    code: str
+    where: Located | Span
+    detail: str = ""
