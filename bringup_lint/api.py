@@ -106,8 +106,10 @@ def finding(
     severity: str | None = None,
     confidence: str = "high",
     hidden: Iterable[Place] = (),
+    secrets: Iterable[Place] = (),
 ) -> Finding:
-    """One defect at one place. ``message`` says what happens on the robot, ``advice`` what to write instead."""
+    """One defect at one place. ``message`` says what happens on the robot, ``advice`` what to write instead;
+    ``secrets`` are the values (passwords, keys) that no report may show."""
     return Finding(
         message=message,
         span=span_of(where),
@@ -118,4 +120,5 @@ def finding(
         chain=tuple(chain),
         fix=fix,
         hidden=tuple(span_of(place) for place in hidden),
+        secrets=tuple(span_of(place) for place in secrets),
     )

@@ -91,6 +91,8 @@ class Finding:
     hidden: tuple[Span, ...] = ()
     """Further places where a suppression comment counts, such as the drop-in that changed the line."""
     suppression: Suppression | None = None
+    secrets: tuple[Span, ...] = ()
+    """Stretches that no output may show: passwords, keys, tokens."""
 
     @property
     def source(self) -> Source:

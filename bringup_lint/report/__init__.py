@@ -1,0 +1,19 @@
+"""What is said about a run: one module an output format, each with ``render(report) -> str``."""
+
+from __future__ import annotations
+
+from importlib import import_module
+
+from bringup_lint.report.model import Notification
+from bringup_lint.report.model import Report
+from bringup_lint.report.model import RuleDoc
+from bringup_lint.report.model import Target
+
+__all__ = ["FORMATS", "Notification", "Report", "RuleDoc", "Target", "render"]
+
+FORMATS = ("text", "concise", "json", "sarif")
+
+
+def render(output_format: str, report: Report) -> str:
+    """The report in one of ``FORMATS``, ending in a newline unless it is empty."""
+    return import_module(f"bringup_lint.report.{output_format}").render(report)

@@ -1,0 +1,66 @@
+"""How text lies on a terminal: tabs, wide and combining characters, and those that must not reach it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import accumulate
+from typing import NamedTuple
+
+TAB = 4
+_REPLACEMENT = "\N{REPLACEMENT CHARACTER}"
+_ZERO_WIDTH = ("Mn", "Me")
+_UNSAFE = ("Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp")
+
+
+class Row(NamedTuple):
+    """A line of text as a terminal shows it."""
+
+    glyphs: Sequence[str]
+    """What stands for each code point."""
+    cells: Sequence[int]
+    """The cell in which each code point starts, and the one after the last."""
+
+    def cut(self, start: int, end: int) -> str:
+        return "".join(self.glyphs[start:end])
+
+
+def printable(text: str) -> str:
+    """The text with visible signs for control characters, so that no file can speak to the terminal."""
+    return text if text.isprintable() else "".join(map(_glyph, text))
+
+
+def laid_out(line: str) -> Row:
+    """A line without its line end, tabs expanded."""
+    if line.isascii() and line.isprintable():
+        return Row(line, range(len(line) + 1))
+    glyphs = []
+    cell = 0
+    widths = [0]
+    for character in line:
+        glyph = " " * (TAB - cell % TAB) if character == "\t" else _glyph(character)
+        width = len(glyph) if glyph.isascii() else _width(glyph)
+        glyphs.append(glyph)
+        widths.append(width)
+        cell += width
+    return Row(glyphs, list(accumulate(widths)))
+
+
+def _glyph(character: str) -> str:
+    if character.isprintable():
+        return character
+    if character < " ":
+        return chr(0x2400 + ord(character))
+    if character == "\x7f":
+        return "\N{SYMBOL FOR DELETE}"
+    from unicodedata import category
+
+    return _REPLACEMENT if category(character) in _UNSAFE else " "
+
+
+def _width(glyph: str) -> int:
+    from unicodedata import category
+    from unicodedata import east_asian_width
+
+    if category(glyph) in _ZERO_WIDTH:
+        return 0
+    return 2 if east_asian_width(glyph) in "WF" else 1

@@ -1,0 +1,109 @@
+"""What every output format is made from."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from collections.abc import Mapping
+from dataclasses import dataclass
+from dataclasses import field
+from typing import NamedTuple
+
+from bringup_lint import __version__
+from bringup_lint.finding import Confidence
+from bringup_lint.finding import Finding
+from bringup_lint.finding import Severity
+from bringup_lint.report.redact import mask_of
+
+
+@dataclass(frozen=True)
+class RuleDoc:
+    """A rule as documentation and reports know it. ``report.docs`` turns it into Markdown or plain text."""
+
+    id: str
+    docstring: str
+    severity: Severity = Severity.WARNING
+    confidence: Confidence = Confidence.HIGH
+    fix: str = "none"
+    """``none``, ``safe`` or ``unsafe``."""
+    since: str = ""
+    symptoms: tuple[str, ...] = ()
+    tags: tuple[str, ...] = ()
+    aliases: tuple[str, ...] = ()
+    uri: str = ""
+    """Where the rule is documented on the web; empty for a user's own rule."""
+
+    @property
+    def title(self) -> str:
+        """The first sentence of the documentation, without its full stop."""
+        paragraph = self.docstring.strip().partition("\n\n")[0]
+        return " ".join(paragraph.split()).rstrip(".")
+
+
+class Target(NamedTuple):
+    """The versions that the rules assumed, and what told them."""
+
+    ros: str | None = None
+    systemd: int | None = None
+    ros_why: str = ""
+    systemd_why: str = ""
+
+
+NOT_KNOWN = Target()
+
+
+class Notification(NamedTuple):
+    """Something about the run itself, such as a rule that failed inside."""
+
+    level: str
+    """``error``, ``warning`` or ``note``."""
+    message: str
+    rule: str = ""
+    path: str = ""
+
+
+@dataclass(frozen=True)
+class Report:
+    """One run. No secret survives the making of a report: the findings and their sources come out masked."""
+
+    findings: tuple[Finding, ...] = ()
+    """In the order of output; suppressed ones are among them."""
+    rules: Mapping[str, RuleDoc] = field(default_factory=dict)
+    """The rules that ran, by id."""
+    kinds: Mapping[str, int] = field(default_factory=dict)
+    """How many files of each kind were checked."""
+    root: str = ""
+    """Absolute folder that ``%SRCROOT%`` stands for."""
+    cwd: str = ""
+    """Absolute folder that relative source names start from; ``root`` when empty."""
+    version: str = __version__
+    target: Target = NOT_KNOWN
+    command: tuple[str, ...] = ()
+    """The command line as given, program first."""
+    started: float | None = None
+    """Seconds since the epoch."""
+    ended: float | None = None
+    exit_code: int = 0
+    notifications: tuple[Notification, ...] = ()
+    below: Mapping[Severity, int] = field(default_factory=dict)
+    """How many findings of each severity were left out by ``--min-severity``."""
+    known: int = 0
+    """How many findings were left out because the baseline holds them."""
+    colour: bool = False
+    width: int = 80
+
+    def __post_init__(self) -> None:
+        mask = mask_of(self.findings)
+        if mask:
+            said = (told._replace(message=mask.words(told.message)) for told in self.notifications)
+            object.__setattr__(self, "findings", tuple(map(mask.finding, self.findings)))
+            object.__setattr__(self, "notifications", tuple(said))
+
+    @property
+    def shown(self) -> Iterator[Finding]:
+        """The findings that no comment suppresses."""
+        return (finding for finding in self.findings if finding.suppression is None)
+
+    @property
+    def files(self) -> int:
+        """How many files were checked."""
+        return sum(self.kinds.values())

@@ -1,0 +1,33 @@
+"""Where a span stands, as people count."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from bringup_lint.source import Span
+
+
+class Place(NamedTuple):
+    """Lines and columns count from 1, columns in code points; the end is exclusive, on the last character's line."""
+
+    line: int
+    column: int
+    end_line: int
+    end_column: int
+
+
+def inside(span: Span) -> Span:
+    """The part of a span that its text really holds."""
+    size = len(span.source.text)
+    start = min(max(span.start, 0), size)
+    return span._replace(start=start, end=min(max(span.end, start), size))
+
+
+def place_of(span: Span) -> Place:
+    span = inside(span)
+    return Place(*span.source.position(span.start), *span.end_position)
+
+
+def is_whole_file(span: Span) -> bool:
+    """True when a span stands for the file itself and not for a stretch of it."""
+    return span.start <= 0 and span.end <= 0

@@ -1,0 +1,88 @@
+"""Masks secrets: what a finding marks as secret is shown by none of the findings of the report."""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Iterable
+from dataclasses import replace
+from functools import cached_property
+
+from bringup_lint.finding import Edit
+from bringup_lint.finding import Finding
+from bringup_lint.finding import Fix
+from bringup_lint.finding import Related
+from bringup_lint.finding import Suppression
+from bringup_lint.report.place import inside
+from bringup_lint.source import Source
+from bringup_lint.source import Span
+
+SHORTEST = 6
+"""A secret of fewer characters is masked where it is marked, not in every text that happens to hold it."""
+
+
+def mask_of(findings: Iterable[Finding]) -> Mask | None:
+    """The mask for all that these findings mark as secret; None when they mark nothing."""
+    marked = (inside(span) for finding in findings for span in finding.secrets)
+    secrets = [span for span in marked if span.text.strip()]
+    return Mask(secrets) if secrets else None
+
+
+class Mask:
+    """Replaces secrets, character by character, so that every offset and column stays true."""
+
+    def __init__(self, secrets: Iterable[Span]) -> None:
+        self.secrets = tuple(secrets)
+        self.sources: dict[Source, Source] = {}
+        self.spans: dict[Source, list[Span]] = defaultdict(list)
+        for span in self.secrets:
+            self.spans[span.source].append(span)
+
+    @cached_property
+    def pattern(self) -> re.Pattern[str] | None:
+        lines = {line.strip() for span in self.secrets for line in span.text.splitlines()}
+        long = sorted((line for line in lines if len(line) >= SHORTEST), key=lambda line: (-len(line), line))
+        return re.compile("|".join(map(re.escape, long))) if long else None
+
+    def words(self, text: str) -> str:
+        """A message without the secrets that it quotes."""
+        return self.pattern.sub(lambda match: _stars(match[0]), text) if self.pattern else text
+
+    def source(self, source: Source) -> Source:
+        """The same file with its secrets masked."""
+        if source not in self.sources:
+            text = list(source.text) if source in self.spans else source.text
+            for _, start, end in self.spans.get(source, ()):
+                text[start:end] = _stars(source.text[start:end])
+            masked = self.words("".join(text))
+            self.sources[source] = source if masked == source.text else replace(source, text=masked)
+        return self.sources[source]
+
+    def span(self, span: Span) -> Span:
+        return span._replace(source=self.source(span.source))
+
+    def finding(self, finding: Finding) -> Finding:
+        silenced = finding.suppression
+        return replace(
+            finding,
+            message=self.words(finding.message),
+            span=self.span(finding.span),
+            advice=self.words(finding.advice),
+            related=tuple(self.related(related) for related in finding.related),
+            chain=tuple(self.related(step) for step in finding.chain),
+            fix=finding.fix and self.fix(finding.fix),
+            hidden=tuple(self.span(span) for span in finding.hidden),
+            secrets=tuple(self.span(span) for span in finding.secrets),
+            suppression=silenced and Suppression(self.span(silenced.span), self.words(silenced.reason)),
+        )
+
+    def related(self, related: Related) -> Related:
+        return Related(self.span(related.span), self.words(related.message))
+
+    def fix(self, fix: Fix) -> Fix:
+        edits = tuple(Edit(self.span(edit.span), self.words(edit.text)) for edit in fix.edits)
+        return replace(fix, title=self.words(fix.title), edits=edits)
+
+
+def _stars(secret: str) -> str:
+    return re.sub(r"[^\r\n]", "*", secret)

@@ -1,0 +1,81 @@
+"""The report for people: code frames with carets, advice, and a summary."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from bringup_lint.finding import Applicability
+from bringup_lint.finding import Finding
+from bringup_lint.report.columns import printable
+from bringup_lint.report.frame import Mark
+from bringup_lint.report.frame import draw
+from bringup_lint.report.frame import frames
+from bringup_lint.report.model import Report
+from bringup_lint.report.paint import Paint
+from bringup_lint.report.paint import painter
+from bringup_lint.report.place import place_of
+from bringup_lint.report.summary import summary
+from bringup_lint.report.wrap import wrap
+
+NARROW = 40
+WIDE = 120
+"""Prose is not set wider than this, however wide the terminal is."""
+
+
+def render(report: Report) -> str:
+    paint = painter(report.colour)
+    width = max(report.width, NARROW)
+    blocks = ["\n".join(block(finding, width, paint)) for finding in report.shown]
+    return "\n\n".join([*blocks, summary(report, paint)]) + "\n"
+
+
+def block(finding: Finding, width: int, paint: Paint) -> Iterator[str]:
+    """The lines that tell one finding."""
+    style = str(finding.severity)
+    yield from _headline(finding, style, min(width, WIDE), paint)
+    marks = [Mark(finding.span, style), *(Mark(span, "mark", message) for span, message in finding.related)]
+    shown = frames(marks)
+    gutter = max(len(str(frame.lines[-1])) if frame.lines else 1 for frame in shown)
+    edge = paint("frame", f"{'':{gutter}} |")
+    for number, frame in enumerate(shown):
+        if number:
+            yield edge
+        yield f"{'':{gutter}}{paint('frame', ':::' if number else '-->')} {frame.heading}"
+        yield from draw(frame, gutter, width, paint)
+    if any(frame.lines for frame in shown):
+        yield edge
+    for name, text in _notes(finding):
+        yield from _note(name, text, gutter, min(width, WIDE), paint)
+
+
+def _headline(finding: Finding, style: str, width: int, paint: Paint) -> Iterator[str]:
+    name = f"{style}[{finding.rule}]"
+    first, *more = wrap(f"{name}: {printable(' '.join(finding.message.split()))}", width)
+    yield f"{paint(style, first[: len(name)])}{paint('strong', first[len(name) :])}"
+    yield from (paint("strong", line) for line in more)
+
+
+def _notes(finding: Finding) -> Iterator[tuple[str, str]]:
+    if finding.chain:
+        yield "path", "\n".join(_steps(finding))
+    if finding.advice:
+        yield "help", finding.advice
+    if finding.fix:
+        safe = finding.fix.applicability is Applicability.SAFE
+        yield "fix", f"{finding.fix.title} ({'--fix' if safe else '--fix --unsafe-fixes'})"
+    yield "docs", f"bringup-lint explain {finding.rule}"
+
+
+def _steps(finding: Finding) -> Iterator[str]:
+    for number, (span, message) in enumerate(finding.chain, 1):
+        place = place_of(span)
+        yield f"{number}. {message}"
+        yield f"   {span.path}:{place.line}:{place.column}"
+
+
+def _note(name: str, text: str, gutter: int, width: int, paint: Paint) -> Iterator[str]:
+    head = f"{'':{gutter}} {paint('frame', '=')} {paint('strong', name + ':')} "
+    indent = gutter + 5 + len(name)
+    lines = [line for part in text.splitlines() for line in wrap(printable(part), width - indent)]
+    yield head + lines[0]
+    yield from (" " * indent + line for line in lines[1:])

@@ -1,0 +1,19 @@
+"""Prose in lines of a given width."""
+
+from __future__ import annotations
+
+
+def wrap(text: str, width: int) -> list[str]:
+    """The lines of a text, broken at blanks; its own line ends are kept, long words stay whole, and numbered steps
+    are indented below their first word."""
+    return [line for paragraph in text.splitlines() for line in _broken(paragraph, max(width, 20))] or [""]
+
+
+def _broken(paragraph: str, width: int) -> list[str]:
+    if len(paragraph) <= width:
+        return [paragraph]
+    from re import match
+    from textwrap import wrap as wrapped
+
+    indent = " " * match(r"\s*(?:(?:\d+\.|[-*])\s+)?", paragraph).end()
+    return wrapped(paragraph, width, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
