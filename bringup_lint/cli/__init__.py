@@ -1,0 +1,23 @@
+"""The command line: ``bringup-lint [OPTIONS] [PATH]...`` checks; a first word that names a command runs that command."""
+
+from __future__ import annotations
+
+import importlib
+
+COMMANDS = {
+    "check": "Check files and folders (the default).",
+    "explain": "Print a rule's documentation, or find the rules behind a log line.",
+    "rules": "List the rules.",
+    "init": "Write a configuration file to start from.",
+}
+
+
+def dispatch(arguments: list[str], prog: str = "bringup-lint") -> None:
+    """Run the command that the arguments name; exits with the command's code."""
+    name = "check"
+    if arguments and arguments[0] in COMMANDS:
+        name, *arguments = arguments
+        if name != "check":
+            prog = f"{prog} {name}"
+    module = importlib.import_module(f"bringup_lint.cli.{name}")
+    module.command.main(arguments, prog_name=prog)

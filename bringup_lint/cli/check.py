@@ -1,0 +1,159 @@
+"""``bringup-lint [PATH]...``: check files and folders."""
+
+from __future__ import annotations
+
+import dataclasses
+import sys
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING
+from typing import Any
+
+import click
+
+from bringup_lint import __version__
+from bringup_lint.cli import COMMANDS
+from bringup_lint.cli.outputs import Output
+from bringup_lint.cli.outputs import PairedOptions
+from bringup_lint.cli.outputs import file_option
+from bringup_lint.cli.outputs import format_option
+from bringup_lint.cli.outputs import write
+from bringup_lint.config import ROS_DISTROS
+from bringup_lint.config import SEVERITIES
+from bringup_lint.config import Config
+from bringup_lint.config import ConfigError
+from bringup_lint.config import find
+from bringup_lint.config import read
+
+if TYPE_CHECKING:
+    from bringup_lint.robot import Robot
+
+EPILOG = "\n\n".join(
+    [
+        "\b\nCommands:\n" + "\n".join(f"  {name:<9}{text}" for name, text in COMMANDS.items()),
+        "\b\nExit codes:\n  0  nothing at or above --fail-on\n  1  findings\n  2  wrong usage or configuration"
+        "\n  3  a rule or parser failed inside; everything else is still reported",
+    ]
+)
+
+
+def _names(ctx: click.Context, param: click.Parameter, value: tuple[str, ...]) -> tuple[str, ...]:
+    """Option values, each of which may hold several names between commas."""
+    return tuple(name.strip() for item in value for name in item.split(",") if name.strip())
+
+
+@click.command(cls=PairedOptions, epilog=EPILOG, context_settings={"help_option_names": ["-h", "--help"]})
+@click.argument("paths", nargs=-1, type=click.Path(), metavar="[PATH]...")
+@click.option("--root", type=click.Path(exists=True, file_okay=False), help="Check a mounted root file system.")
+@format_option
+@file_option
+@click.option("--select", multiple=True, callback=_names, help="Run only these rules or families.")
+@click.option("--ignore", multiple=True, callback=_names, help="Leave these rules or families out.")
+@click.option("--min-severity", type=click.Choice(SEVERITIES), help="Lowest severity to show. [default: warning]")
+@click.option("--fail-on", type=click.Choice(SEVERITIES), help="Lowest severity that fails. [default: warning]")
+@click.option("--target-ros", type=click.Choice(ROS_DISTROS), help="The ROS distribution that the robot runs.")
+@click.option("--target-systemd", type=click.IntRange(245), help="The systemd version that the robot runs.")
+@click.option("--no-ignores", is_flag=True, help="Show what comments in the files suppress.")
+@click.option("--config", "config_path", type=click.Path(dir_okay=False, path_type=Path), help="Configuration file.")
+@click.option("--isolated", is_flag=True, help="Read no configuration file.")
+@click.option(
+    "--rules",
+    "rule_folders",
+    type=click.Path(exists=True, file_okay=False, path_type=Path),
+    multiple=True,
+    help="Folder of further rules.",
+)
+@click.option("--exclude", multiple=True, help="Skip what matches this gitignore pattern.")
+@click.option("--stdin-filename", help="Check standard input as the file of this name.")
+@click.option("--baseline", type=click.Path(dir_okay=False, path_type=Path), help="Leave out what this file holds.")
+@click.option("--write-baseline", type=click.Path(dir_okay=False, path_type=Path), help="Write the findings to a baseline.")
+@click.option("--fix", is_flag=True, help="Apply the safe fixes.")
+@click.option("--unsafe-fixes", is_flag=True, help="With --fix: apply the unsafe fixes too.")
+@click.option("--colour/--no-colour", "--color/--no-color", default=None, help="Force or forbid colour.")
+@click.version_option(__version__, prog_name="bringup-lint", message="%(prog)s %(version)s")
+@click.pass_context
+def command(ctx: click.Context, paths: tuple[str, ...], **options) -> None:
+    """Check every file that decides how a ROS 2 robot comes up.
+
+    PATH is a file or a folder, by default the current one. Give /etc on the robot, or --root with a mounted image. A
+    path that is also a command's name is reached as ./NAME.
+    """
+    from bringup_lint.registry import RuleError
+
+    try:
+        code = _check(ctx.meta["outputs"], paths or (".",), options)
+    except (ConfigError, RuleError) as error:
+        click.echo(f"bringup-lint: {error}", err=True)
+        code = 2
+    ctx.exit(code)
+
+
+def _check(outputs: list[Output], paths: tuple[str, ...], options: dict[str, Any]) -> int:
+    from bringup_lint.cli.reporting import report_of
+    from bringup_lint.cli.reporting import wants_colour
+    from bringup_lint.engine import run
+    from bringup_lint.registry import Registry
+    from bringup_lint.report import render
+
+    started = time.time()
+    config, rule_folders = configuration(paths, options)
+    registry = Registry.of(rule_folders)
+    robot = read_robot(paths, config, options)
+    outcome = run(robot, registry, config, ignores=not options["no_ignores"])
+    if options["fix"]:
+        from bringup_lint.fix import apply_fixes
+
+        while fixed := apply_fixes(outcome.findings, unsafe=options["unsafe_fixes"]):
+            click.echo(f"Fixed {fixed} finding{'s' * (fixed > 1)}.", err=True)
+            robot = read_robot(paths, config, options)
+            outcome = run(robot, registry, config, ignores=not options["no_ignores"])
+    report = report_of(outcome, robot, config, started)
+    for output in outputs:
+        colour = output.file is None and wants_colour(options["colour"])
+        write(render(output.format, dataclasses.replace(report, colour=colour)), output.file)
+    return report.exit_code
+
+
+def configuration(paths: tuple[str, ...], options: dict[str, Any]) -> tuple[Config, list[Path]]:
+    """The settings from file and command line, and the folders of further rules. Raises ConfigError."""
+    named = options["config_path"]
+    path = named or (None if options["isolated"] else find(_start(paths)))
+    config = read(path) if path else Config()
+    rule_folders = list(options["rule_folders"])
+    if config.rules and named:
+        rule_folders += [config.folder / folder for folder in config.rules]
+    elif config.rules:
+        click.echo(f"bringup-lint: {path}: 'rules' is only read from a file named by --config", err=True)
+    given = {
+        "select": options["select"],
+        "ignore": (*config.ignore, *options["ignore"]),
+        "exclude": (*config.exclude, *options["exclude"]),
+        "min_severity": options["min_severity"],
+        "fail_on": options["fail_on"],
+        "target_ros": options["target_ros"],
+        "target_systemd": options["target_systemd"],
+        "baseline": options["baseline"],
+    }
+    return dataclasses.replace(config, **{key: value for key, value in given.items() if value}), rule_folders
+
+
+def _start(paths: tuple[str, ...]) -> Path:
+    """Where the search for a configuration begins: at the first path."""
+    first = Path(paths[0]).absolute()
+    return first if first.is_dir() else first.parent
+
+
+def read_robot(paths: tuple[str, ...], config: Config, options: dict[str, Any]) -> Robot:
+    """Read the paths, or standard input, into a robot."""
+    from bringup_lint.discover.exclude import exclusion
+    from bringup_lint.discover.walk import discover
+    from bringup_lint.discover.walk import discover_text
+    from bringup_lint.robot import Robot
+
+    if options["stdin_filename"]:
+        tree = discover_text(options["stdin_filename"], sys.stdin.buffer.read())
+    else:
+        deploy = {str(config.folder / path): place for path, place in config.deploy.items()}
+        excluded = exclusion(config.folder, config.exclude)
+        tree = discover(paths, root=options["root"], deploy=deploy, excluded=excluded)
+    return Robot(tree, config.target_ros, config.target_systemd)

@@ -1,0 +1,71 @@
+"""From the outcome of a run to the report that the formats render."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import sys
+import time
+from collections import Counter
+from typing import TYPE_CHECKING
+
+from bringup_lint.finding import Severity
+from bringup_lint.report import Notification
+from bringup_lint.report import Report
+from bringup_lint.report import RuleDoc
+from bringup_lint.report import Target
+
+if TYPE_CHECKING:
+    from bringup_lint.config import Config
+    from bringup_lint.engine import Outcome
+    from bringup_lint.registry import Rule
+    from bringup_lint.robot import Robot
+
+DOCS = "https://github.com/bringup-lint/bringup-lint/blob/main/docs/rules/{}.md"
+"""Where a built-in rule is documented on the web."""
+
+
+def report_of(outcome: Outcome, robot: Robot, config: Config, started: float) -> Report:
+    """Everything that a format may say about a run."""
+    target = robot.target
+    return Report(
+        findings=tuple(outcome.findings),
+        rules={rule_id: doc_of(rule) for rule_id, rule in outcome.rules.items()},
+        kinds=Counter(source.kind for source in robot.sources if source.judged),
+        root=str(robot.tree.root or os.getcwd()),
+        cwd=os.getcwd(),
+        target=Target(target.ros, target.systemd, target.ros_why, target.systemd_why),
+        command=("bringup-lint", *sys.argv[1:]),
+        started=started,
+        ended=time.time(),
+        exit_code=outcome.exit_code(Severity[config.fail_on.upper()]),
+        notifications=tuple(Notification("error", failure) for failure in outcome.failures),
+        below=outcome.hidden,
+        width=min(shutil.get_terminal_size((80, 24)).columns, 100),
+    )
+
+
+def doc_of(rule: Rule) -> RuleDoc:
+    """A rule's documentation."""
+    meta = rule.meta
+    return RuleDoc(
+        rule.id,
+        rule.doc,
+        meta.severity,
+        meta.confidence,
+        meta.fix,
+        meta.since,
+        meta.symptoms,
+        meta.tags,
+        meta.aliases,
+        DOCS.format(rule.id) if rule.builtin else "",
+    )
+
+
+def wants_colour(forced: bool | None) -> bool:
+    """Whether standard output gets colour: the option, else FORCE_COLOR, NO_COLOR, and whether it is a terminal."""
+    if forced is not None:
+        return forced
+    if os.environ.get("NO_COLOR"):
+        return False
+    return bool(os.environ.get("FORCE_COLOR")) or (sys.stdout.isatty() and os.environ.get("TERM") != "dumb")

@@ -1,0 +1,169 @@
+"""The configuration: ``bringup-lint.toml``, or ``[tool.bringup-lint]`` in ``pyproject.toml``.
+
+``OPTIONS`` is the one definition: reading, the messages about mistakes and the published JSON schema come from it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from dataclasses import field
+from dataclasses import fields
+from pathlib import Path
+from typing import Any
+from typing import NamedTuple
+
+FILE_NAME = "bringup-lint.toml"
+SEVERITIES = ("info", "warning", "error")
+ROS_DISTROS = ("foxy", "galactic", "humble", "iron", "jazzy", "kilted", "lyrical", "rolling")
+
+
+class ConfigError(Exception):
+    """A mistake in the configuration; its text is one clear line."""
+
+
+class Option(NamedTuple):
+    """One key of the configuration file."""
+
+    type: str
+    """``string``, ``integer``, ``strings`` (a list), ``severity``, ``ros``, ``paths`` or ``severities`` (a table)."""
+    help: str
+
+
+OPTIONS = {
+    "select": Option("strings", "Rules or families to run; all when empty."),
+    "ignore": Option("strings", "Rules or families to leave out."),
+    "exclude": Option("strings", "Files and folders to skip, as gitignore patterns relative to the configuration file."),
+    "min-severity": Option("severity", "The lowest severity that is shown."),
+    "fail-on": Option("severity", "The lowest severity that makes the exit code 1."),
+    "severity": Option("severities", "Rules with another severity than their own: a table of rule id to severity."),
+    "target-ros": Option("ros", "The ROS distribution that the robot runs."),
+    "target-systemd": Option("integer", "The systemd version that the robot runs, 245 to 257."),
+    "deploy": Option("paths", "Where files of the repository go: a table of path or folder to the path on the robot."),
+    "baseline": Option("string", "A baseline file; the findings it holds are not reported again."),
+    "rules": Option("strings", "Folders of further rules; only read when the command line names this file."),
+}
+
+
+@dataclass(frozen=True)
+class Config:
+    """The settings of a run, from the file and then the command line."""
+
+    select: tuple[str, ...] = ()
+    ignore: tuple[str, ...] = ()
+    exclude: tuple[str, ...] = ()
+    min_severity: str = "warning"
+    fail_on: str = "warning"
+    severity: dict[str, str] = field(default_factory=dict)
+    target_ros: str | None = None
+    target_systemd: int | None = None
+    deploy: dict[str, str] = field(default_factory=dict)
+    baseline: str | None = None
+    rules: tuple[str, ...] = ()
+    path: Path | None = None
+    """The file that was read, or None."""
+
+    @property
+    def folder(self) -> Path:
+        """What relative paths in the configuration are relative to."""
+        return self.path.parent if self.path else Path.cwd()
+
+
+def read_toml(text: str) -> dict[str, Any]:
+    try:
+        import tomllib
+    except ModuleNotFoundError:
+        import tomli as tomllib
+    return tomllib.loads(text)
+
+
+def find(start: Path) -> Path | None:
+    """The nearest configuration at or above ``start``; the search ends at the top of a repository."""
+    for folder in (start, *start.parents):
+        own = folder / FILE_NAME
+        if own.is_file():
+            return own
+        pyproject = folder / "pyproject.toml"
+        if pyproject.is_file() and "[tool.bringup-lint" in pyproject.read_text("utf-8", errors="replace"):
+            return pyproject
+        if (folder / ".git").exists():
+            return None
+    return None
+
+
+def read(path: Path) -> Config:
+    """Read a configuration file. Raises ConfigError with the file's name in the text."""
+    try:
+        data = read_toml(path.read_text("utf-8"))
+    except OSError as error:
+        raise ConfigError(f"{path}: {error.strerror}") from error
+    except ValueError as error:
+        raise ConfigError(f"{path}: {error}") from error
+    if path.name == "pyproject.toml":
+        data = data.get("tool", {}).get("bringup-lint", {})
+    values = {}
+    for key, value in data.items():
+        if key not in OPTIONS:
+            raise ConfigError(f"{path}: unknown key '{key}'{_did_you_mean(key)}")
+        try:
+            values[key.replace("-", "_")] = _checked(OPTIONS[key].type, value)
+        except ValueError as error:
+            raise ConfigError(f"{path}: {key} {error}") from error
+    return Config(**values, path=path)
+
+
+def _did_you_mean(key: str) -> str:
+    import difflib
+
+    near = difflib.get_close_matches(key.replace("_", "-"), OPTIONS, 1)
+    return f"; did you mean '{near[0]}'?" if near else f"; known keys: {', '.join(OPTIONS)}"
+
+
+def _checked(kind: str, value: Any) -> Any:
+    if kind == "strings":
+        if not isinstance(value, list) or not all(isinstance(item, str) for item in value):
+            raise ValueError("must be a list of strings")
+        return tuple(value)
+    if kind in ("paths", "severities"):
+        if not isinstance(value, dict) or not all(isinstance(item, str) for item in value.values()):
+            raise ValueError("must be a table of strings")
+        if kind == "severities":
+            value = {key: _checked("severity", item) for key, item in value.items()}
+        return value
+    if kind == "integer":
+        if not isinstance(value, int) or isinstance(value, bool):
+            raise ValueError("must be a whole number")
+        return value
+    if not isinstance(value, str):
+        raise ValueError("must be a string")
+    choices = {"severity": SEVERITIES, "ros": ROS_DISTROS}.get(kind)
+    if choices and value not in choices:
+        raise ValueError(f"must be one of {', '.join(choices)}, not '{value}'")
+    return value
+
+
+def schema() -> dict[str, Any]:
+    """The JSON schema (draft 2020-12) of the configuration file."""
+    string = {"type": "string"}
+    severity = {"enum": list(SEVERITIES)}
+    types: dict[str, dict[str, Any]] = {
+        "string": string,
+        "integer": {"type": "integer", "minimum": 245},
+        "strings": {"type": "array", "items": string, "uniqueItems": True},
+        "severity": severity,
+        "severities": {"type": "object", "additionalProperties": severity},
+        "ros": {"enum": list(ROS_DISTROS)},
+        "paths": {"type": "object", "additionalProperties": string},
+    }
+    defaults = {item.name.replace("_", "-"): item.default for item in fields(Config) if isinstance(item.default, str)}
+    properties = {}
+    for key, option in OPTIONS.items():
+        properties[key] = {"description": option.help, **types[option.type]}
+        if key in defaults:
+            properties[key]["default"] = defaults[key]
+    return {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": "bringup-lint configuration",
+        "type": "object",
+        "additionalProperties": False,
+        "properties": properties,
+    }

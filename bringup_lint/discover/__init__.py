@@ -1,0 +1,1 @@
+"""From paths to sources: walking, recognising, and reading safely."""

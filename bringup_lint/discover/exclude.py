@@ -1,0 +1,23 @@
+"""Which paths a run leaves out: the configuration's patterns and the repository's ``.gitignore`` files."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from collections.abc import Sequence
+from pathlib import Path
+
+
+def exclusion(folder: Path, patterns: Sequence[str]) -> Callable[[str], bool]:
+    """A test for paths (folders end in ``/``): does one of the gitignore patterns, relative to ``folder``, match?"""
+    if not patterns:
+        return lambda path: False
+    import pathspec
+
+    spec = pathspec.PathSpec.from_lines("gitwildmatch", patterns)
+
+    def excluded(path: str) -> bool:
+        relative = os.path.relpath(path, folder)
+        return not relative.startswith("..") and spec.match_file(relative + "/" * path.endswith("/"))
+
+    return excluded

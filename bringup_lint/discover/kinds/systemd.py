@@ -1,0 +1,49 @@
+"""Unit files, drop-ins and what enables them."""
+
+from __future__ import annotations
+
+import re
+
+from bringup_lint.discover.kinds import Head
+from bringup_lint.discover.kinds import Kind
+
+UNIT_TYPES = (
+    "service",
+    "socket",
+    "target",
+    "timer",
+    "path",
+    "mount",
+    "automount",
+    "swap",
+    "slice",
+    "scope",
+    "device",
+)
+_TYPES = "|".join(UNIT_TYPES)
+_TEMPLATE = r"(?:\.(?:in|j2|jinja|jinja2|em|m4|tmpl|tpl|template|erb))?"
+_UNIT = re.compile(rf"/[^/]+\.(?:{_TYPES}){_TEMPLATE}$")
+_DROPIN = re.compile(rf"/(?:[^/]*\.)?(?:{_TYPES})\.d/[^/]+$")
+_LINK = re.compile(r"\.(?:wants|requires|upholds)/[^/]+$")
+_SECTION = re.compile(r"^\s*\[(?:Unit|Service|Install|Socket|Timer|Path|Mount|Automount|Swap|Slice)\]", re.M)
+_BACKUP = re.compile(r"(?:~|\.(?:bak|orig|rej|swp|dpkg-\w+|rpm\w+|ucf-\w+))$")
+
+
+def _is_dropin(path: str, head: Head) -> bool:
+    path = f"/{path}"
+    return bool(_DROPIN.search(path)) and not _BACKUP.search(path) and not path.rpartition("/")[2].startswith("README")
+
+
+def _is_unit(path: str, head: Head) -> bool:
+    path = f"/{path}"
+    if not _UNIT.search(path) or "/dbus-1/" in path:
+        return False
+    if "/systemd/" in path or _LINK.search(path):
+        return True
+    return bool(_SECTION.search(head())) or not head().strip()
+
+
+KINDS = (
+    Kind("systemd-dropin", _is_dropin),
+    Kind("systemd-unit", _is_unit),
+)

@@ -1,0 +1,80 @@
+"""Reading one file of an untrusted tree: regular files only, bounded, never through a link that was swapped in."""
+
+from __future__ import annotations
+
+import os
+import stat
+
+SIZE_LIMIT = 8 * 1024 * 1024
+"""Bytes. No configuration file of a robot comes near; a larger one is reported and not read."""
+
+
+class Unreadable(Exception):
+    """The file cannot be read; the text says why, for the user."""
+
+
+_FLAGS = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_CLOEXEC", 0)
+
+
+def read_head(path: str, size: int) -> str:
+    """The first bytes of a regular file as text; empty when there is nothing to read."""
+    try:
+        descriptor = os.open(path, _FLAGS)
+    except OSError:
+        return ""
+    try:
+        if not stat.S_ISREG(os.fstat(descriptor).st_mode):
+            return ""
+        return os.read(descriptor, size).decode("utf-8", errors="replace")
+    except OSError:
+        return ""
+    finally:
+        os.close(descriptor)
+
+
+def read_bytes(path: str, limit: int = SIZE_LIMIT) -> tuple[bytes, os.stat_result]:
+    """The content and status of a regular file. Raises Unreadable. Never blocks on a FIFO or device."""
+    try:
+        descriptor = os.open(path, _FLAGS)
+    except OSError as error:
+        raise Unreadable(error.strerror or str(error)) from error
+    try:
+        status = os.fstat(descriptor)
+        if not stat.S_ISREG(status.st_mode):
+            raise Unreadable(f"not a regular file but {describe(status.st_mode)}")
+        if status.st_size > limit:
+            raise Unreadable(f"{status.st_size / 1024 / 1024:.0f} MiB is more than the {limit // 1024 // 1024} MiB limit")
+        with os.fdopen(descriptor, "rb", closefd=False) as file:
+            return file.read(limit), status
+    except OSError as error:
+        raise Unreadable(error.strerror or str(error)) from error
+    finally:
+        os.close(descriptor)
+
+
+def describe(mode: int) -> str:
+    """A file type in words."""
+    for test, word in (
+        (stat.S_ISDIR, "a directory"),
+        (stat.S_ISFIFO, "a FIFO"),
+        (stat.S_ISSOCK, "a socket"),
+        (stat.S_ISCHR, "a character device"),
+        (stat.S_ISBLK, "a block device"),
+        (stat.S_ISLNK, "a symbolic link"),
+    ):
+        if test(mode):
+            return word
+    return "a special file"
+
+
+def decode(data: bytes) -> tuple[str, str]:
+    """The text and what was wrong with its encoding (empty when nothing). Undecodable bytes become U+FFFD."""
+    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
+        return data.decode("utf-16", errors="replace"), "is UTF-16, which none of its readers understands; save it as UTF-8"
+    if b"\0" in data:
+        return "", "holds NUL bytes: it is binary or damaged"
+    try:
+        return data.decode("utf-8"), ""
+    except UnicodeDecodeError as error:
+        line = data.count(b"\n", 0, error.start) + 1
+        return data.decode("utf-8", errors="replace"), f"is not UTF-8: byte 0x{data[error.start]:02x} in line {line}"

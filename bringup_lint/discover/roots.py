@@ -1,0 +1,85 @@
+"""Where a tree stands on the robot: root file systems, overlays, and the vendor's folders beside a checked ``/etc``."""
+
+from __future__ import annotations
+
+import os
+import re
+from pathlib import Path
+
+VENDOR_FOLDERS = (
+    "usr/local/lib/systemd",
+    "usr/lib/systemd",
+    "lib/systemd",
+    "run/systemd",
+    "usr/lib/udev/rules.d",
+    "lib/udev/rules.d",
+    "run/udev/rules.d",
+    "usr/lib/netplan",
+    "run/netplan",
+    "usr/lib/sysctl.d",
+    "usr/lib/sysusers.d",
+    "usr/lib/tmpfiles.d",
+    "usr/lib/modules-load.d",
+    "usr/lib/environment.d",
+)
+"""Folders of the distribution that /etc builds on, by systemd.unit(5), udev(7), netplan(5), sysctl.d(5), sysusers.d(5)."""
+
+EPHEMERAL = frozenset({"proc", "sys", "dev", "tmp", "lost+found", "snap", "media", "mnt", "cdrom", "boot"})
+"""Top folders of a root file system that hold no configuration."""
+
+_OVERLAY = re.compile(
+    r"(?:^|/)((?:etc|usr/lib|usr/local|lib/systemd|lib/udev|run/systemd|opt|home|root|var/lib)/.*)"
+)
+
+
+def is_root(folder: Path) -> bool:
+    """Whether the folder is a root file system: it names its release and its users, and has a /usr."""
+    release = (folder / "etc/os-release", folder / "usr/lib/os-release")
+    return (folder / "etc/passwd").is_file() and (folder / "usr").is_dir() and any(map(os.path.lexists, release))
+
+
+def root_of(path: Path) -> Path | None:
+    """The root file system that an absolute path lies in, or None for a path of a repository."""
+    for folder in (path, *path.parents):
+        if is_root(folder):
+            return None if folder == Path("/") and not _is_system_path(path) else folder
+    return None
+
+
+def _is_system_path(path: Path) -> bool:
+    """Whether a path of the running system is configuration of this machine, not a checkout that lies on it."""
+    return str(path) == "/" or path.parts[1:2] in (("etc",), ("usr",), ("lib",), ("run",))
+
+
+def overlay_path(path: str) -> tuple[str, str] | None:
+    """Split the path of an overlay (``board/rootfs/etc/udev/x.rules``) in its root and the path on the robot."""
+    match = _OVERLAY.search(path)
+    if match is None:
+        return None
+    return path[: match.start(1)], "/" + match.group(1)
+
+
+def resolve_inside(root: Path, path: str, hops: int = 40) -> Path | None:
+    """Follow a path as the system booted from ``root`` would; None when it leaves the root, loops or dangles."""
+    base = os.path.realpath(root)
+    pending = [part for part in path.split("/") if part not in ("", ".")][::-1]
+    done: list[str] = []
+    while pending:
+        part = pending.pop()
+        if part == "..":
+            done = done[:-1]
+            continue
+        here = os.path.join(base, *done, part)
+        try:
+            target = os.readlink(here)
+        except OSError:
+            done.append(part)
+            continue
+        hops -= 1
+        if hops < 0:
+            return None
+        if target.startswith("/"):
+            done = []
+        pending += [step for step in target.split("/") if step not in ("", ".")][::-1]
+    resolved = os.path.join(base, *done)
+    return Path(resolved) if os.path.exists(resolved) else None

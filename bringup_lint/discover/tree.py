@@ -1,0 +1,133 @@
+"""Tree: the files of one run, and what their absence can prove."""
+
+from __future__ import annotations
+
+import os
+import stat
+from collections.abc import Iterator
+from dataclasses import dataclass
+from dataclasses import field
+from pathlib import Path
+
+from bringup_lint.discover.reading import Unreadable
+from bringup_lint.discover.reading import decode
+from bringup_lint.discover.reading import read_bytes
+from bringup_lint.discover.roots import overlay_path
+from bringup_lint.discover.roots import resolve_inside
+from bringup_lint.templates import template_language
+from bringup_lint.source import Problem
+from bringup_lint.source import Source
+
+
+@dataclass(eq=False)
+class Tree:
+    """What was walked, what of it was read, and the root it stands on."""
+
+    root: Path | None = None
+    """The root file system, or None in a repository."""
+    complete: bool = False
+    """Whether this is a whole root file system, so that what is not there is missing."""
+    deploy: dict[str, str] = field(default_factory=dict)
+    """Path in the repository -> path on the robot, from the configuration."""
+    sources: list[Source] = field(default_factory=list)
+    problems: list[Problem] = field(default_factory=list)
+    _paths: dict[str, list[str]] = field(default_factory=dict)
+    _on_demand: dict[str, Source | None] = field(default_factory=dict)
+
+    def remember(self, path: str) -> None:
+        """Keep the name of a file that was walked past, so that a reference to it can be resolved."""
+        self._paths.setdefault(os.path.basename(path), []).append(path)
+
+    def read(self, path: str, kind: str = "", judged: bool = True) -> Source | None:
+        """Read a file into the tree; what cannot be read becomes a problem."""
+        source = Source(display_name(path), kind=kind, robot_path=self.robot_path(path), judged=judged)
+        try:
+            source.text, source.template = self._text(path, source)
+        except Unreadable as error:
+            if judged:
+                self.problems.append(Problem("unreadable", source.whole, str(error)))
+            return None
+        return source
+
+    def _text(self, path: str, source: Source) -> tuple[str, str]:
+        if os.path.islink(path):
+            source.link = os.readlink(path)
+            target = self._link_target(path)
+            if target is None:
+                return "", ""
+            path = str(target)
+        data, status = read_bytes(path)
+        if self.root is not None:
+            source.mode = stat.S_IMODE(status.st_mode)
+            source.uid, source.gid = status.st_uid, status.st_gid
+        text, complaint = decode(data)
+        if complaint and source.judged:
+            self.problems.append(Problem("encoding", source.whole, complaint))
+        return text, template_language(source.name, text)
+
+    def _link_target(self, path: str) -> Path | None:
+        """The file behind a link, if it lies inside the tree."""
+        if self.root is not None:
+            return resolve_inside(self.root, "/" + os.path.relpath(path, self.root))
+        target = os.path.realpath(path)
+        return Path(target) if target in self._paths.get(os.path.basename(target), ()) else None
+
+    def robot_path(self, path: str) -> str | None:
+        """Where the file lies on the robot: by the root, the deploy map, or an overlay that is shaped like one."""
+        if self.root is not None:
+            relative = os.path.relpath(path, self.root)
+            return None if relative.startswith("..") else f"/{relative}"
+        for prefix, place in self.deploy.items():
+            prefix = prefix.rstrip("/")
+            if path == prefix or path.startswith(prefix + "/"):
+                return place.rstrip("/") + path[len(prefix) :]
+        found = overlay_path(display_name(path))
+        return found[1] if found else None
+
+    def find(self, robot_path: str) -> Source | None:
+        """The file at a path on the robot, read now if no kind had claimed it; None when it is missing or ambiguous."""
+        if robot_path not in self._on_demand:
+            self._on_demand[robot_path] = self._find(robot_path)
+        return self._on_demand[robot_path]
+
+    def _find(self, robot_path: str) -> Source | None:
+        known = [source for source in self.sources if source.robot_path == robot_path]
+        if len(known) == 1:
+            return known[0]
+        if known:
+            return None
+        if self.root is not None:
+            path = resolve_inside(self.root, robot_path)
+            return self.read(str(path)) if path and path.is_file() else None
+        path = self._by_suffix(robot_path)
+        if path is None:
+            return None
+        name = display_name(path)
+        return next((source for source in self.sources if source.name == name), None) or self.read(path)
+
+    def _by_suffix(self, robot_path: str) -> str | None:
+        """The one file of the repository that shares the longest tail with the path; None when several do."""
+        parts = robot_path.strip("/").split("/")
+        candidates = self._paths.get(parts[-1], [])
+        for count in range(len(parts), 0, -1):
+            tail = "/" + "/".join(parts[-count:])
+            matching = [path for path in candidates if path.endswith(tail)]
+            if matching:
+                return matching[0] if len(matching) == 1 else None
+        return None
+
+    def has(self, robot_path: str) -> bool | None:
+        """Whether a file, folder or link is there on the robot; None when the tree cannot tell."""
+        if self.root is not None and self.complete:
+            return os.path.lexists(os.path.join(self.root, robot_path.lstrip("/")))
+        return True if self.find(robot_path) is not None else None
+
+    def named(self, basename: str) -> Iterator[str]:
+        """All walked paths with this last component."""
+        yield from self._paths.get(basename, ())
+
+
+def display_name(path: str) -> str:
+    """A path as the user knows it: relative to the working folder when it lies below it."""
+    relative = os.path.relpath(path)
+    return path if relative.startswith("..") else relative

@@ -1,0 +1,173 @@
+"""Walking the paths of a run: which folders are entered, which files are looked at."""
+
+from __future__ import annotations
+
+import os
+import stat
+from collections.abc import Callable
+from collections.abc import Iterable
+from collections.abc import Iterator
+from pathlib import Path
+
+from bringup_lint.discover.kinds import HEAD_SIZE
+from bringup_lint.discover.kinds import kind_of
+from bringup_lint.discover.reading import decode
+from bringup_lint.discover.reading import describe
+from bringup_lint.discover.reading import read_head
+from bringup_lint.discover.roots import EPHEMERAL
+from bringup_lint.discover.roots import VENDOR_FOLDERS
+from bringup_lint.discover.roots import is_root
+from bringup_lint.discover.roots import root_of
+from bringup_lint.discover.tree import Tree
+from bringup_lint.discover.tree import display_name
+from bringup_lint.source import Problem
+from bringup_lint.source import Source
+from bringup_lint.templates import template_language
+
+SKIPPED_FOLDERS = frozenset(
+    {".git", ".hg", ".svn", ".tox", ".nox", ".venv", "venv", "node_modules", "__pycache__", ".mypy_cache", ".cache"}
+)
+IGNORE_MARKERS = frozenset({"COLCON_IGNORE", "AMENT_IGNORE"})
+"""colcon leaves these in build/, install/ and log/, and people put them where nothing is to be built."""
+
+DEPTH_LIMIT = 60
+
+Excluded = Callable[[str], bool]
+
+
+def discover(
+    paths: Iterable[str],
+    *,
+    root: str | None = None,
+    deploy: dict[str, str] | None = None,
+    excluded: Excluded = lambda path: False,
+) -> Tree:
+    """Read everything below the paths that some kind claims, and the vendor's folders beside a root's /etc as context."""
+    paths = list(paths)
+    tree = Tree(deploy=deploy or {})
+    if root is not None:
+        tree.root = Path(root).absolute()
+        tree.complete = True
+        paths = [inside(tree.root, path) for path in paths]
+    else:
+        paths = [os.path.abspath(path) for path in paths]
+        tree.root = next(filter(None, (root_of(Path(path)) for path in paths)), None)
+        tree.complete = tree.root is not None and is_root(tree.root)
+    walked: set[str] = set()
+    for path in paths:
+        if not os.path.isdir(path):
+            _read_named(tree, path, walked)
+            continue
+        for file in walk(path, excluded, lambda folder, error: _unreadable(tree, folder, error)):
+            _read_walked(tree, file, walked, judged=not _is_vendor(tree, file, path))
+    if tree.root is not None:
+        _read_context(tree, walked)
+    tree.sources.sort(key=lambda source: source.name)
+    return tree
+
+
+def discover_text(name: str, data: bytes) -> Tree:
+    """A tree of one file that comes from standard input."""
+    tree = Tree()
+    text, complaint = decode(data)
+    kind = kind_of(name, lambda: text[:HEAD_SIZE])
+    source = Source(name, text, kind, robot_path=tree.robot_path(os.path.abspath(name)))
+    source.template = template_language(name, text)
+    tree.sources.append(source)
+    if complaint or not kind:
+        tree.problems.append(Problem("encoding" if complaint else "unknown-kind", source.whole, complaint))
+    return tree
+
+
+def inside(root: Path, path: str) -> str:
+    """A path of the command line inside a mounted root: ``/etc`` and ``mnt/etc`` both mean the root's /etc."""
+    absolute = os.path.abspath(path)
+    if absolute == str(root) or absolute.startswith(f"{root}/"):
+        return absolute
+    return os.path.join(root, path.lstrip("/"))
+
+
+def walk(
+    top: str,
+    excluded: Excluded = lambda path: False,
+    failed: Callable[[str, OSError], None] = lambda path, error: None,
+    depth: int = 0,
+) -> Iterator[str]:
+    """All files and links below a folder, in the order of their names. Linked folders are not entered; ``failed`` is
+    told of folders that cannot be."""
+    try:
+        with os.scandir(top) as iterator:
+            entries = sorted(iterator, key=lambda entry: entry.name)
+    except OSError as error:
+        failed(top, error)
+        return
+    if depth and any(entry.name in IGNORE_MARKERS for entry in entries):
+        return
+    root = depth == 0 and is_root(Path(top))
+    for entry in entries:
+        if entry.is_dir(follow_symlinks=False):
+            skipped = entry.name in SKIPPED_FOLDERS or (root and entry.name in EPHEMERAL)
+            if not skipped and depth < DEPTH_LIMIT and not excluded(entry.path + "/"):
+                yield from walk(entry.path, excluded, failed, depth + 1)
+        elif not excluded(entry.path) and (entry.is_file(follow_symlinks=False) or entry.is_symlink()):
+            yield entry.path
+
+
+def _read_walked(tree: Tree, path: str, walked: set[str], judged: bool = True) -> None:
+    if path in walked:
+        return
+    walked.add(path)
+    tree.remember(path)
+    kind = kind_of(display_name(path), lambda: read_head(path, HEAD_SIZE))
+    if not kind:
+        return
+    if os.path.islink(path) and not kind.startswith("systemd"):
+        return
+    source = tree.read(path, kind, judged)
+    if source is not None:
+        tree.sources.append(source)
+
+
+def _unreadable(tree: Tree, path: str, error: OSError) -> None:
+    tree.problems.append(Problem("unreadable", Source(display_name(path)).whole, error.strerror or str(error)))
+
+
+def _read_named(tree: Tree, path: str, walked: set[str]) -> None:
+    """A file that the command line names: whatever is odd about it is said."""
+    if path in walked:
+        return
+    walked.add(path)
+    tree.remember(path)
+    try:
+        mode = os.stat(path).st_mode
+        if not stat.S_ISREG(mode):
+            raise OSError(f"not a regular file but {describe(mode)}")
+    except OSError as error:
+        _unreadable(tree, path, error)
+        return
+    path = path if kind_of_link(path) else os.path.realpath(path)
+    kind = kind_of(display_name(path), lambda: read_head(path, HEAD_SIZE))
+    source = tree.read(path, kind)
+    if source is not None and kind:
+        tree.sources.append(source)
+    elif source is not None:
+        tree.problems.append(Problem("unknown-kind", source.whole))
+
+
+def kind_of_link(path: str) -> bool:
+    """Whether a link is itself the configuration, as the links in ``.wants`` are."""
+    return os.path.islink(path) and kind_of(display_name(path), lambda: "").startswith("systemd")
+
+
+def _is_vendor(tree: Tree, file: str, named: str) -> bool:
+    """Whether the file is the distribution's own, met on the way through a whole root file system."""
+    if tree.root is None or not tree.complete:
+        return False
+    folders = [os.path.join(tree.root, folder) for folder in VENDOR_FOLDERS]
+    return any(file.startswith(folder + "/") and not f"{named}/".startswith(folder + "/") for folder in folders)
+
+
+def _read_context(tree: Tree, walked: set[str]) -> None:
+    for folder in ("etc", *VENDOR_FOLDERS):
+        for path in walk(os.path.join(tree.root, folder)):
+            _read_walked(tree, path, walked, judged=False)

@@ -1,0 +1,91 @@
+"""Which ROS distribution and systemd version the robot runs, and who says so."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from bringup_lint.source import Source
+
+SYSTEMD_OF_ROS = {
+    "foxy": 245,
+    "galactic": 245,
+    "humble": 249,
+    "iron": 249,
+    "jazzy": 255,
+    "kilted": 255,
+    "lyrical": 257,
+    "rolling": 257,
+}
+"""The systemd of the Ubuntu release that each distribution is built for (REP 2000)."""
+
+SYSTEMD_OF_OS = {
+    ("ubuntu", "20.04"): 245,
+    ("ubuntu", "22.04"): 249,
+    ("ubuntu", "24.04"): 255,
+    ("debian", "12"): 252,
+    ("debian", "13"): 257,
+}
+"""The systemd of a release, by ID and VERSION_ID of os-release(5)."""
+
+DEFAULT_SYSTEMD = 249
+
+_DISTRO = "|".join(SYSTEMD_OF_ROS)
+_MENTIONS = re.compile(
+    rf"/opt/ros/({_DISTRO})\b|\bROS_DISTRO[=:]\s*[\"']?({_DISTRO})\b|\bros:({_DISTRO})\b|\bros-({_DISTRO})-"
+)
+
+
+@dataclass(frozen=True)
+class Target:
+    """What the robot runs. Either may be unknown; ``why`` says where it was read."""
+
+    ros: str | None
+    ros_why: str
+    systemd: int
+    systemd_why: str
+    systemd_known: bool
+
+
+def find_target(sources: Iterable[Source], ros: str | None, systemd: int | None) -> Target:
+    """The configured target, else what the tree says about itself, else the defaults."""
+    sources = list(sources)
+    ros_why = "configured" if ros else "not known"
+    if ros is None:
+        ros, ros_why = _mentioned_ros(sources)
+    if systemd is not None:
+        return Target(ros, ros_why, systemd, "configured", True)
+    release = _os_release(sources)
+    if release:
+        return Target(ros, ros_why, *release, True)
+    if ros:
+        return Target(ros, ros_why, SYSTEMD_OF_ROS[ros], f"the systemd of ROS {ros}'s Ubuntu", True)
+    return Target(None, ros_why, DEFAULT_SYSTEMD, "assumed: Ubuntu 22.04", False)
+
+
+def _mentioned_ros(sources: Iterable[Source]) -> tuple[str | None, str]:
+    mentions: dict[str, Source] = {}
+    for source in sources:
+        if not source.judged:
+            continue
+        for match in _MENTIONS.finditer(source.text):
+            mentions.setdefault(next(group for group in match.groups() if group), source)
+    if len(mentions) == 1:
+        (ros, source) = next(iter(mentions.items()))
+        return ros, f"named in {source.name}"
+    if mentions:
+        return None, f"not known: the tree names {', '.join(sorted(mentions))}"
+    return None, "not known"
+
+
+def _os_release(sources: Iterable[Source]) -> tuple[int, str] | None:
+    for source in sources:
+        if source.kind != "os-release":
+            continue
+        pairs = (line.partition("=") for line in source.text.splitlines())
+        fields = {key: value.strip("\"'") for key, _, value in pairs}
+        version = SYSTEMD_OF_OS.get((fields.get("ID", ""), fields.get("VERSION_ID", "")))
+        if version:
+            return version, f"the systemd of {fields.get('PRETTY_NAME') or source.name}"
+    return None

@@ -1,0 +1,172 @@
+"""A unit as systemd would load it: the file that wins, then its drop-ins."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from dataclasses import field
+from functools import cached_property
+
+from bringup_lint.model.unit import Assignment
+from bringup_lint.model.unit import Section
+from bringup_lint.model.unit import UnitFile
+from bringup_lint.source import Located
+from bringup_lint.source import Source
+from bringup_lint.source import Span
+
+DEPENDENCIES = frozenset(
+    {
+        "After",
+        "Before",
+        "BindsTo",
+        "Conflicts",
+        "JoinsNamespaceOf",
+        "OnFailure",
+        "OnSuccess",
+        "PartOf",
+        "PropagatesReloadTo",
+        "PropagatesStopTo",
+        "ReloadPropagatedFrom",
+        "Requires",
+        "RequiresMountsFor",
+        "Requisite",
+        "StopPropagatedFrom",
+        "Upholds",
+        "Wants",
+        "WantsMountsFor",
+    }
+)
+"""Settings that an empty assignment does not reset (systemd.unit(5))."""
+
+SECTION_OF_TYPE = {
+    "service": "Service",
+    "socket": "Socket",
+    "timer": "Timer",
+    "path": "Path",
+    "mount": "Mount",
+    "automount": "Automount",
+    "swap": "Swap",
+    "slice": "Slice",
+    "scope": "Scope",
+}
+
+
+@dataclass(eq=False)
+class Unit:
+    """One unit of one manager, with its settings merged."""
+
+    name: str
+    manager: str
+    """``system`` or ``user``."""
+    fragment: UnitFile | None = None
+    """The unit file; None when the tree holds only drop-ins for a unit of the distribution."""
+    dropins: list[UnitFile] = field(default_factory=list)
+    """In the order in which they apply."""
+    masked: Source | None = None
+    """The link to /dev/null or the empty file that masks the unit."""
+    aliases: list[str] = field(default_factory=list)
+    place: str = ""
+    """The overlay root or folder that the unit belongs to; tells variants of one name apart."""
+
+    @property
+    def type(self) -> str:
+        return self.name.rpartition(".")[2]
+
+    @property
+    def stem(self) -> str:
+        return self.name.rpartition(".")[0]
+
+    @property
+    def section(self) -> str:
+        """The section of the unit's own type, e.g. ``Service``; empty for a target."""
+        return SECTION_OF_TYPE.get(self.type, "")
+
+    @property
+    def is_template(self) -> bool:
+        return self.stem.endswith("@")
+
+    @property
+    def instance(self) -> str:
+        """What stands between ``@`` and the type; empty for a template and for a plain unit."""
+        return self.stem.partition("@")[2]
+
+    @cached_property
+    def files(self) -> list[UnitFile]:
+        return [*filter(None, [self.fragment]), *self.dropins]
+
+    @property
+    def judged(self) -> bool:
+        return any(file.source.judged for file in self.files)
+
+    @property
+    def uncertain(self) -> bool:
+        """Whether a setting that is not there may still come from a template's control flow."""
+        return any(file.uncertain for file in self.files)
+
+    @property
+    def where(self) -> Span:
+        """The header that a finding about the whole unit points at: [Service] and the like, else the first section."""
+        for file in self.files:
+            if not file.source.judged:
+                continue
+            named = [section for section in file.sections if section.name == self.section]
+            for section in named or file.sections:
+                return section.header
+        return self.files[0].source.whole
+
+    @cached_property
+    def _settings(self) -> dict[tuple[str, str], list[Assignment]]:
+        settings: dict[tuple[str, str], list[Assignment]] = {}
+        for file in self.files:
+            for assignment in file.assignments:
+                settings.setdefault((assignment.section, assignment.key), []).append(assignment)
+        return settings
+
+    def assignments(self, key: str, section: str | None = None) -> list[Assignment]:
+        """Every line that assigns the key, in the order in which they apply, resets included."""
+        return self._settings.get((self._section_of(key, section), key), [])
+
+    def _section_of(self, key: str, section: str | None) -> str:
+        if section is not None:
+            return section
+        return "Unit" if key in DEPENDENCIES else self.section
+
+    def values(self, key: str, section: str | None = None) -> list[Located]:
+        """The values of a list setting; an empty assignment resets it, except for dependencies. ``section`` is
+        [Unit] for dependencies and the unit type's own section for other keys unless it is given."""
+        values: list[Located] = []
+        for assignment in self.assignments(key, section):
+            if assignment.value:
+                values.append(assignment.value)
+            elif key not in DEPENDENCIES:
+                values.clear()
+        return values
+
+    def get(self, key: str, section: str | None = None) -> Located | None:
+        """The value of a scalar setting: the last assignment, or None when it is unset or reset."""
+        assignments = self.assignments(key, section)
+        return assignments[-1].value or None if assignments else None
+
+    def words(self, key: str, section: str | None = None) -> list[Located]:
+        """The blank-separated words of a list setting."""
+        return [word for value in self.values(key, section) for word in value.words()]
+
+    def has(self, key: str, section: str | None = None) -> bool:
+        return bool(self.values(key, section))
+
+    def is_opaque(self, value: Located) -> bool:
+        """Whether a value still holds a template's placeholder."""
+        return any(
+            assignment.opaque and assignment.value.span == value.span
+            for assignments in self._settings.values()
+            for assignment in assignments
+        )
+
+    def sections(self, name: str) -> Iterator[Section]:
+        for file in self.files:
+            for section in file.sections:
+                if section.name == name:
+                    yield section
+
+    def __repr__(self) -> str:
+        return f"<Unit {self.name}>"

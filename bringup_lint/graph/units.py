@@ -1,0 +1,271 @@
+"""All units of a robot: load paths, shadowing, masks, aliases, drop-ins and links (systemd.unit(5))."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from dataclasses import field
+from functools import cached_property
+from typing import TYPE_CHECKING
+from typing import NamedTuple
+
+from bringup_lint.graph.unit import Unit
+from bringup_lint.model.unit import UnitFile
+from bringup_lint.parsers.unit import parse
+from bringup_lint.source import Located
+from bringup_lint.source import Source
+from bringup_lint.templates import final_name
+
+if TYPE_CHECKING:
+    from bringup_lint.robot import Robot
+
+SYSTEM_PATH = (
+    "/etc/systemd/system.control",
+    "/run/systemd/system.control",
+    "/run/systemd/transient",
+    "/run/systemd/generator.early",
+    "/etc/systemd/system",
+    "/etc/systemd/system.attached",
+    "/run/systemd/system",
+    "/run/systemd/system.attached",
+    "/run/systemd/generator",
+    "/usr/local/lib/systemd/system",
+    "/usr/lib/systemd/system",
+    "/lib/systemd/system",
+    "/run/systemd/generator.late",
+)
+USER_PATH = (
+    "/.config/systemd/user.control",
+    "/.config/systemd/user",
+    "/etc/systemd/user",
+    "/run/systemd/user",
+    "/.local/share/systemd/user",
+    "/usr/local/share/systemd/user",
+    "/usr/local/lib/systemd/user",
+    "/usr/lib/systemd/user",
+    "/lib/systemd/user",
+)
+"""Directories in the order in which they win (systemd.unit(5), "Unit File Load Path")."""
+
+_LINK_FOLDER = re.compile(r"([^/]+)\.(wants|requires|upholds)$")
+_RELATION = {"wants": "Wants", "requires": "Requires", "upholds": "Upholds"}
+GENERATED = re.compile(
+    r"\.(?:device|mount|automount|swap|slice|scope)$|^(?:getty|serial-getty|user|user-runtime-dir|modprobe|systemd-fsck"
+    r"|systemd-backlight|systemd-growfs|systemd-cryptsetup|systemd-pcrphase|wpa_supplicant|dhcpcd|ifup|netplan-\w+"
+    r"|container-getty|autovt|systemd-[\w-]+)@|^(?:dbus-.*|netplan-.*|snap[.-].*|cloud-.*|nvargus-.*|nvidia-.*)\.\w+$"
+)
+"""Names that the kernel, a generator or an installed package provides, so that nothing in a tree can prove them missing."""
+
+
+class Link(NamedTuple):
+    """An entry of ``UNIT.wants/`` and the like: UNIT pulls in ``name``."""
+
+    unit: str
+    relation: str
+    name: Located
+    source: Source
+
+
+class _Place(NamedTuple):
+    """Where a file stands: its overlay root or folder, the manager, and its rank in the load path (None: outside)."""
+
+    root: str
+    manager: str
+    rank: int | None
+
+
+def place_of(source: Source, folder: str | None = None) -> _Place:
+    """The place of a unit file, or of the ``.d`` or ``.wants`` folder that holds it."""
+    path = source.robot_path
+    if path is not None:
+        directory = (folder or path).rpartition("/")[0]
+        if directory in SYSTEM_PATH:
+            return _Place(source.name.removesuffix(path), "system", SYSTEM_PATH.index(directory))
+        for rank, suffix in enumerate(USER_PATH):
+            if directory == suffix or (suffix.startswith("/.") and directory.endswith(suffix)):
+                return _Place(source.name.removesuffix(path), "user", rank)
+    directory = (source.name if folder is None else source.name.rpartition("/")[0]).rpartition("/")[0]
+    manager = "user" if re.search(r"(?:^|/)systemd[/_-]user(?:/|$)", directory) else "system"
+    return _Place(directory, manager, None)
+
+
+@dataclass(eq=False)
+class Units:
+    """Every unit of the tree, and what is known about the distribution's."""
+
+    robot: Robot
+    all: list[Unit] = field(default_factory=list)
+    links: list[Link] = field(default_factory=list)
+    shadowed: list[tuple[UnitFile, Unit]] = field(default_factory=list)
+    """Files that a higher directory hides, with the unit that hides them."""
+    orphans: list[UnitFile] = field(default_factory=list)
+    """Drop-ins of units that neither the tree nor the distribution has."""
+    files: list[UnitFile] = field(default_factory=list)
+    """All unit files and drop-ins as written, judged ones only."""
+
+    @cached_property
+    def judged(self) -> list[Unit]:
+        """The units that rules about effective settings look at."""
+        return [unit for unit in self.all if unit.judged and not unit.masked and unit.files]
+
+    @property
+    def services(self) -> list[Unit]:
+        return [unit for unit in self.judged if unit.type == "service"]
+
+    @cached_property
+    def _by_name(self) -> dict[tuple[str, str], list[Unit]]:
+        by_name: dict[tuple[str, str], list[Unit]] = {}
+        for unit in self.all:
+            for name in (unit.name, *unit.aliases):
+                by_name.setdefault((unit.manager, name), []).append(unit)
+        return by_name
+
+    def candidates(self, name: str, manager: str = "system") -> list[Unit]:
+        """The units of this name; for an instance without a file of its own, those of its template."""
+        found = self._by_name.get((manager, name))
+        if found is None and "@" in name:
+            stem, _, suffix = name.rpartition(".")
+            found = self._by_name.get((manager, f"{stem.partition('@')[0]}@.{suffix}"))
+        return found or []
+
+    def find(self, name: str, near: Unit) -> Unit | None:
+        """The unit that a name in ``near`` means; None when it is not in the tree or several variants could be meant."""
+        found = self.candidates(name, near.manager)
+        if len(found) > 1:
+            found = [unit for unit in found if unit.place == near.place]
+        return found[0] if len(found) == 1 else None
+
+    def exists(self, name: str, near: Unit) -> bool | None:
+        """Whether systemd would find a unit of this name; None when that cannot be told."""
+        if self.candidates(name, near.manager):
+            return True
+        if "%" in name or GENERATED.search(name) or near.manager == "user":
+            return None
+        return self.is_distribution_unit(name)
+
+    @cached_property
+    def _distribution(self) -> frozenset[str]:
+        from bringup_lint.facts import table
+
+        return frozenset(row["unit"] for row in table("systemd_units"))
+
+    def is_distribution_unit(self, name: str) -> bool:
+        """Whether Ubuntu or Debian ships the unit (table ``systemd_units``), templates' instances included."""
+        if name in self._distribution:
+            return True
+        stem, _, suffix = name.rpartition(".")
+        return "@" in stem and f"{stem.partition('@')[0]}@.{suffix}" in self._distribution
+
+    def wanted_by(self, unit: Unit) -> Iterator[tuple[str, str, Located]]:
+        """Who pulls the unit in by installation: (unit name, ``Wants``/``Requires``/``Upholds``, the word that says so)."""
+        for key, relation in (("WantedBy", "Wants"), ("RequiredBy", "Requires"), ("UpheldBy", "Upholds")):
+            for word in unit.words(key, "Install"):
+                yield str(word), relation, word
+        for link in self.links:
+            if link.name == unit.name or link.name in unit.aliases or self.candidates(link.name, unit.manager) == [unit]:
+                yield link.unit, link.relation, link.name
+
+
+def load_units(robot: Robot) -> Units:
+    """Join the unit files of the tree to units."""
+    units = Units(robot)
+    fragments: dict[tuple[str, str, str], list[tuple[int, Source]]] = {}
+    aliases: list[tuple[_Place, str, str]] = []
+    for source in robot.of_kind("systemd-unit"):
+        folder = source.name.rpartition("/")[0]
+        linked = _LINK_FOLDER.search(folder)
+        if linked:
+            units.links.append(_link(source, linked))
+            continue
+        place = place_of(source)
+        name = final_name(source.basename)
+        target = (source.link or "").rpartition("/")[2]
+        if source.link and target != name and source.link != "/dev/null":
+            aliases.append((place, name, target))
+            continue
+        fragments.setdefault((place.root, place.manager, name), []).append((_order(place), source))
+    for (root, manager, name), sources in fragments.items():
+        _add_unit(units, Unit(name, manager, place=root), [source for _, source in sorted(sources, key=lambda s: s[0])])
+    for place, name, target in aliases:
+        for unit in units.all:
+            if unit.name == target and unit.manager == place.manager and unit.place == place.root:
+                unit.aliases.append(name)
+    _add_dropins(units, robot)
+    units.files = list({id(file): file for file in _files(units) if file.source.judged}.values())
+    return units
+
+
+def _order(place: _Place) -> int:
+    return len(SYSTEM_PATH) if place.rank is None else place.rank
+
+
+def _link(source: Source, folder: re.Match[str]) -> Link:
+    name = Located(source.basename, source.whole)
+    return Link(folder.group(1).rpartition("/")[2], _RELATION[folder.group(2)], name, source)
+
+
+def _add_unit(units: Units, unit: Unit, sources: list[Source]) -> None:
+    winner, *hidden = sources
+    if winner.link == "/dev/null" or (not winner.text and winner.link is None):
+        unit.masked = winner
+    else:
+        unit.fragment = next(iter(units.robot.parsed(parse, [winner])), None)
+    units.all.append(unit)
+    units.shadowed += [(file, unit) for file in units.robot.parsed(parse, filter(lambda s: s.text, hidden))]
+
+
+def _files(units: Units) -> Iterator[UnitFile]:
+    for unit in units.all:
+        yield from unit.files
+    yield from (file for file, _ in units.shadowed)
+    yield from units.orphans
+
+
+def dropin_folders(unit: Unit) -> list[str]:
+    """The folders whose files extend the unit, the most specific first (systemd.unit(5))."""
+    folders = []
+    for name in (unit.name, *unit.aliases):
+        stem, _, suffix = name.rpartition(".")
+        folders.append(name)
+        if "@" in stem:
+            stem = stem.partition("@")[0]
+            folders.append(f"{stem}@.{suffix}")
+        dashes = [at for at, char in enumerate(stem) if char == "-" and at + 1 < len(stem)]
+        folders += [f"{stem[: at + 1]}.{suffix}" for at in reversed(dashes)]
+    folders.append(unit.type)
+    return list(dict.fromkeys(folders))
+
+
+def _add_dropins(units: Units, robot: Robot) -> None:
+    by_folder: dict[tuple[str, str], list[tuple[_Place, UnitFile]]] = {}
+    dropins = [s for s in robot.of_kind("systemd-dropin") if final_name(s.basename).endswith(".conf")]
+    for file in robot.parsed(parse, dropins):
+        source = file.source
+        place = place_of(source, folder=(source.robot_path or "").rpartition("/")[0])
+        by_folder.setdefault((place.manager, file.name), []).append((place, file))
+    for (manager, name), files in by_folder.items():
+        if "." in name and not name.partition(".")[0].endswith(("-", "@")) and not units.candidates(name, manager):
+            _add_extended(units, name, manager, files)
+    for unit in units.all:
+        _extend(unit, by_folder, alone=len(units.candidates(unit.name, unit.manager)) == 1)
+
+
+def _add_extended(units: Units, name: str, manager: str, files: list[tuple[_Place, UnitFile]]) -> None:
+    """A unit of the distribution that the tree only extends."""
+    units.all.append(Unit(name, manager, place=files[0][0].root))
+    if not units.is_distribution_unit(name) and not GENERATED.search(name):
+        units.orphans += [file for _, file in files]
+
+
+def _extend(unit: Unit, by_folder: dict[tuple[str, str], list[tuple[_Place, UnitFile]]], alone: bool) -> None:
+    winners: dict[str, tuple[tuple[int, int], UnitFile]] = {}
+    for specificity, folder in enumerate(dropin_folders(unit)):
+        for place, file in by_folder.get((unit.manager, folder), ()):
+            if place.root != unit.place and not (alone and folder == unit.name):
+                continue
+            rank = (_order(place), specificity)
+            known = winners.get(file.source.basename)
+            if known is None or rank < known[0]:
+                winners[file.source.basename] = (rank, file)
+    unit.dropins = [winners[name][1] for name in sorted(winners) if winners[name][1].source.link != "/dev/null"]

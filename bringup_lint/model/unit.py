@@ -1,0 +1,63 @@
+"""A unit file as it is written: sections and assignments, in order."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from dataclasses import field
+
+from bringup_lint.source import Located
+from bringup_lint.source import Problem
+from bringup_lint.source import Source
+from bringup_lint.source import Span
+
+
+@dataclass(frozen=True, slots=True)
+class Assignment:
+    """``Key=value`` in a section; the value is as systemd joins continued lines."""
+
+    section: Located
+    key: Located
+    value: Located
+    span: Span
+    """The whole assignment, continued lines included, without the last line end."""
+    opaque: bool = False
+    """The value holds a placeholder that a build or a deployment fills in."""
+
+
+@dataclass(frozen=True, slots=True)
+class Section:
+    """A ``[Header]`` and what follows it. A name may occur more than once."""
+
+    name: Located
+    header: Span
+    assignments: list[Assignment]
+
+    @property
+    def end(self) -> int:
+        """Offset behind the last line of the section, where a new line can be inserted."""
+        last = self.assignments[-1].span if self.assignments else self.header
+        text = last.source.text
+        at = text.find("\n", last.end)
+        return len(text) if at == -1 else at + 1
+
+
+@dataclass(slots=True)
+class UnitFile:
+    """A unit file or drop-in."""
+
+    source: Source
+    name: str
+    """The unit's name, e.g. ``robot@.service``; for a drop-in the name that its folder gives it to."""
+    dropin: bool
+    sections: list[Section] = field(default_factory=list)
+    problems: list[Problem] = field(default_factory=list)
+    uncertain: bool = False
+    """Whole lines may come and go when the template is filled in: nothing can be called absent."""
+
+    @property
+    def type(self) -> str:
+        return self.name.rpartition(".")[2]
+
+    @property
+    def assignments(self) -> list[Assignment]:
+        return [assignment for section in self.sections for assignment in section.assignments]

@@ -1,0 +1,125 @@
+"""Unit files and drop-ins: the line grammar of systemd.syntax(7).
+
+Per the systemd source (``src/shared/conf-parser.c``): a comment is a line whose first non-blank character is ``#`` or ``;``,
+also between continued lines; an unescaped backslash before the line end becomes a blank and joins the next line without
+its leading blanks; a blank line ends a continuation.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from bringup_lint.model.unit import Assignment
+from bringup_lint.model.unit import Section
+from bringup_lint.model.unit import UnitFile
+from bringup_lint.source import Located
+from bringup_lint.source import Problem
+from bringup_lint.source import Source
+from bringup_lint.templates import final_name
+from bringup_lint.templates import has_control_flow
+from bringup_lint.templates import has_placeholder
+
+_LINE = re.compile(r"[^\r\n]*")
+_BLANK = " \t\n\r"
+_TEMPLATE_LINE = re.compile(r"\{%.*%\}|\{#.*#\}|@\[.*\]|(?:m4_)?(?:ifdef|ifelse|dnl|divert)\b|<%|#(?:if|else|endif)\b")
+
+
+def parse(source: Source) -> UnitFile:
+    """Read a unit file or drop-in. Never raises; what systemd would drop is in ``problems``:
+    ``bad-section-header``, ``line-outside-section``, ``missing-equals``, ``continuation-at-end``, ``backslash-blank``."""
+    unit = UnitFile(source, *unit_name(source))
+    unit.uncertain = bool(source.template) and has_control_flow(source.text)
+    section: Section | None = None
+    for line in logical_lines(source, unit.problems):
+        text = line.strip_located(_BLANK)
+        if not text or (source.template and _TEMPLATE_LINE.match(text)):
+            continue
+        if text[0] == "[":
+            section = _section(text, unit)
+            continue
+        _assignment(text, section, unit)
+    return unit
+
+
+def logical_lines(source: Source, problems: list[Problem]) -> Iterator[Located]:
+    """The lines as systemd sees them: comments gone, continued lines joined."""
+    pieces: list[tuple[int, int]] = []
+    joined: list[str] = []
+    length = 0
+    for start, end in _physical_lines(source.text):
+        line = source.text[start:end]
+        content = line.lstrip(_BLANK)
+        if content[:1] in ("#", ";"):
+            continue
+        if joined:
+            start += len(line) - len(content)
+            line = content
+        continued = _ends_with_backslash(line)
+        if not continued and line.rstrip(_BLANK).endswith("\\") and line[-1:] in (" ", "\t"):
+            at = start + len(line.rstrip(_BLANK)) - 1
+            problems.append(Problem("backslash-blank", source.span(at, end)))
+        pieces.append((length, start))
+        joined.append(line[:-1] + " " if continued else line)
+        length += len(line)
+        if continued:
+            backslash = end - 1
+            continue
+        if len(joined) > 1 and not content:
+            problems.append(Problem("continuation-at-end", source.span(backslash, backslash + 1)))
+        yield _joined(source, joined, pieces, end)
+        joined, pieces, length = [], [], 0
+    if joined:
+        problems.append(Problem("continuation-at-end", source.span(backslash, backslash + 1)))
+        yield _joined(source, joined, pieces, len(source.text))
+
+
+def _joined(source: Source, lines: list[str], pieces: list[tuple[int, int]], end: int) -> Located:
+    span = source.span(pieces[0][1], end)
+    return Located("".join(lines), span, tuple(pieces) if len(pieces) > 1 else None)
+
+
+def _physical_lines(text: str) -> Iterator[tuple[int, int]]:
+    at = 1 if text.startswith("\ufeff") else 0
+    size = len(text)
+    while at < size:
+        end = _LINE.match(text, at).end()
+        yield at, end
+        at = end + (2 if text.startswith("\r\n", end) else 1)
+
+
+def _ends_with_backslash(line: str) -> bool:
+    return line.endswith("\\") and (len(line) - len(line.rstrip("\\"))) % 2 == 1
+
+
+def _section(text: Located, unit: UnitFile) -> Section | None:
+    if text[-1] != "]":
+        unit.problems.append(Problem("bad-section-header", text))
+        return None
+    section = Section(text.part(1, len(text) - 1), text.span, [])
+    unit.sections.append(section)
+    return section
+
+
+def _assignment(text: Located, section: Section | None, unit: UnitFile) -> None:
+    if section is None:
+        if not any(problem.code == "bad-section-header" for problem in unit.problems):
+            unit.problems.append(Problem("line-outside-section", text))
+        return
+    key, equals, _ = text.partition("=")
+    if not equals:
+        unit.problems.append(Problem("missing-equals", text))
+        return
+    value = text.part(len(key) + 1, len(text)).strip_located(_BLANK)
+    opaque = bool(unit.source.template) and has_placeholder(value)
+    section.assignments.append(
+        Assignment(section.name, text.part(0, len(key)).strip_located(_BLANK), value, text.span, opaque)
+    )
+
+
+def unit_name(source: Source) -> tuple[str, bool]:
+    """The unit that a file describes, and whether the file is a drop-in of it."""
+    *_, folder, name = ("", "", *source.name.split("/"))
+    if folder.endswith(".d") and source.kind == "systemd-dropin":
+        return folder[:-2], True
+    return final_name(name), False

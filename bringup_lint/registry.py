@@ -1,0 +1,163 @@
+"""Finds the rule files and loads them by path.
+
+Rules live in ``rules/<family>/<rule_name>.py``: in a wheel below this package, in a checkout beside it. A rule's id is its
+path. A family's files are loaded only when the tree holds something that the family reads (``family.toml``).
+"""
+
+from __future__ import annotations
+
+import importlib.machinery
+import importlib.util
+from collections.abc import Iterable
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+from bringup_lint.api import Check
+from bringup_lint.api import Metadata
+from bringup_lint.finding import Severity
+
+HEADINGS = ("What it finds", "Why it matters on a robot", "Bad", "Good", "References")
+
+
+class RuleError(Exception):
+    """A rule file that cannot be loaded, or says too little about itself."""
+
+
+@dataclass(frozen=True)
+class Rule:
+    """A loaded rule file."""
+
+    id: str
+    path: Path
+    doc: str
+    meta: Metadata
+
+    @property
+    def family(self) -> str:
+        return self.id.partition("/")[0]
+
+    @property
+    def title(self) -> str:
+        return self.doc.strip().partition("\n")[0].rstrip(".")
+
+    @property
+    def builtin(self) -> bool:
+        """Whether the rule came with the package, not from a user's own folder."""
+        return builtin_folder() in self.path.parents
+
+    @property
+    def severity(self) -> Severity:
+        return self.meta.severity
+
+    @property
+    def check(self) -> Check:
+        return self.meta.check
+
+
+@dataclass(frozen=True)
+class Family:
+    """A folder of rules and the kinds of source without which they have nothing to say."""
+
+    name: str
+    title: str
+    description: str
+    reads: frozenset[str]
+    path: Path
+
+    def rule_paths(self) -> list[Path]:
+        return sorted(path for path in self.path.glob("*.py") if not path.name.startswith("_"))
+
+    def rule_id(self, path: Path) -> str:
+        return f"{self.name}/{path.stem.replace('_', '-')}"
+
+
+def builtin_folder() -> Path:
+    package = Path(__file__).resolve().parent
+    packaged = package / "rules"
+    return packaged if packaged.is_dir() else package.parent / "rules"
+
+
+def families(folders: Iterable[Path]) -> list[Family]:
+    """Every family below the folders. A folder without ``family.toml`` is read whatever the tree holds."""
+    found = []
+    for folder in folders:
+        if not folder.is_dir():
+            raise RuleError(f"{folder} is no folder of rules")
+        for path in sorted(folder.iterdir()):
+            if path.is_dir() and not path.name.startswith((".", "_")):
+                found.append(_family(path))
+    return found
+
+
+def _family(path: Path) -> Family:
+    description = path / "family.toml"
+    data = {}
+    if description.is_file():
+        from bringup_lint.config import read_toml
+
+        data = read_toml(description.read_text("utf-8"))
+    return Family(
+        path.name,
+        data.get("title", path.name),
+        data.get("description", ""),
+        frozenset(data.get("reads", ())),
+        path,
+    )
+
+
+def load(path: Path, rule_id: str) -> Rule:
+    """Load one rule file. Raises RuleError when the file fails or lacks its metadata."""
+    name = "bringup_lint_rules." + rule_id.replace("-", "_").replace("/", ".")
+    loader = importlib.machinery.SourceFileLoader(name, str(path))
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader(name, loader))
+    try:
+        loader.exec_module(module)
+    except Exception as error:
+        raise RuleError(f"{path}: {type(error).__name__}: {error}") from error
+    rules = [value for value in vars(module).values() if isinstance(value, Metadata)]
+    if len(rules) != 1:
+        raise RuleError(f"{path}: a rule file holds exactly one @rule, this one holds {len(rules)}")
+    doc = module.__doc__ or ""
+    missing = [heading for heading in HEADINGS if f"\n## {heading}\n" not in doc]
+    if missing:
+        raise RuleError(f"{path}: the docstring lacks the heading {', '.join(missing)}")
+    return Rule(rule_id, path, doc, rules[0])
+
+
+@dataclass(frozen=True)
+class Registry:
+    """All rule files of the built-in folder and of the user's own ones."""
+
+    families: list[Family]
+
+    @classmethod
+    def of(cls, extra: Iterable[Path] = ()) -> Registry:
+        return cls(families([builtin_folder(), *extra]))
+
+    @cached_property
+    def paths(self) -> dict[str, Path]:
+        """Rule id -> file. Raises RuleError when a user's rule takes the id of another."""
+        paths: dict[str, Path] = {}
+        for family in self.families:
+            for path in family.rule_paths():
+                rule_id = family.rule_id(path)
+                if rule_id in paths:
+                    raise RuleError(f"{path}: the id {rule_id} is taken by {paths[rule_id]}")
+                paths[rule_id] = path
+        return paths
+
+    def get(self, rule_id: str) -> Rule | None:
+        path = self.paths.get(rule_id)
+        return load(path, rule_id) if path else None
+
+    def ids_reading(self, kinds: Iterable[str]) -> list[str]:
+        """The rules of every family that reads one of the kinds, or that reads anything."""
+        kinds = set(kinds)
+        readers = {family.name for family in self.families if not family.reads or family.reads & kinds}
+        return [rule_id for rule_id in self.paths if rule_id.partition("/")[0] in readers]
+
+    def all(self) -> Iterator[Rule]:
+        for rule_id, path in self.paths.items():
+            yield load(path, rule_id)

@@ -1,0 +1,76 @@
+"""Robot: all that is known about one robot. This is what rules ask."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from collections.abc import Iterable
+from dataclasses import dataclass
+from dataclasses import field
+from functools import cached_property
+from typing import TYPE_CHECKING
+from typing import TypeVar
+
+from bringup_lint.graph.target import Target
+from bringup_lint.graph.target import find_target
+from bringup_lint.source import Problem
+from bringup_lint.source import Source
+
+if TYPE_CHECKING:
+    from bringup_lint.discover.tree import Tree
+    from bringup_lint.graph.units import Units
+
+Model = TypeVar("Model")
+
+
+@dataclass(eq=False)
+class Robot:
+    """The sources of one run and everything derived from them, each layer on first use."""
+
+    tree: Tree
+    configured_ros: str | None = None
+    configured_systemd: int | None = None
+    failures: list[tuple[Source, Exception]] = field(default_factory=list)
+    """Sources on which a parser failed inside."""
+
+    @property
+    def sources(self) -> list[Source]:
+        return self.tree.sources
+
+    @cached_property
+    def _by_kind(self) -> dict[str, list[Source]]:
+        by_kind: dict[str, list[Source]] = {}
+        for source in self.sources:
+            by_kind.setdefault(source.kind, []).append(source)
+        return by_kind
+
+    def of_kind(self, *kinds: str) -> list[Source]:
+        return [source for kind in kinds for source in self._by_kind.get(kind, ())]
+
+    def parsed(self, parse: Callable[[Source], Model], sources: Iterable[Source]) -> list[Model]:
+        """The models of the sources. A parser that fails costs its own source: it is noted in ``failures``."""
+        models = []
+        for source in sources:
+            try:
+                models.append(parse(source))
+            except Exception as error:
+                self.failures.append((source, error))
+        return models
+
+    @property
+    def kinds(self) -> Iterable[str]:
+        return self._by_kind.keys()
+
+    @property
+    def problems(self) -> list[Problem]:
+        """What could not be read at all: unreadable, oversized or binary files."""
+        return self.tree.problems
+
+    @cached_property
+    def target(self) -> Target:
+        return find_target(self.sources, self.configured_ros, self.configured_systemd)
+
+    @cached_property
+    def units(self) -> Units:
+        from bringup_lint.graph.units import load_units
+
+        return load_units(self)

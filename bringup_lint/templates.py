@@ -1,0 +1,56 @@
+"""Files that a build or a deployment tool still fills in."""
+
+from __future__ import annotations
+
+import re
+
+TEMPLATE_SUFFIXES = {
+    ".in": "configure",
+    ".j2": "jinja",
+    ".jinja": "jinja",
+    ".jinja2": "jinja",
+    ".em": "empy",
+    ".m4": "m4",
+    ".erb": "erb",
+    ".tmpl": "template",
+    ".tpl": "template",
+    ".template": "template",
+}
+
+_PLACEHOLDERS = (
+    ("jinja", re.compile(r"\{\{.*?\}\}|\{%.*?%\}")),
+    ("configure", re.compile(r"@[A-Za-z_][A-Za-z0-9_]*@")),
+    ("empy", re.compile(r"@\([^)]*\)|^@\[", re.M)),
+    ("erb", re.compile(r"<%.*?%>")),
+    ("template", re.compile(r"__[A-Z][A-Z0-9_]*__|<[A-Z][A-Z0-9_]*>")),
+)
+_CONTROL = re.compile(r"\{%|^@\[|<%(?!=)|^(?:ifdef|ifelse|m4_)\b|^#(?:if|else|endif)\b", re.M)
+
+
+def template_language(name: str, text: str) -> str:
+    """The template language of a file, from its name or the placeholders in it; empty when the text is final."""
+    for suffix, language in TEMPLATE_SUFFIXES.items():
+        if name.endswith(suffix):
+            return language
+    for language, pattern in _PLACEHOLDERS[:-1]:
+        if pattern.search(text):
+            return language
+    return ""
+
+
+def final_name(name: str) -> str:
+    """The name that the file will have once it is filled in: ``robot.service.in`` becomes ``robot.service``."""
+    for suffix in TEMPLATE_SUFFIXES:
+        if name.endswith(suffix):
+            return name[: -len(suffix)]
+    return name
+
+
+def has_placeholder(text: str) -> bool:
+    """Whether some of the text is still to be filled in."""
+    return any(pattern.search(text) for _, pattern in _PLACEHOLDERS)
+
+
+def has_control_flow(text: str) -> bool:
+    """Whether whole lines of the text may come and go."""
+    return bool(_CONTROL.search(text))
