@@ -12,6 +12,8 @@ from pathlib import Path
 from typing import Any
 from typing import NamedTuple
 
+from bringup_lint.toml import read_toml
+
 FILE_NAME = "bringup-lint.toml"
 SEVERITIES = ("info", "warning", "error")
 ROS_DISTROS = ("foxy", "galactic", "humble", "iron", "jazzy", "kilted", "lyrical", "rolling")
@@ -66,14 +68,6 @@ class Config:
     def folder(self) -> Path:
         """What relative paths in the configuration are relative to."""
         return self.path.parent if self.path else Path.cwd()
-
-
-def read_toml(text: str) -> dict[str, Any]:
-    try:
-        import tomllib
-    except ModuleNotFoundError:
-        import tomli as tomllib
-    return tomllib.loads(text)
 
 
 def find(start: Path) -> Path | None:

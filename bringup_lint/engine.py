@@ -89,7 +89,7 @@ def run(robot: Robot, registry: Registry, config: Config, *, ignores: bool = Tru
         comments = ignores_in(robot.sources, lambda name, rule_id: _means(name, outcome.rules.get(rule_id), rule_id))
         findings = [comments.apply(found) for found in findings]
         findings += [
-            found for found in comments.complaints(lambda name: _ran(name, outcome)) if found.rule in outcome.rules
+            found for found in comments.complaints(lambda name: _counts(name, outcome, selection)) if found.rule in outcome.rules
         ]
     lowest = Severity[config.min_severity.upper()]
     for found in _unique(sorted((_graded(found, outcome, severities) for found in findings), key=_order)):
@@ -132,9 +132,15 @@ def _means(name: str, rule: Rule | None, rule_id: str) -> bool:
     return names(name, rule_id) or (rule is not None and name in rule.meta.aliases)
 
 
-def _ran(name: str, outcome: Outcome) -> bool:
-    """Whether the rules that a name means ran, so that silence of theirs means something; unknown names count."""
-    return any(_means(name, rule, rule_id) for rule_id, rule in outcome.rules.items())
+def _counts(name: str, outcome: Outcome, selection: Selection) -> bool:
+    """Whether it is wrong that an ignored name silenced nothing: its rules ran, or it names no rule at all."""
+    if any(_means(name, rule, rule_id) for rule_id, rule in outcome.rules.items()):
+        return True
+    try:
+        selection.known(name)
+    except ConfigError:
+        return True
+    return False
 
 
 def _order(found: Finding) -> tuple[str, int, int, str, str]:

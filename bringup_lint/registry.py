@@ -17,6 +17,7 @@ from pathlib import Path
 from bringup_lint.api import Check
 from bringup_lint.api import Metadata
 from bringup_lint.finding import Severity
+from bringup_lint.toml import read_toml
 
 HEADINGS = ("What it finds", "Why it matters on a robot", "Bad", "Good", "References")
 
@@ -95,8 +96,6 @@ def _family(path: Path) -> Family:
     description = path / "family.toml"
     data = {}
     if description.is_file():
-        from bringup_lint.config import read_toml
-
         data = read_toml(description.read_text("utf-8"))
     return Family(
         path.name,

@@ -1,0 +1,32 @@
+"""A suppression comment gives no reason.
+
+## What it finds
+`bringup-lint: ignore[...]` without ` -- reason` behind it.
+
+## Why it matters on a robot
+The next person cannot tell a decision from a shortcut.
+
+## Bad
+```ini
+# bringup-lint: ignore[systemd/restart-unlimited]
+Restart=always
+```
+
+## Good
+```ini
+# bringup-lint: ignore[systemd/restart-unlimited] -- the safety node must retry for ever
+Restart=always
+```
+
+## References
+- the README, "Suppressing findings"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import rule
+
+
+@rule("warning")
+def ignore_without_reason(robot: Robot):
+    """Reported by the engine when all other rules have run."""
+    return ()

@@ -1,0 +1,71 @@
+"""Every rule finds its bad fixture, line for line, and is silent on its good one."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from bringup_lint.registry import Registry
+from tests.conftest import PROJECT
+from tests.lint import lint
+
+FIXTURES = PROJECT / "fixtures"
+BY_ENGINE = {"lint/internal-error"}
+"""Reported by the engine about itself; tested where a rule is made to fail."""
+
+RULE_IDS = sorted(Registry.of().paths)
+
+
+def folder_of(rule_id: str) -> Path:
+    return FIXTURES / rule_id.replace("-", "_")
+
+
+def cases(prefix: str) -> list[tuple[str, Path]]:
+    return [
+        (rule_id, case)
+        for rule_id in RULE_IDS
+        for case in sorted(folder_of(rule_id).glob(f"{prefix}*"))
+        if case.is_dir() and case.name.partition("_")[0] == prefix
+    ]
+
+
+def arguments(case: Path) -> list[str]:
+    """What is checked: the folder, or what its ``arguments.txt`` says."""
+    own = case / "arguments.txt"
+    return own.read_text("utf-8").split() if own.exists() else ["."]
+
+
+def case_id(value: object) -> str:
+    return value.name if isinstance(value, Path) else str(value)
+
+
+@pytest.mark.parametrize("rule_id", sorted(set(RULE_IDS) - BY_ENGINE))
+def test_rule_has_a_bad_and_a_good_fixture(rule_id: str) -> None:
+    names = {name for prefix in ("bad", "good") for known, _ in cases(prefix) if known == rule_id for name in [prefix]}
+    assert names == {"bad", "good"}, f"{folder_of(rule_id)} needs a bad/ and a good/ folder"
+
+
+@pytest.mark.parametrize(("rule_id", "case"), cases("bad"), ids=case_id)
+def test_bad_fixture(rule_id: str, case: Path, update_expected: bool) -> None:
+    expected = case.parent / case.name.replace("bad", "expected", 1).__add__(".txt")
+    run = lint("--select", rule_id, "--output-format", "concise", *arguments(case), cwd=case)
+    assert run.code in (0, 1), run.stderr
+    if update_expected:
+        expected.write_text(run.stdout, "utf-8")
+    assert f"[{rule_id}]" in run.stdout
+    assert run.stdout == expected.read_text("utf-8")
+
+
+@pytest.mark.parametrize(("rule_id", "case"), cases("good"), ids=case_id)
+def test_good_fixture(rule_id: str, case: Path) -> None:
+    assert any(path.is_file() or path.is_symlink() for path in case.rglob("*")), f"{case} is empty"
+    run = lint("--select", rule_id, "--output-format", "concise", *arguments(case), cwd=case)
+    assert run.stdout == ""
+    assert run.code == 0, run.stderr
+
+
+def test_every_fixture_belongs_to_a_rule() -> None:
+    known = {folder_of(rule_id) for rule_id in RULE_IDS} | {FIXTURES / "robots"}
+    folders = {path for family in FIXTURES.iterdir() if family.name != "robots" for path in family.iterdir()}
+    assert folders <= known
