@@ -8,7 +8,7 @@ from bringup_lint.source import Span
 
 
 class Place(NamedTuple):
-    """Lines and columns count from 1, columns in code points; the end is exclusive, on the last character's line."""
+    """Counted from 1, columns in code points; the end is exclusive, on the line of the last character."""
 
     line: int
     column: int
@@ -25,7 +25,9 @@ def inside(span: Span) -> Span:
 
 def place_of(span: Span) -> Place:
     span = inside(span)
-    return Place(*span.source.position(span.start), *span.end_position)
+    end_line, end_column = span.end_position
+    after = len(span.source.line_text(end_line)) + 1
+    return Place(*span.source.position(span.start), end_line, min(end_column, after))
 
 
 def is_whole_file(span: Span) -> bool:

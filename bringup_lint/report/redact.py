@@ -24,7 +24,7 @@ SHORTEST = 6
 def mask_of(findings: Iterable[Finding]) -> Mask | None:
     """The mask for all that these findings mark as secret; None when they mark nothing."""
     marked = (inside(span) for finding in findings for span in finding.secrets)
-    secrets = [span for span in marked if span.text.strip()]
+    secrets = [span for span in marked if span.text.strip("* \t\r\n")]
     return Mask(secrets) if secrets else None
 
 

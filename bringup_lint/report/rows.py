@@ -32,7 +32,7 @@ class Underline(NamedTuple):
 
 
 def rows(line: str, marks: list[Underline], room: int) -> Iterator[tuple[str, list[Underline]]]:
-    """The line as it fits into the room, with its marks in cells; once more for marks too far from the first."""
+    """The line cut to the room, with its marks in cells; once more for marks too far from the first."""
     pending = marks or [Underline(0, 0, "", "")]
     while pending:
         first = pending[0]

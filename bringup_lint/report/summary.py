@@ -12,13 +12,11 @@ from bringup_lint.report.paint import Paint
 
 def summary(report: Report, paint: Paint) -> str:
     counts = Counter(finding.severity for finding in report.shown)
-    said = [
-        paint(str(severity), _count(counts[severity], severity)) for severity in sorted(counts, reverse=True)
-    ]
+    said = [paint(str(severity), _count(number, severity)) for severity, number in sorted(counts.items())]
     asides = "".join(f" ({aside})" for aside in _asides(report))
     files = _files(report.files)
     if said:
-        return f"{', '.join(said)} in {files}{asides}"
+        return f"{', '.join(reversed(said))} in {files}{asides}"
     if report.files:
         return f"{paint('good', 'Clear for bring-up')}: {files} checked, nothing to report{asides}"
     return f"Nothing to check: no file of a known kind was found{asides}"

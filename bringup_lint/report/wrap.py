@@ -4,8 +4,8 @@ from __future__ import annotations
 
 
 def wrap(text: str, width: int) -> list[str]:
-    """The lines of a text, broken at blanks; its own line ends are kept, long words stay whole, and numbered steps
-    are indented below their first word."""
+    """The lines of a text, broken at blanks; its own line ends are kept, long words stay whole, and items are
+    indented below their first word."""
     return [line for paragraph in text.splitlines() for line in _broken(paragraph, max(width, 20))] or [""]
 
 

@@ -1,0 +1,49 @@
+"""Fingerprints: what makes a finding the same finding after lines have moved."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterable
+from hashlib import sha256
+
+from bringup_lint.finding import Finding
+from bringup_lint.report.place import inside
+from bringup_lint.report.place import is_whole_file
+from bringup_lint.report.redact import mask_of
+from bringup_lint.report.uri import below_root
+
+
+def fingerprints(findings: Iterable[Finding], root: str, cwd: str = "") -> list[str]:
+    """One for each finding: made of the rule, the path below ``root``, the text of the line, the message
+    without its numbers, and a count of those that are alike in all this. No secret goes into one."""
+    findings = tuple(findings)
+    mask = mask_of(findings)
+    seen: Counter[tuple[str, ...]] = Counter()
+    made = []
+    for finding in map(mask.finding, findings) if mask else findings:
+        path = below_root(finding.source.name, root, cwd)
+        key = (finding.rule, path, _line(finding), _skeleton(finding.message))
+        made.append(_digest(*key, str(seen[key])))
+        seen[key] += 1
+    return made
+
+
+def _line(finding: Finding) -> str:
+    if is_whole_file(finding.span):
+        return ""
+    source, start, _ = inside(finding.span)
+    return _masked(" ".join(source.line_text(source.position(start).line).split()))
+
+
+def _skeleton(message: str) -> str:
+    return _masked(re.sub(r"\d+", "0", " ".join(message.split())))
+
+
+def _masked(text: str) -> str:
+    """The text without the length of what is masked."""
+    return re.sub(r"\*+", "*", text)
+
+
+def _digest(*parts: str) -> str:
+    return sha256("\0".join(parts).encode("utf-8", "surrogatepass")).hexdigest()[:32]
