@@ -1,0 +1,92 @@
+"""Rules as SARIF descriptors, and the CWE taxonomy that they refer to."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from bringup_lint.finding import Confidence
+from bringup_lint.finding import Severity
+from bringup_lint.report.docs import finds
+from bringup_lint.report.docs import markdown
+from bringup_lint.report.docs import plain
+from bringup_lint.report.model import Report
+from bringup_lint.report.model import RuleDoc
+
+DEFINITION = "https://cwe.mitre.org/data/definitions/{}.html"
+LEVELS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO: "note"}
+_PROBLEMS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO: "recommendation"}
+_PRECISION = {Confidence.HIGH: "high", Confidence.MEDIUM: "medium"}
+
+
+def documented(report: Report) -> list[RuleDoc]:
+    """The rules that ran, and those that findings name though nothing documents them, by id."""
+    rules = dict(report.rules)
+    for finding in report.findings:
+        if finding.rule not in rules:
+            title = finding.rule.rpartition("/")[2].replace("-", " ").capitalize()
+            rules[finding.rule] = RuleDoc(finding.rule, title, finding.severity or Severity.WARNING)
+    return [rules[rule_id] for rule_id in sorted(rules)]
+
+
+def descriptor(rule: RuleDoc, taxonomy: dict[str, Any] | None) -> dict[str, Any]:
+    """A SARIF ``reportingDescriptor``."""
+    cwes = [tag for tag in rule.tags if tag.startswith("CWE-")]
+    made: dict[str, Any] = {
+        "id": rule.id,
+        "name": "".join(word.capitalize() for word in rule.id.replace("/", "-").split("-")),
+        "shortDescription": {"text": _sentence(rule.title)},
+        "fullDescription": {"text": _sentence(finds(rule))},
+        "help": {"text": plain(rule), "markdown": markdown(rule)},
+        "defaultConfiguration": {"level": LEVELS[rule.severity]},
+        "properties": {
+            "tags": [rule.id.partition("/")[0], *_tags(rule)],
+            "precision": _PRECISION[rule.confidence],
+            "problem.severity": _PROBLEMS[rule.severity],
+        },
+    }
+    if rule.uri:
+        made["helpUri"] = rule.uri
+    if rule.aliases:
+        made["deprecatedIds"] = list(rule.aliases)
+    if taxonomy and cwes:
+        made["relationships"] = [_relationship(taxonomy, cwe) for cwe in cwes]
+    return made
+
+
+def cwe_taxonomy(rules: Iterable[RuleDoc]) -> dict[str, Any] | None:
+    """The part of the Common Weakness Enumeration that the rules refer to; None when they refer to none."""
+    cwes = sorted({tag for rule in rules for tag in rule.tags if tag.startswith("CWE-")}, key=_number)
+    if not cwes:
+        return None
+    return {
+        "name": "CWE",
+        "fullName": "Common Weakness Enumeration",
+        "organization": "MITRE",
+        "informationUri": "https://cwe.mitre.org/",
+        "shortDescription": {"text": "The MITRE Common Weakness Enumeration."},
+        "isComprehensive": False,
+        "taxa": [{"id": cwe, "helpUri": DEFINITION.format(_number(cwe))} for cwe in cwes],
+    }
+
+
+def _relationship(taxonomy: dict[str, Any], cwe: str) -> dict[str, Any]:
+    index = next(number for number, taxon in enumerate(taxonomy["taxa"]) if taxon["id"] == cwe)
+    component = {"name": taxonomy["name"], "index": 0}
+    return {"target": {"id": cwe, "index": index, "toolComponent": component}, "kinds": ["relevant"]}
+
+
+def _tags(rule: RuleDoc) -> list[str]:
+    """The tags, those of CWE in the form that code scanning services know."""
+    cwes = [f"external/cwe/{tag.lower()}" for tag in rule.tags if tag.startswith("CWE-")]
+    others = [tag for tag in rule.tags if not tag.startswith("CWE-")]
+    return [*others, *(["security"] if cwes and "security" not in others else []), *cwes]
+
+
+def _number(cwe: str) -> int:
+    number = cwe.removeprefix("CWE-")
+    return int(number) if number.isdecimal() else 0
+
+
+def _sentence(text: str) -> str:
+    return text if text.endswith((".", "!", "?")) else text + "."
