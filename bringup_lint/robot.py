@@ -18,6 +18,7 @@ from bringup_lint.source import Source
 if TYPE_CHECKING:
     from bringup_lint.discover.tree import Tree
     from bringup_lint.graph.units import Units
+    from bringup_lint.model.netplan import Netplan
 
 Model = TypeVar("Model")
 
@@ -74,3 +75,9 @@ class Robot:
         from bringup_lint.graph.units import load_units
 
         return load_units(self)
+
+    @cached_property
+    def netplan(self) -> Netplan:
+        from bringup_lint.graph.netplan import load_netplan
+
+        return load_netplan(self)

@@ -1,0 +1,253 @@
+"""What netplan refuses although every key and value is well formed."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from collections.abc import Iterator
+
+from bringup_lint.model.netplan import Interface
+from bringup_lint.model.netplan import NetplanFile
+from bringup_lint.model.netplan import Plan
+from bringup_lint.model.netplan import Route
+from bringup_lint.model.yaml_node import Mapping
+from bringup_lint.model.yaml_node import Scalar
+from bringup_lint.source import Located
+from bringup_lint.source import Problem
+
+WIREGUARD_KEY = re.compile(r"[A-Za-z0-9+/]{42}[A-Za-z0-9+/]=\Z")
+HEX_KEY = re.compile(r"[0-9a-fA-F]{64}\Z")
+IP6_TUNNELS = frozenset(("ipip6", "ip6ip6", "ip6gre", "ip6gretap", "vti6"))
+OVERRIDES = (
+    "use-dns",
+    "use-domains",
+    "use-ntp",
+    "send-hostname",
+    "use-hostname",
+    "use-mtu",
+    "hostname",
+    "route-metric",
+    "use-routes",
+)
+
+
+def check_definitions(plan: Plan, file: NetplanFile) -> None:
+    """Check what a file defines against all that was read so far; nothing when a name is still missing."""
+    if any(problem.code in ("undefined", "vlan-link") for problem in plan.problems):
+        return
+    for name in dict.fromkeys(str(definition.name) for definition in file.definitions):
+        interface = plan.interfaces[name]
+        for check in (*COMMON, *BY_KIND.get(interface.kind, ())):
+            plan.problems.extend(check(interface))
+
+
+def check_plan(plan: Plan) -> None:
+    """Check what only shows when all files are read: memberships and what the renderers can do."""
+    plan.problems.extend(_memberships(plan))
+    for interface in plan.interfaces.values():
+        plan.problems.extend(BACKENDS.get(interface.backend, lambda _: ())(interface))
+
+
+def _set_name(interface: Interface) -> Iterator[Problem]:
+    if interface.set_name is not None and interface.match is None:
+        yield Problem("set-name", interface.key("set-name") or interface.set_name)
+
+
+def _routes(interface: Interface) -> Iterator[Problem]:
+    for route in interface.routes:
+        if reason := _route(route):
+            yield Problem("route", route.where, reason)
+    for policy in interface.items("routing-policy"):
+        if isinstance(policy, Mapping) and policy.get("from") is None and policy.get("to") is None:
+            yield Problem("route", policy.span, "a routing policy needs from or to")
+
+
+def _route(route: Route) -> str:
+    """What a route lacks, by its type and scope."""
+    kind = str(route.value("type") or "unicast").lower()
+    to, via = route.value("to"), route.value("via")
+    scope = str(route.value("scope") or "").lower()
+    if not scope:
+        if kind in ("local", "nat"):
+            scope = "host"
+        elif (kind == "unicast" and via is None) or kind in ("broadcast", "multicast", "anycast"):
+            scope = "link"
+        else:
+            scope = "global"
+    families = {
+        6 if ":" in text else 4
+        for key in ("to", "via", "from")
+        if (text := route.value(key)) is not None and text != "default"
+    }
+    if len(families) > 1:
+        return "it mixes IPv4 and IPv6"
+    if to is None:
+        return "it has no destination (to)"
+    if kind == "unicast" and scope == "global" and via is None:
+        return "a global unicast route needs a gateway (via)"
+    return ""
+
+
+def _duplicate_ssids(interface: Interface) -> Iterator[Problem]:
+    for definition in interface.definitions:
+        for key, value in definition.body.entries:
+            if key.value == "access-points" and isinstance(value, Mapping):
+                yield from (Problem("duplicate-ssid", again.value) for _, again in value.duplicates)
+
+
+def _wifi(interface: Interface) -> Iterator[Problem]:
+    if not interface.access_points:
+        yield Problem("no-access-point", interface.definitions[-1].name)
+
+
+def _vlan(interface: Interface) -> Iterator[Problem]:
+    number = interface.value("id")
+    if interface.link is None:
+        yield Problem("incomplete", interface.name, "a VLAN needs link:")
+    if number is None:
+        yield Problem("vlan-no-id", interface.name)
+    elif number.isdecimal() and int(number) > 4094:
+        yield Problem("vlan-id", number)
+
+
+def _vrf(interface: Interface) -> Iterator[Problem]:
+    if interface.value("table") is None:
+        yield Problem("incomplete", interface.name, "a VRF needs table:")
+
+
+def _tokens(interface: Interface) -> Iterator[Problem]:
+    token = interface.value("ipv6-address-token")
+    if token is not None and interface.value("ipv6-address-generation") is not None:
+        yield Problem(
+            "incomplete", token, "ipv6-address-token and ipv6-address-generation exclude each other"
+        )
+
+
+def _passthrough(interface: Interface) -> Iterator[Problem]:
+    if interface.value("networkmanager", "passthrough", "connection.type") is None:
+        yield Problem(
+            "incomplete", interface.name, "a NetworkManager device needs passthrough: connection.type"
+        )
+
+
+def _tunnel(interface: Interface) -> Iterator[Problem]:
+    mode = str(interface.value("mode") or "")
+    if not mode:
+        yield Problem("incomplete", interface.name, "a tunnel needs mode:")
+    elif mode == "wireguard":
+        yield from _wireguard(interface)
+    elif mode == "vxlan":
+        if not interface.number("id") or interface.number("id") > 16777215:
+            yield Problem(
+                "incomplete", interface.value("id") or interface.name, "a VXLAN needs id: 1..16777215"
+            )
+    else:
+        remote = interface.value("remote")
+        if remote is None:
+            yield Problem("incomplete", interface.name, "a tunnel needs remote:")
+        for end in filter(None, (interface.value("local"), remote)):
+            if (":" in end) != (mode in IP6_TUNNELS):
+                family = "IPv6" if mode in IP6_TUNNELS else "IPv4"
+                yield Problem("incomplete", end, f"a tunnel of mode {mode} needs {family} ends")
+
+
+def _wireguard(interface: Interface) -> Iterator[Problem]:
+    for key in ("key", "keys"):
+        private = interface.value(key) or interface.value(key, "private")
+        if private is not None and not private.startswith("/") and not WIREGUARD_KEY.match(private):
+            yield Problem("secret", private, "is no WireGuard key")
+    for peer in interface.items("peers"):
+        if not isinstance(peer, Mapping):
+            continue
+        keys = peer.mapping("keys")
+        public = keys.scalar("public") if keys else None
+        if public is None:
+            yield Problem("incomplete", peer.span, "a WireGuard peer needs keys: public")
+        elif not WIREGUARD_KEY.match(public.value):
+            yield Problem("incomplete", public.value, "is no WireGuard public key")
+
+
+def _memberships(plan: Plan) -> Iterator[Problem]:
+    """A port belongs to one bridge or bond, and to one VRF."""
+    owners: dict[tuple[str, bool], Interface] = {}
+    for interface in plan.interfaces.values():
+        for member in interface.members:
+            owner = owners.setdefault((str(member), interface.kind == "vrfs"), interface)
+            if owner is not interface:
+                yield Problem("two-masters", member, str(owner.name))
+
+
+def _networkd(interface: Interface) -> Iterator[Problem]:
+    if interface.kind == "modems":
+        yield Problem("unsupported", interface.name, "networkd has no modems")
+    if interface.is_wifi:
+        match = interface.key("match")
+        if match is not None:
+            yield Problem("unsupported", match, "networkd matches Wi-Fi by interface name only")
+        for point in interface.access_points:
+            if point.mode == "ap":
+                yield Problem("unsupported", point.mode, "networkd cannot open an access point")
+            yield from _passphrase(point.password, point.key_management, point.auth)
+    if interface.dhcp4 and interface.dhcp6:
+        for key in OVERRIDES:
+            one, other = interface.value("dhcp4-overrides", key), interface.value("dhcp6-overrides", key)
+            if _setting(one, key) != _setting(other, key):
+                yield Problem(
+                    "unsupported", one or other, f"networkd needs the same {key} for DHCPv4 and DHCPv6"
+                )
+
+
+def _setting(text: Located | None, key: str) -> object:
+    """An override as netplan compares it: booleans default to true, words and numbers to nothing."""
+    if key in ("hostname", "use-domains", "route-metric"):
+        return None if text is None else str(text)
+    return text is None or text.lower() in ("true", "on", "yes", "y")
+
+
+def _passphrase(
+    password: Scalar | None, management: Located | None, auth: Mapping | None
+) -> Iterator[Problem]:
+    """The length of a WPA passphrase, which netplan checks when networkd starts wpa_supplicant."""
+    if auth is not None:
+        inner = auth.scalar("password")
+        if inner is not None and str(management) == "psk":
+            password = inner
+        elif management is not None:
+            return
+    if password is None:
+        return
+    length = len(password.value.encode())
+    if length == 64 and not HEX_KEY.match(password.value):
+        yield Problem("passphrase", password.value, "64 characters that are no hexadecimal key")
+    elif length != 64 and not 8 <= length <= 63:
+        yield Problem("passphrase", password.value, f"{length} characters")
+
+
+def _network_manager(interface: Interface) -> Iterator[Problem]:
+    driver = interface.key("match", "driver")
+    if driver is not None and interface.set_name is None:
+        yield Problem("unsupported", driver, "NetworkManager cannot match by driver")
+    off = interface.value("activation-mode")
+    if off is not None and off != "manual":
+        yield Problem("unsupported", off, f"NetworkManager has no activation-mode {off}")
+    if (mtu := interface.key("ipv6-mtu")) is not None:
+        yield Problem("unsupported", mtu, "NetworkManager has no ipv6-mtu")
+    for item in interface.items("addresses"):
+        if isinstance(item, Mapping):
+            yield Problem("unsupported", item.span, "NetworkManager has no options for addresses")
+    for route in interface.routes:
+        kind = route.value("type")
+        if kind is not None and kind.lower() != "unicast":
+            yield Problem("unsupported", kind, "NetworkManager has unicast routes only")
+
+
+Check = Callable[[Interface], Iterator[Problem]]
+COMMON: tuple[Check, ...] = (_set_name, _routes, _tokens)
+BY_KIND: dict[str, tuple[Check, ...]] = {
+    "wifis": (_duplicate_ssids, _wifi),
+    "vlans": (_vlan,),
+    "vrfs": (_vrf,),
+    "tunnels": (_tunnel,),
+    "nm-devices": (_passthrough,),
+}
+BACKENDS: dict[str, Check] = {"networkd": _networkd, "NetworkManager": _network_manager}

@@ -1,0 +1,227 @@
+"""Netplan YAML: every key and value held against netplan's own grammar."""
+
+from __future__ import annotations
+
+import re
+from functools import lru_cache
+from typing import NamedTuple
+
+from bringup_lint import facts
+from bringup_lint.model.netplan import Definition
+from bringup_lint.model.netplan import NetplanFile
+from bringup_lint.model.yaml_node import Mapping
+from bringup_lint.model.yaml_node import Node
+from bringup_lint.model.yaml_node import Scalar
+from bringup_lint.model.yaml_node import Sequence
+from bringup_lint.parsers import yaml_nodes
+from bringup_lint.parsers.netplan_values import ADDRESS_CHECKS
+from bringup_lint.parsers.netplan_values import NAME
+from bringup_lint.parsers.netplan_values import check
+from bringup_lint.parsers.netplan_values import words_of
+from bringup_lint.source import Located
+from bringup_lint.source import Problem
+from bringup_lint.source import Source
+from bringup_lint.source import Span
+
+DEVICE_TYPES = "bonds bridges dummy-devices ethernets modems nm-devices tunnels virtual-ethernets vlans vrfs wifis".split()
+GROUP = {"devices": [kind for kind in DEVICE_TYPES if kind != "vrfs"]}
+NAMED = re.compile(r"\{(?P<key>\w+):(?P<value>[\w-]+)\}\Z")
+
+
+class Key(NamedTuple):
+    name: str
+    value: str
+    since: str
+
+
+@lru_cache(maxsize=None)
+def tables() -> dict[str, dict[str, Key]]:
+    """The keys of every mapping, from the table ``netplan_keys``."""
+    found: dict[str, dict[str, Key]] = {}
+    for row in facts.table("netplan_keys"):
+        for name in row["tables"].split(","):
+            for table in GROUP.get(name, [name]):
+                found.setdefault(table, {})[row["key"]] = Key(row["key"], row["value"], row["since"])
+    return found
+
+
+def parse(source: Source) -> NetplanFile:
+    """Read a netplan file, or the ``network:`` of a cloud-init configuration.
+
+    Problems: those of YAML, ``unknown-key`` (the detail is the table), ``wrong-shape``, ``bad-value``,
+    ``bad-address``, ``bad-renderer``, ``bad-version`` and ``bad-name``.
+    """
+    yaml = yaml_nodes.parse(source)
+    file = NetplanFile(source, yaml, embedded=source.kind == "cloud-init-network")
+    file.problems.extend(yaml.problems)
+    root = yaml.root
+    if file.embedded and isinstance(root, Mapping):
+        network = root.mapping("network") or (root if root.get("version") else None)
+        if network is not None and _is_version_2(network):
+            _Reader(file).network(network)
+    elif root is not None:
+        _Reader(file).mapping(root, "root")
+    return file
+
+
+def _text(node: Node) -> str | None:
+    return str(node.value) if isinstance(node, Scalar) else None
+
+
+def _is_version_2(network: Mapping) -> bool:
+    version = network.scalar("version")
+    return version is not None and version.value == "2"
+
+
+class _Reader:
+    def __init__(self, file: NetplanFile) -> None:
+        self.file = file
+
+    def problem(self, code: str, where: Located | Span, detail: str) -> None:
+        self.file.problems.append(Problem(code, where, detail))
+
+    def mapping(self, node: Node, table: str) -> None:
+        if not isinstance(node, Mapping):
+            self.shape(node, "mapping")
+            return
+        for key, value in node.pairs:
+            if not isinstance(key, Scalar):
+                self.shape(key, "scalar")
+                continue
+            known = tables()[table].get(str(key.value))
+            if known is None:
+                self.problem("unknown-key", key.value, table)
+                continue
+            if known.since:
+                self.file.newer.append(Problem("key", key.value, known.since))
+            if table == "root":
+                self.network(value)
+            elif table == "network" and known.value.startswith("{id:"):
+                self.devices(value, known.name)
+            elif not (table == "vlans" and key.value == "renderer" and _text(value) == "sriov"):
+                self.value(value, known)
+            self.remember(table, key, value)
+
+    def network(self, node: Node) -> None:
+        self.mapping(node, "network")
+
+    def remember(self, table: str, key: Scalar, value: Node) -> None:
+        if table == "network" and isinstance(value, Scalar):
+            if key.value == "renderer":
+                self.file.renderer = value.value
+            elif key.value == "version":
+                self.file.version = value.value
+        elif table == "ovs-global" and key.value == "ports" and isinstance(value, Sequence):
+            pairs = (pair for pair in value.items if isinstance(pair, Sequence))
+            self.file.ports.extend(port.value for pair in pairs for port in pair.scalars)
+
+    def devices(self, node: Node, kind: str) -> None:
+        if not isinstance(node, Mapping):
+            self.shape(node, "mapping")
+            return
+        renderer = None
+        for key, value in node.pairs:
+            if not isinstance(key, Scalar):
+                self.shape(key, "scalar")
+            elif not NAME.match(key.value):
+                self.problem("bad-name", key.value, "is no interface name")
+            elif set("*[]?") & set(key.value):
+                self.problem("bad-name", key.value, "must not use globs; put them into match")
+            elif key.value == "renderer":
+                renderer = self.renderer(value)
+            elif not isinstance(value, Mapping):
+                self.shape(value, "mapping", key)
+            else:
+                self.file.definitions.append(Definition(kind, key.value, value, renderer))
+                self.mapping(value, kind)
+
+    def renderer(self, node: Node) -> Located | None:
+        self.value(node, Key("renderer", "renderer", ""))
+        return node.value if isinstance(node, Scalar) else None
+
+    def value(self, node: Node, key: Key) -> None:
+        grammar = key.value
+        if grammar == "string or {tunnel-keys}":
+            grammar = "{tunnel-keys}" if isinstance(node, Mapping) else "string"
+        elif grammar == "driver" and isinstance(node, Sequence):
+            grammar = "[driver]"
+            if not node.items:
+                self.problem("bad-value", node.span, "is an empty sequence")
+        if grammar.startswith("["):
+            self.sequence(node, key, grammar[1:-1])
+        elif grammar == "{*}":
+            self.free(node, "string", key)
+        elif named := NAMED.match(grammar):
+            self.named(node, named["value"], key)
+        elif grammar.startswith("{"):
+            self.mapping(node, grammar[1:-1])
+        elif isinstance(node, Scalar):
+            self.scalar(node, grammar)
+        else:
+            self.shape(node, "scalar")
+
+    def sequence(self, node: Node, key: Key, item: str) -> None:
+        if not isinstance(node, Sequence):
+            self.shape(node, "sequence")
+            return
+        if key.name == "port-range" and len(node.items) != 2:
+            self.problem("bad-value", node.span, "needs exactly two values")
+        for entry in node.items:
+            if item == "address" or item == "allowed-ip":
+                self.address(entry, item)
+            elif item == "[id]" and isinstance(entry, Sequence) and len(entry.items) != 2:
+                self.problem("bad-value", entry.span, "needs exactly two ports")
+            else:
+                self.value(entry, Key(key.name, item, ""))
+
+    def address(self, node: Node, grammar: str) -> None:
+        """An address, or a mapping of one address to its options."""
+        if isinstance(node, Mapping) and node.pairs:
+            text, options = node.pairs[0]
+            if isinstance(text, Scalar):
+                self.scalar(text, grammar)
+            self.mapping(options, "address-options")
+        elif isinstance(node, Scalar):
+            self.scalar(node, grammar)
+        else:
+            self.shape(node, "scalar")
+
+    def named(self, node: Node, value: str, key: Key) -> None:
+        """A mapping of names to a table, or to scalars of one kind."""
+        if value not in tables():
+            self.free(node, value, key)
+        elif isinstance(node, Mapping):
+            for name, body in node.pairs:
+                if isinstance(name, Scalar):
+                    self.mapping(body, value)
+                else:
+                    self.shape(name, "scalar")
+        else:
+            self.shape(node, "mapping")
+
+    def free(self, node: Node, grammar: str, key: Key) -> None:
+        if not isinstance(node, Mapping):
+            self.shape(node, "mapping")
+            return
+        for name, value in node.pairs:
+            if isinstance(name, Scalar):
+                self.value(value, Key(key.name, grammar, ""))
+            else:
+                self.shape(name, "scalar")
+
+    def scalar(self, node: Scalar, grammar: str) -> None:
+        reason, since = check(grammar, node)
+        if since:
+            self.file.newer.append(Problem("value", node.value, since))
+        if reason is not None:
+            kinds = set(words_of(grammar)[0])
+            code = "bad-address" if kinds & ADDRESS_CHECKS else "bad-value"
+            if grammar in ("renderer", "version"):
+                code = f"bad-{grammar}"
+            self.problem(code, node.value if node.value else node.span, reason)
+
+    def shape(self, node: Node, expected: str, key: Scalar | None = None) -> None:
+        where = node.value if isinstance(node, Scalar) and node.value else node.span
+        if isinstance(node, Scalar) and not node.value and key is not None:
+            where = key.value
+        self.problem("wrong-shape", where, expected)
