@@ -1,0 +1,77 @@
+"""The directives of systemd unit files: which section knows which key, since when, and what its value looks like."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import NamedTuple
+
+from bringup_lint import facts
+
+OLDEST = 245
+"""The oldest release the tables tell apart."""
+
+SECTION_OF_TYPE = {
+    "service": "Service",
+    "socket": "Socket",
+    "mount": "Mount",
+    "automount": "Automount",
+    "swap": "Swap",
+    "timer": "Timer",
+    "path": "Path",
+    "slice": "Slice",
+    "scope": "Scope",
+    "target": "Target",
+    "device": "Device",
+}
+"""Unit type (the suffix of its name) to its own section."""
+
+
+class Directive(NamedTuple):
+    section: str
+    key: str
+    type: str
+    """A grammar of ``parsers.systemd_values``; ``ignored`` for keys that are accepted without effect."""
+    since: int
+
+
+class Legacy(NamedTuple):
+    section: str
+    key: str
+    value: str
+    """The obsolete value; empty when the key itself is obsolete."""
+    replacement: str
+    effect: str
+    """``renamed``, ``moved:SECTION``, ``ignored`` or ``deprecated``."""
+    fix: str
+    note: str
+
+
+@lru_cache(maxsize=None)
+def sections() -> dict[str, dict[str, Directive]]:
+    """Section to key to directive. ``Target`` and ``Device`` exist but have no keys."""
+    found: dict[str, dict[str, Directive]] = {name: {} for name in ("Unit", "Install", *SECTION_OF_TYPE.values())}
+    for section, key, kind, since in facts.rows("systemd_directives")[1]:
+        found[section][key] = Directive(section, key, kind, int(since))
+    return found
+
+
+def directive(section: str, key: str) -> Directive | None:
+    return sections().get(section, {}).get(key)
+
+
+def sections_of_type(unit_type: str) -> tuple[str, ...]:
+    """The sections that a unit of this type may have."""
+    own = SECTION_OF_TYPE.get(unit_type)
+    return ("Unit", own, "Install") if own else ("Unit", "Install")
+
+
+def sections_with(key: str) -> list[str]:
+    """Every section that knows the key, in the order of the tables."""
+    return [name for name, keys in sections().items() if key in keys]
+
+
+@lru_cache(maxsize=None)
+def legacy() -> dict[tuple[str, str, str], Legacy]:
+    """(section, key, value or empty) to what replaces it."""
+    found = (Legacy(*row) for row in facts.rows("systemd_legacy")[1])
+    return {(row.section, row.key, row.value): row for row in found}

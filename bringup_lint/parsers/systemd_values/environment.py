@@ -1,0 +1,82 @@
+"""Environment assignments and variable names."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from bringup_lint.parsers.systemd_values.problems import LINE
+from bringup_lint.parsers.systemd_values.problems import WORD
+from bringup_lint.parsers.systemd_values.problems import ValueProblem
+from bringup_lint.parsers.systemd_values.specifiers import check_specifiers
+from bringup_lint.parsers.systemd_values.words import DECODE
+from bringup_lint.parsers.systemd_values.words import DROP
+from bringup_lint.parsers.systemd_values.words import split_words
+from bringup_lint.source import Located
+
+_NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
+_FIELD = re.compile(r"[A-Z][A-Z0-9_]{0,63}")
+ASSIGNMENT = "NAME=VALUE"
+
+
+class Variable(NamedTuple):
+    name: Located
+    value: Located
+
+
+def is_variable_name(text: str) -> bool:
+    return _NAME.fullmatch(text) is not None
+
+
+def split_environment(value: Located) -> tuple[Variable, ...]:
+    """The valid assignments of an ``Environment=`` value, quotes removed, specifiers as they are written."""
+    found = []
+    for word in split_words(value, escapes=DECODE).words:
+        equals = word.find("=")
+        if equals > 0 and is_variable_name(word[:equals]):
+            found.append(Variable(word.part(0, equals), word.part(equals + 1, len(word))))
+    return tuple(found)
+
+
+def _checked_words(value: Located, version: int, escapes: str = DECODE) -> Iterator[ValueProblem | Located]:
+    found = split_words(value, escapes=escapes)
+    yield from (problem._replace(effect=LINE) for problem in found.problems)
+    for word in found.words:
+        bad = list(check_specifiers(word, version, WORD))
+        if bad:
+            yield from bad
+        else:
+            yield word
+
+
+def check_environment(value: Located, version: int) -> Iterator[ValueProblem]:
+    for item in _checked_words(value, version):
+        if isinstance(item, ValueProblem):
+            yield item
+        elif "=" not in item or not (is_variable_name(item.partition("=")[0]) or "%" in item.partition("=")[0]):
+            yield ValueProblem("invalid", item, ASSIGNMENT, WORD)
+
+
+def check_environment_names(value: Located, version: int) -> Iterator[ValueProblem]:
+    for item in _checked_words(value, version, DROP):
+        if isinstance(item, ValueProblem):
+            yield item
+        elif "%" not in item and not is_variable_name(item):
+            yield ValueProblem("invalid", item, "the name of a variable", WORD)
+
+
+def check_environment_unset(value: Located, version: int) -> Iterator[ValueProblem]:
+    for item in _checked_words(value, version):
+        if isinstance(item, ValueProblem):
+            yield item
+        elif "%" not in item and not is_variable_name(item.partition("=")[0]):
+            yield ValueProblem("invalid", item, "the name of a variable, or NAME=VALUE", WORD)
+
+
+def check_log_fields(value: Located, version: int) -> Iterator[ValueProblem]:
+    for item in _checked_words(value, version):
+        if isinstance(item, ValueProblem):
+            yield item
+        elif "=" not in item or not ("%" in item or _FIELD.fullmatch(item.partition("=")[0])):
+            yield ValueProblem("invalid", item, "FIELD=VALUE in capital letters", WORD)
