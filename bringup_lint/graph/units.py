@@ -10,6 +10,12 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 
+from bringup_lint.graph.cycles import Cycle
+from bringup_lint.graph.cycles import ordering_cycles
+from bringup_lint.graph.dependencies import dependency_graph
+from bringup_lint.graph.graph import Graph
+from bringup_lint.graph.process import Process
+from bringup_lint.graph.process import processes
 from bringup_lint.graph.unit import Unit
 from bringup_lint.model.unit import UnitFile
 from bringup_lint.parsers.unit import parse
@@ -112,6 +118,44 @@ class Units:
     @property
     def services(self) -> list[Unit]:
         return [unit for unit in self.judged if unit.type == "service"]
+
+    @cached_property
+    def _processes(self) -> dict[int, list[Process]]:
+        return {}
+
+    def processes(self, unit: Unit) -> list[Process]:
+        """The command lines of a service with what they run."""
+        if id(unit) not in self._processes:
+            self._processes[id(unit)] = processes(unit, self.robot)
+        return self._processes[id(unit)]
+
+    def started(self, unit: Unit) -> list[Process]:
+        """The command lines of ExecStart= alone."""
+        return [process for process in self.processes(unit) if process.key == "ExecStart"]
+
+    @cached_property
+    def graph(self) -> Graph:
+        """Requirement and ordering edges of all units, the distribution's included."""
+        return dependency_graph(self)
+
+    @cached_property
+    def cycles(self) -> list[Cycle]:
+        return list(ordering_cycles(self.graph))
+
+    @cached_property
+    def ros(self) -> list[Unit]:
+        """The services that start something of ROS 2."""
+        return [unit for unit in self.services if any(process.mentions_ros for process in self.processes(unit))]
+
+    @cached_property
+    def launch(self) -> list[tuple[Unit, Process]]:
+        """The services whose main process is ``ros2 launch``, with the command line that starts it."""
+        return [
+            (unit, process)
+            for unit in self.ros
+            for process in self.started(unit)
+            if process.launches and process.replaces_shell
+        ]
 
     @cached_property
     def _by_name(self) -> dict[tuple[str, str], list[Unit]]:

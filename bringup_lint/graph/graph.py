@@ -1,0 +1,75 @@
+"""The dependency graph of a robot: typed nodes, and edges that know the line that says so."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from collections.abc import Iterator
+from dataclasses import dataclass
+from dataclasses import field
+from typing import TYPE_CHECKING
+from typing import NamedTuple
+
+from bringup_lint.source import Span
+
+if TYPE_CHECKING:
+    import networkx
+
+
+class Node(NamedTuple):
+    """Something of the robot: kind (``unit``, ``process``, ``launch-file``, ``device``, ...) and name."""
+
+    kind: str
+    name: str
+
+
+class Edge(NamedTuple):
+    """A relation of two nodes and who says so: a line, or the reason of an implicit one."""
+
+    kind: str
+    """``orders`` (source starts before target), ``requires``, ``wants``, ``runs``, ``loads-env``, ..."""
+    source: Node
+    target: Node
+    where: Span | None
+    why: str
+    """The setting (``After=``), or ``implicit: <reason>``."""
+
+    def __str__(self) -> str:
+        """``After=, robot.service:4``, or the reason of an implicit edge."""
+        return f"{self.why}, {self.where.path}:{self.where.line}" if self.where else self.why
+
+
+@dataclass(eq=False)
+class Graph:
+    """Edges by their ends."""
+
+    out: dict[Node, list[Edge]] = field(default_factory=dict)
+    into: dict[Node, list[Edge]] = field(default_factory=dict)
+
+    def add(self, edges: Iterable[Edge]) -> None:
+        for edge in edges:
+            self.out.setdefault(edge.source, []).append(edge)
+            self.into.setdefault(edge.target, []).append(edge)
+
+    def edges(self, *kinds: str) -> Iterator[Edge]:
+        for edges in self.out.values():
+            yield from (edge for edge in edges if not kinds or edge.kind in kinds)
+
+    def reachable(self, start: Node, kinds: frozenset[str]) -> set[Node]:
+        """All nodes that edges of these kinds lead to, ``start`` included."""
+        seen = {start}
+        pending = [start]
+        while pending:
+            for edge in self.out.get(pending.pop(), ()):
+                if edge.kind in kinds and edge.target not in seen:
+                    seen.add(edge.target)
+                    pending.append(edge.target)
+        return seen
+
+    def to_networkx(self, *kinds: str) -> networkx.MultiDiGraph:
+        """The same graph for networkx's algorithms; every edge carries its Edge as ``edge``."""
+        import networkx
+
+        graph = networkx.MultiDiGraph()
+        for edge in self.edges(*kinds):
+            graph.add_edge(edge.source, edge.target, edge=edge)
+        return graph

@@ -1,0 +1,227 @@
+"""What a unit really runs: the program of an Exec line, the shell text behind ``-c``, the scripts of the tree that it starts.
+
+systemd.service(5), "Command lines"; systemd replaces ``$$`` and known variables before the program sees them.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from dataclasses import field
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from bringup_lint.graph.unit import Unit
+from bringup_lint.model.shell import Command
+from bringup_lint.parsers.shell import commands
+from bringup_lint.parsers.systemd_values import split_command_line
+from bringup_lint.source import Located
+from bringup_lint.source import Source
+
+if TYPE_CHECKING:
+    from bringup_lint.robot import Robot
+
+EXEC_KEYS = ("ExecCondition", "ExecStartPre", "ExecStart", "ExecStartPost", "ExecReload", "ExecStop", "ExecStopPost")
+SHELLS = frozenset({"sh", "bash", "dash", "zsh", "ksh"})
+SCRIPT_DEPTH = 4
+"""How many scripts that call each other are followed."""
+
+_SHELL_SCRIPT = re.compile(r"#!\s*\S*/(?:env\s+(?:-S\s+)?)?(sh|bash|dash|zsh|ksh)\b")
+_SETUP_FILE = re.compile(r"(?:^|/)(?:local_)?setup\.(?:bash|sh|zsh)$")
+_INSTALLED_NODE = re.compile(r"/install/(?:[^/]+/)?lib/[^/]+/[^/]+$|/opt/ros/[^/]+/lib/[^/]+/[^/]+$")
+_WRAPPERS = frozenset(
+    "exec nice ionice chrt taskset stdbuf setsid env nohup time command sudo timeout setpriv runuser gosu prlimit".split()
+)
+_ROS_TEXT = re.compile(r"\bros2 |/opt/ros/|install/(?:local_)?setup\.(?:bash|sh)|component_container")
+
+
+@dataclass(frozen=True)
+class Ros:
+    """One ROS 2 program that a unit starts."""
+
+    kind: str
+    """``launch``, ``run``, ``node`` (an installed executable started by its path), or ``cli`` (another ros2 verb)."""
+    command: Command
+    package: Located | None = None
+    target: Located | None = None
+    """The launch file or executable."""
+    arguments: tuple[Located, ...] = ()
+
+    @property
+    def where(self) -> Located:
+        return self.target or self.command.words[-1]
+
+
+@dataclass(frozen=True)
+class Step:
+    """A command with where it runs: which shell reads it, from which script."""
+
+    command: Command
+    shell: str = ""
+    """``bash``, ``sh``...; empty when systemd runs the program itself."""
+    script: Source | None = None
+    """The script of the tree that holds the command; None for the Exec line itself."""
+    last: bool = False
+    """The last command of its shell text, at top level."""
+    depth: int = 0
+    """How many shells stand between systemd and the command."""
+
+
+@dataclass(eq=False)
+class Process:
+    """One command line of a unit."""
+
+    unit: Unit
+    key: str
+    line: Located
+    """The whole value."""
+    prefixes: str
+    argv: tuple[Located, ...]
+    steps: list[Step] = field(default_factory=list)
+    opaque: bool = False
+    """It starts something that could not be followed, so that nothing it lacks can be called missing."""
+
+    @property
+    def program(self) -> Located:
+        return self.argv[0]
+
+    @property
+    def name(self) -> str:
+        return self.program.rpartition("/")[2]
+
+    @property
+    def shell(self) -> str:
+        """The shell that systemd starts, or an empty string."""
+        return self.name if self.name in SHELLS else ""
+
+    @cached_property
+    def ros(self) -> list[tuple[Step, Ros]]:
+        """The ROS 2 programs that the steps start."""
+        return [(step, found) for step in self.steps if (found := ros_command(step.command))]
+
+    @cached_property
+    def launches(self) -> list[tuple[Step, Ros]]:
+        return [(step, found) for step, found in self.ros if found.kind == "launch"]
+
+    @cached_property
+    def setup_files(self) -> list[tuple[Step, Located]]:
+        """The setup files that are sourced, in order."""
+        return [
+            (step, step.command.words[1])
+            for step in self.steps
+            if step.command.name in ("source", ".") and len(step.command.words) > 1
+            if _SETUP_FILE.search(step.command.words[1])
+        ]
+
+    @property
+    def mentions_ros(self) -> bool:
+        """Whether the line, or a script it starts, has anything to do with ROS 2."""
+        texts = [str(self.line), *(step.script.text for step in self.steps if step.script)]
+        return bool(self.ros) or any(_ROS_TEXT.search(text) for text in texts)
+
+    @property
+    def replaces_shell(self) -> bool:
+        """Whether the ROS program is the main process itself: run by systemd, exec'd, or the last of ``bash -c``."""
+        for step, found in self.ros:
+            words = [str(word) for word in found.command.words]
+            if step.depth == 0 or words[0] == "exec" or (step.depth == 1 and step.last and self.shell == "bash"):
+                return True
+        return False
+
+
+def processes(unit: Unit, robot: Robot) -> list[Process]:
+    """The command lines of a service, in the order of ``EXEC_KEYS``, with what their shells and scripts run."""
+    found = []
+    for key in EXEC_KEYS:
+        for value in unit.values(key, "Service"):
+            for line in split_command_line(value).commands:
+                if line.argv:
+                    process = Process(unit, key, value, line.prefixes, tuple(line.argv))
+                    process.steps = list(_steps(process, robot))
+                    found.append(process)
+    return found
+
+
+def _steps(process: Process, robot: Robot) -> Iterator[Step]:
+    command = Command(process.argv)
+    yield Step(command, last=True)
+    yield from _followed(process, command, robot, 1)
+
+
+def _followed(process: Process, command: Command, robot: Robot, depth: int) -> Iterator[Step]:
+    """The steps behind a command that is a shell or a script of the tree."""
+    words = list(unwrapped(command.words))
+    if not words or depth > SCRIPT_DEPTH:
+        return
+    name = words[0].rpartition("/")[2]
+    if name in SHELLS:
+        yield from _shell(process, name, words[1:], robot, depth)
+    elif "/" in words[0] and not ros_command(command):
+        yield from _script(process, words[0], "", robot, depth)
+    elif name in ("source", ".") and len(words) > 1 and not _SETUP_FILE.search(words[1]):
+        yield from _script(process, words[1], "bash", robot, depth)
+
+
+def _shell(process: Process, name: str, words: list[Located], robot: Robot, depth: int) -> Iterator[Step]:
+    for at, word in enumerate(words):
+        if word.startswith("-") and not word.startswith("--") and "c" in word and at + 1 < len(words):
+            yield from _text(process, words[at + 1], name, None, robot, depth)
+            return
+        if not word.startswith(("-", "+")):
+            yield from _script(process, word, name, robot, depth)
+            return
+    process.opaque = True
+
+
+def _script(process: Process, path: Located, shell: str, robot: Robot, depth: int) -> Iterator[Step]:
+    source = robot.tree.find(path) if path.startswith("/") and "$" not in path and "%" not in path else None
+    shebang = _SHELL_SCRIPT.match(source.text) if source else None
+    if source is None or not (shell or shebang):
+        process.opaque = True
+        return
+    if any(step.script is source for step in process.steps):
+        return
+    text = source.located(0, len(source.text))
+    yield from _text(process, text, shell or shebang[1], source, robot, depth)
+
+
+def _text(
+    process: Process, text: Located, shell: str, script: Source | None, robot: Robot, depth: int
+) -> Iterator[Step]:
+    found = commands(text)
+    for at, command in enumerate(found):
+        yield Step(command, shell, script, at == len(found) - 1 and command.depth == 0, depth)
+        yield from _followed(process, command, robot, depth + 1)
+
+
+def unwrapped(words: tuple[Located, ...]) -> tuple[Located, ...]:
+    """The words without ``exec``, ``nice -n 5``, ``env A=1`` and the like in front."""
+    while words and words[0].rpartition("/")[2] in _WRAPPERS:
+        words = words[1:]
+        while words and (words[0].startswith("-") or "=" in words[0] or words[0].isdigit()):
+            words = words[1:]
+    return words
+
+
+def ros_command(command: Command) -> Ros | None:
+    """The ROS 2 program that a command starts, if it is one."""
+    words = unwrapped(command.words)
+    if not words:
+        return None
+    name = words[0].rpartition("/")[2]
+    if name == "ros2" and len(words) > 1:
+        verb = str(words[1])
+        rest = [word for word in words[2:] if not word.startswith("-")]
+        if verb == "launch":
+            named = [word for word in rest if ":=" not in word]
+            arguments = tuple(word for word in words[2:] if ":=" in word)
+            if len(named) == 1:
+                return Ros("launch", command, None, named[0], arguments)
+            return Ros("launch", command, *(named[:2] or (None, None)), arguments)
+        if verb == "run":
+            return Ros("run", command, *(rest[:2] if len(rest) > 1 else (None, None)), tuple(words[4:]))
+        return Ros("cli", command, None, words[1])
+    if _INSTALLED_NODE.search(words[0]):
+        return Ros("node", command, None, words[0], words[1:])
+    return None
