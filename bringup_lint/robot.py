@@ -17,6 +17,7 @@ from bringup_lint.source import Source
 
 if TYPE_CHECKING:
     from bringup_lint.discover.tree import Tree
+    from bringup_lint.graph.udev import Udev
     from bringup_lint.graph.units import Units
     from bringup_lint.model.netplan import Netplan
 
@@ -81,3 +82,9 @@ class Robot:
         from bringup_lint.graph.netplan import load_netplan
 
         return load_netplan(self)
+
+    @cached_property
+    def udev(self) -> Udev:
+        from bringup_lint.graph.udev import load_udev
+
+        return load_udev(self)

@@ -121,11 +121,19 @@ def _read_walked(tree: Tree, path: str, walked: set[str], judged: bool = True) -
     kind = kind_of(display_name(path), lambda: read_head(path, HEAD_SIZE))
     if not kind:
         return
-    if os.path.islink(path) and not kind.startswith("systemd"):
+    if os.path.islink(path) and not _is_meant(tree, path, kind):
         return
     source = tree.read(path, kind, judged)
     if source is not None:
         tree.sources.append(source)
+
+
+def _is_meant(tree: Tree, path: str, kind: str) -> bool:
+    """Whether a link says something of its own: links between units do, links to /dev/null mask udev rules, and in a root
+    file system udev reads the file behind a link. Elsewhere a link only shows a file twice."""
+    if kind == "udev-rules":
+        return tree.root is not None or os.readlink(path) == "/dev/null"
+    return kind.startswith("systemd")
 
 
 def _unreadable(tree: Tree, path: str, error: OSError) -> None:

@@ -1,0 +1,37 @@
+"""udev rules files, and files that lie beside them under a name that udev does not read."""
+
+from __future__ import annotations
+
+import re
+
+from bringup_lint.discover.kinds import Head
+from bringup_lint.discover.kinds import Kind
+from bringup_lint.templates import final_name
+
+_OTHERS = re.compile(r"/(?:polkit-1|polkit|audit|auditd|suricata|snort|prometheus)/|/audit[^/]*/rules\.d/")
+_KEY = re.compile(
+    r"^[ \t]*(?:ACTION|SUBSYSTEMS?|KERNELS?|DRIVERS?|(?:ATTRS?|ENV|IMPORT)\{[^}\n]+\}|DEVPATH|TAGS?|PROGRAM)"
+    r"[ \t]*(?:==|!=|\+=|:=|=)[ \t]*[ei]{0,2}[\"']",
+    re.M | re.I,
+)
+
+
+def _is_rules(path: str, head: Head) -> bool:
+    path = f"/{path}"
+    if not final_name(path).endswith(".rules") or _OTHERS.search(path):
+        return False
+    return "/udev/rules.d/" in path or bool(_KEY.search(head()))
+
+
+def _is_misnamed(path: str, head: Head) -> bool:
+    """A file in a udev rules folder that only its name keeps from being read."""
+    path = f"/{path}"
+    if "/udev/rules.d/" not in path or final_name(path).endswith(".rules"):
+        return False
+    return not path.rpartition("/")[2].startswith((".", "README")) and bool(_KEY.search(head()))
+
+
+KINDS = (
+    Kind("udev-rules", _is_rules),
+    Kind("udev-misnamed", _is_misnamed),
+)

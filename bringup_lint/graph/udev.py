@@ -1,0 +1,164 @@
+"""udev rules as udevd applies them: which files count, in which order, and the links that they make."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from bringup_lint.graph.udev_conditions import all_conditions
+from bringup_lint.graph.udev_devices import subsystem_of_name
+from bringup_lint.graph.udev_patterns import matches
+from bringup_lint.graph.udev_rule import Link
+from bringup_lint.graph.udev_rule import UdevRule
+from bringup_lint.model.udev import Rule
+from bringup_lint.model.udev import RulesFile
+from bringup_lint.parsers.udev import parse
+from bringup_lint.source import Problem
+from bringup_lint.source import Source
+
+if TYPE_CHECKING:
+    from bringup_lint.robot import Robot
+
+DIRECTORIES = (
+    "/etc/udev/rules.d",
+    "/run/udev/rules.d",
+    "/usr/local/lib/udev/rules.d",
+    "/usr/lib/udev/rules.d",
+    "/lib/udev/rules.d",
+)
+"""Highest precedence first (udev(7))."""
+
+
+@dataclass(frozen=True, eq=False)
+class RuleSet:
+    """The rules files that one udevd reads together, in effective order."""
+
+    files: tuple[RulesFile, ...]
+    shadowed: tuple[tuple[RulesFile, RulesFile], ...] = ()
+    """Files that are not read, each with the one of the same name that replaces it."""
+
+    @cached_property
+    def rules(self) -> tuple[UdevRule, ...]:
+        return tuple(
+            UdevRule(line, file, conditions)
+            for file in self.files
+            for line, conditions in zip(file.rules, all_conditions(file.rules), strict=True)
+        )
+
+    @cached_property
+    def links(self) -> tuple[Link, ...]:
+        return tuple(link for rule in self.rules if not rule.line.dropped for link in rule.links)
+
+    @cached_property
+    def assigned_properties(self) -> frozenset[str]:
+        """The ENV names that some rule sets."""
+        tokens = (token for rule in self.rules for token in rule.line.assignments("ENV"))
+        return frozenset(str(token.attribute) for token in tokens)
+
+
+@dataclass(frozen=True, eq=False)
+class Udev:
+    """All udev rules of a tree."""
+
+    sets: tuple[RuleSet, ...]
+
+    @cached_property
+    def files(self) -> tuple[RulesFile, ...]:
+        return tuple(file for one in self.sets for file in one.files)
+
+    @cached_property
+    def rules(self) -> tuple[UdevRule, ...]:
+        return tuple(rule for one in self.sets for rule in one.rules)
+
+    @cached_property
+    def judged(self) -> tuple[UdevRule, ...]:
+        return tuple(rule for rule in self.rules if rule.judged and not rule.is_unreachable)
+
+    def problems(self, *codes: str) -> Iterator[tuple[Problem, Rule]]:
+        """What the parser could not accept in the files that are judged, with the line it belongs to."""
+        for file in self.files:
+            if file.source.judged:
+                for index, problem in enumerate(file.problems):
+                    if problem.code in codes:
+                        yield problem, file.owners[index]
+
+    @cached_property
+    def links(self) -> tuple[Link, ...]:
+        return tuple(link for one in self.sets for link in one.links)
+
+    @cached_property
+    def _fixed_links(self) -> dict[str, list[Link]]:
+        found: dict[str, list[Link]] = defaultdict(list)
+        for link in self.links:
+            if link.is_fixed:
+                found[link.path].append(link)
+        return found
+
+    def links_to(self, path: str) -> list[Link]:
+        """The links that are, or could be, this path below /dev."""
+        return self._fixed_links.get(path) or [link for link in self._open_links if matches(link.path, path)]
+
+    @cached_property
+    def _open_links(self) -> tuple[Link, ...]:
+        return tuple(link for link in self.links if not link.is_fixed)
+
+    def stable_names(self, path: str) -> list[Link]:
+        """The links that may mean the device now found as ``/dev/ttyUSB0``, each once, in effective order."""
+        name = path.removeprefix("/dev/")
+        subsystem = subsystem_of_name(name)
+        found = {}
+        for link in self.links:
+            rule = link.rule
+            named = all(condition.accepts(name) for condition in rule.on("KERNEL"))
+            if link.is_fixed and named and subsystem and rule.is_for(subsystem):
+                found.setdefault(link.path, link)
+        return list(found.values())
+
+
+def effective(files: Iterable[RulesFile]) -> Udev:
+    """Group the files that belong to one system, drop the shadowed ones, sort the rest by file name."""
+    groups: dict[str, list[RulesFile]] = defaultdict(list)
+    for file in files:
+        groups[_system_of(file.source)].append(file)
+    return Udev(tuple(_rule_set(members) for members in groups.values()))
+
+
+def _rule_set(files: list[RulesFile]) -> RuleSet:
+    chosen: dict[str, RulesFile] = {}
+    shadowed: list[tuple[RulesFile, RulesFile]] = []
+    for file in sorted(files, key=lambda one: _rank(one.source)):
+        name = file.source.basename
+        if name in chosen:
+            shadowed.append((file, chosen[name]))
+        else:
+            chosen[name] = file
+    return RuleSet(tuple(chosen[name] for name in sorted(chosen)), tuple(shadowed))
+
+
+def _directory(source: Source) -> str:
+    return (source.robot_path or "").rpartition("/")[0]
+
+
+def _rank(source: Source) -> int:
+    directory = _directory(source)
+    return DIRECTORIES.index(directory) if directory in DIRECTORIES else len(DIRECTORIES)
+
+
+def _system_of(source: Source) -> str:
+    """A root file system has one udevd; elsewhere the files of one folder belong together."""
+    if (
+        _directory(source) in DIRECTORIES
+        and source.robot_path
+        and source.name.endswith(source.robot_path.lstrip("/"))
+    ):
+        return source.name[: -len(source.robot_path.lstrip("/"))] + "/"
+    return source.name.rpartition("/")[0]
+
+
+def load_udev(robot: Robot) -> Udev:
+    """The rules of all files that the robot's tree holds."""
+    return effective(robot.parsed(parse, robot.of_kind("udev-rules")))

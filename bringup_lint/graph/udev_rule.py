@@ -1,0 +1,179 @@
+"""One line of a udev rules file as udevd sees it: what it can match and which links it makes."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+from bringup_lint.graph.udev_conditions import Condition
+from bringup_lint.graph.udev_conditions import Conditions
+from bringup_lint.graph.udev_devices import is_open_by_design
+from bringup_lint.graph.udev_devices import levels
+from bringup_lint.graph.udev_devices import subsystem_of_name
+from bringup_lint.graph.udev_devices import usb_ids
+from bringup_lint.model.udev import PARENT_KEYS
+from bringup_lint.model.udev import Rule
+from bringup_lint.model.udev import RulesFile
+from bringup_lint.model.udev import Token
+from bringup_lint.source import Located
+from bringup_lint.source import Source
+
+ACTIONS = ("add", "change", "bind", "unbind", "move", "online", "offline", "remove")
+_SUBSTITUTION = re.compile(r"%%|\$\$|[%$](?:[a-z]+|[A-Z])?(?:\{[^}]*\})?")
+_PLACEHOLDER = re.compile(r"\{\{.*?\}\}|@\w+@")
+_ID = re.compile(r"[0-9a-f]{4}\Z")
+
+
+class Link(NamedTuple):
+    """One name below /dev that a rule gives."""
+
+    name: Located
+    """As written, relative to /dev unless it says /dev/ itself."""
+    path: str
+    """``/dev/robot/imu``; ``*`` stands for what udev puts in."""
+    token: Token
+    rule: UdevRule
+
+    @property
+    def is_fixed(self) -> bool:
+        return "*" not in self.path
+
+
+@dataclass(frozen=True, eq=False)
+class UdevRule:
+    """One line of a rules file that udev reads, with all that must hold for it to fire."""
+
+    line: Rule
+    file: RulesFile
+    conditions: Conditions
+
+    @property
+    def source(self) -> Source:
+        return self.file.source
+
+    @property
+    def judged(self) -> bool:
+        return (
+            self.source.judged
+            and not self.source.template
+            and not self.line.dropped
+            and self.conditions.known
+        )
+
+    def on(self, key: str, attribute: str | None = None) -> tuple[Condition, ...]:
+        """The conditions on a key, the rule's own and the inherited ones."""
+        return tuple(
+            condition
+            for condition in self.conditions.positive
+            if condition.key == key and attribute in (None, condition.attribute)
+        )
+
+    def mentions(self, *subjects: tuple[str, str]) -> bool:
+        """Whether any condition, also one of a jump over the rule, speaks of one of these."""
+        everything = (*self.conditions.positive, *(one for jump in self.conditions.jumps for one in jump))
+        return any(
+            condition.subject in subjects or (condition.key, "") in subjects for condition in everything
+        )
+
+    @cached_property
+    def is_unreachable(self) -> bool:
+        """Whether a GOTO without conditions jumps over the rule."""
+        return any(not jump for jump in self.conditions.jumps)
+
+    @cached_property
+    def kernels(self) -> tuple[str, ...]:
+        """The patterns of the kernel name that may match; empty when any may."""
+        found = [condition for condition in self.on("KERNEL") if condition.equal]
+        return found[0].patterns if found else ()
+
+    @cached_property
+    def subsystems(self) -> frozenset[str]:
+        """The subsystems of the devices for which the rule fires; empty when unknown."""
+        named = [condition for condition in self.on("SUBSYSTEM") if condition.equal and condition.is_plain]
+        if named:
+            return frozenset.intersection(*(frozenset(condition.patterns) for condition in named))
+        found = [subsystem_of_name(pattern) for pattern in self.kernels]
+        return frozenset(name for name in found if name) if found and all(found) else frozenset()
+
+    def is_for(self, *subsystems: str) -> bool:
+        """Whether the rule certainly fires only for devices of these subsystems."""
+        return bool(self.subsystems) and self.subsystems <= set(subsystems)
+
+    @cached_property
+    def actions(self) -> tuple[str, ...]:
+        wanted = self.on("ACTION")
+        return tuple(action for action in ACTIONS if all(condition.accepts(action) for condition in wanted))
+
+    @cached_property
+    def usb_ids(self) -> tuple[str, ...]:
+        """``vendor:product`` of the USB devices that the rule names exactly, in lower case."""
+        vendors = self._usb_numbers("idVendor")
+        return tuple(
+            f"{vendor}:{product}" for vendor in vendors for product in self._usb_numbers("idProduct")
+        )
+
+    def _usb_numbers(self, attribute: str) -> tuple[str, ...]:
+        for condition in self.conditions.positive:
+            if condition.equal and condition.subject[1] == attribute:
+                return tuple(found for one in condition.patterns if _ID.match(found := one.lower()))
+        return ()
+
+    @cached_property
+    def links(self) -> tuple[Link, ...]:
+        return tuple(
+            Link(name, _path(name), token, self)
+            for token in self.line.assignments("SYMLINK")
+            if token.operator != "-="
+            for name in self._link_names(token)
+        )
+
+    def _link_names(self, token: Token) -> Iterable[Located]:
+        options = [option.value for option in self.line.assignments("OPTIONS")]
+        return [token.value] if "string_escape=replace" in options else token.value.words()
+
+    @property
+    def usb_device(self) -> dict[str, str] | None:
+        """What is known of the one USB device that the rule names; None when unknown or several."""
+        return usb_ids().get(self.usb_ids[0]) if len(self.usb_ids) == 1 else None
+
+    @property
+    def is_serial(self) -> bool:
+        """Whether the rule is about serial ports, by its subsystem, kernel name or USB id."""
+        if self.subsystems:
+            return self.is_for("tty")
+        return bool(self.usb_device and self.usb_device["device"] in ("ttyUSB", "ttyACM"))
+
+    @property
+    def is_open_by_design(self) -> bool:
+        """Whether all nodes that the rule names are meant to be writable for everybody."""
+        static = [
+            option.value[12:]
+            for option in self.line.assignments("OPTIONS")
+            if option.value.startswith("static_node=")
+        ]
+        names = [*self.kernels, *(name.rpartition("/")[2] for name in static)]
+        return bool(names) and all(is_open_by_design(name) for name in names)
+
+    @cached_property
+    def impossible_parents(self) -> tuple[Token, Token] | None:
+        """Two parent keys that no one device of a chain fulfils, so that the rule never fires."""
+        known = [
+            (token, found)
+            for token in self.line.tokens
+            if token.key in PARENT_KEYS and (found := levels(token))
+        ]
+        for index, (token, on) in enumerate(known):
+            for other, other_on in known[:index]:
+                if not on & other_on:
+                    return other, token
+        return None
+
+
+def _path(name: str) -> str:
+    text = _SUBSTITUTION.sub(
+        lambda found: found[0][0] if found[0] in ("%%", "$$") else "*", _PLACEHOLDER.sub("*", name)
+    )
+    return "/dev/" + text.removeprefix("/dev/").lstrip("/")

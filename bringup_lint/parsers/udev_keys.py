@@ -1,0 +1,180 @@
+"""What udev accepts: operators, attributes and values of each key."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from functools import cache
+from typing import NamedTuple
+
+from bringup_lint import facts
+from bringup_lint.model.udev import Token
+from bringup_lint.parsers.udev_substitutions import substitution_problems
+from bringup_lint.source import Problem
+
+_MODE = re.compile(r"[0-7]+\Z")
+_INTEGER = re.compile(r"[ \t]*[-+]?(?:0[xX][0-9a-fA-F]+|0[bB][01]+|0[oO]?[0-7]*|[1-9][0-9]*)\Z")
+
+DROPPING = frozenset(
+    {
+        "unknown-key",
+        "removed-key",
+        "byte-order-mark",
+        "match-only-key",
+        "invalid-operator",
+        "invalid-attribute",
+        "bad-test-mode",
+        "assignment-of-any-case",
+        "any-case-not-allowed",
+        "read-only-property",
+        "name-without-effect",
+        "unknown-builtin",
+        "bad-option-value",
+    }
+)
+"""The problems for which udev ignores the whole line, with all that stands on it."""
+
+
+class Key(NamedTuple):
+    """One row of the table of keys."""
+
+    operators: tuple[str, ...]
+    coerced: tuple[str, ...]
+    attribute: str
+    attributes: tuple[str, ...]
+    substitutions: tuple[str, ...]
+    replacement: str
+
+    @property
+    def match_only(self) -> bool:
+        return self.operators == ("==", "!=")
+
+
+@cache
+def keys() -> dict[str, Key]:
+    return {
+        row["key"]: Key(
+            tuple(row["operators"].split()),
+            tuple(row["coerced"].split()),
+            row["attribute"],
+            tuple(row["attributes"].split()),
+            tuple(row["substitutions"].split()),
+            row["replacement"],
+        )
+        for row in facts.table("udev_keys")
+    }
+
+
+@cache
+def words(kind: str) -> dict[str, str]:
+    """The names of a closed list, each with its note."""
+    return {row["name"]: row["note"] for row in facts.table("udev_words") if row["kind"] == kind}
+
+
+def token_problems(token: Token) -> Iterator[Problem]:
+    """Everything that udev has against one token, in the order in which it looks."""
+    key = keys().get(token.key)
+    if key is None or not key.operators:
+        yield _unknown_key(token, key)
+        return
+    if token.operator not in key.operators:
+        if token.operator not in key.coerced:
+            code = "match-only-key" if key.match_only else "invalid-operator"
+            yield Problem(code, token.operator, token.key)
+            return
+        yield Problem("coerced-operator", token.operator, token.key)
+    yield from _attribute_problems(token, key)
+    yield from _prefix_problems(token)
+    if "always" in key.substitutions or ("assigned" in key.substitutions and not token.is_match):
+        yield from _value_problems(token, "nonempty" in key.substitutions)
+    check = _BY_KEY.get(token.key)
+    if check is not None:
+        yield from check(token)
+
+
+def _unknown_key(token: Token, key: Key | None) -> Problem:
+    if key is not None:
+        return Problem("removed-key", token.key, key.replacement)
+    if token.key.startswith("\ufeff"):
+        return Problem("byte-order-mark", token.key.part(0, 1))
+    return Problem("unknown-key", token.key)
+
+
+def _attribute_problems(token: Token, key: Key) -> Iterator[Problem]:
+    given = token.attribute
+    if key.attribute == "none":
+        if given is not None:
+            yield Problem("invalid-attribute", given if given else token.key, "unexpected")
+        return
+    if key.attribute == "required" and not given:
+        yield Problem("invalid-attribute", token.key, "missing")
+        return
+    if given is None or (token.key == "TEST" and not given):
+        return
+    if key.attributes and given not in key.attributes:
+        yield Problem("invalid-attribute", given if given else token.key, " ".join(key.attributes))
+    elif token.key in ("ATTR", "ATTRS", "SYSCTL"):
+        yield from substitution_problems(given)
+
+
+def _prefix_problems(token: Token) -> Iterator[Problem]:
+    if "i" not in token.prefix:
+        return
+    if not token.is_match:
+        yield Problem("assignment-of-any-case", token.span, token.key)
+    elif token.key in ("TEST", "PROGRAM", "IMPORT"):
+        yield Problem("any-case-not-allowed", token.span, token.key)
+
+
+def _value_problems(token: Token, nonempty: bool) -> Iterator[Problem]:
+    if nonempty and not token.value:
+        yield Problem("empty-value", token.span, token.key)
+    yield from substitution_problems(token.value)
+
+
+def _test(token: Token) -> Iterator[Problem]:
+    mode = token.attribute
+    if mode and not (_MODE.match(mode) and int(mode, 8) <= 0o7777):
+        yield Problem("bad-test-mode", mode)
+
+
+def _env(token: Token) -> Iterator[Problem]:
+    if not token.is_match and token.attribute in words("read-only-property"):
+        yield Problem("read-only-property", token.attribute)
+
+
+def _name(token: Token) -> Iterator[Problem]:
+    if not token.is_match and token.value in ("%k", ""):
+        yield Problem("name-without-effect", token.span, token.value)
+
+
+def _builtin(token: Token) -> Iterator[Problem]:
+    if token.attribute == "builtin" and not _is_builtin(token):
+        yield Problem("unknown-builtin", token.value)
+
+
+def _is_builtin(token: Token) -> bool:
+    return token.value.strip().partition(" ")[0] in words("builtin")
+
+
+def _options(token: Token) -> Iterator[Problem]:
+    name, equals, value = token.value.partition("=")
+    if token.value in words("option"):
+        return
+    if name + equals not in words("option-with-value"):
+        yield Problem("unknown-option", token.value)
+    elif name == "link_priority":
+        if not _INTEGER.match(value):
+            yield Problem("bad-option-value", token.value)
+    elif name == "log_level" and value not in words("log-level"):
+        yield Problem("bad-option-value", token.value)
+
+
+_BY_KEY = {
+    "TEST": _test,
+    "ENV": _env,
+    "NAME": _name,
+    "IMPORT": _builtin,
+    "RUN": _builtin,
+    "OPTIONS": _options,
+}
