@@ -13,6 +13,7 @@ import click
 
 from bringup_lint import __version__
 from bringup_lint.cli import COMMANDS
+from bringup_lint.cli.options import rules_option
 from bringup_lint.cli.outputs import Output
 from bringup_lint.cli.outputs import PairedOptions
 from bringup_lint.cli.outputs import file_option
@@ -56,13 +57,7 @@ def _names(ctx: click.Context, param: click.Parameter, value: tuple[str, ...]) -
 @click.option("--no-ignores", is_flag=True, help="Show what comments in the files suppress.")
 @click.option("--config", "config_path", type=click.Path(dir_okay=False, path_type=Path), help="Configuration file.")
 @click.option("--isolated", is_flag=True, help="Read no configuration file.")
-@click.option(
-    "--rules",
-    "rule_folders",
-    type=click.Path(exists=True, file_okay=False, path_type=Path),
-    multiple=True,
-    help="Folder of further rules.",
-)
+@rules_option
 @click.option("--exclude", multiple=True, help="Skip what matches this gitignore pattern.")
 @click.option("--stdin-filename", help="Check standard input as the file of this name.")
 @click.option("--baseline", type=click.Path(dir_okay=False, path_type=Path), help="Leave out what this file holds.")
@@ -81,7 +76,7 @@ def command(ctx: click.Context, paths: tuple[str, ...], **options) -> None:
     from bringup_lint.registry import RuleError
 
     try:
-        code = _check(ctx.meta["outputs"], paths or (".",), options)
+        code = _check(ctx.meta["outputs"], paths or ("/" if options["root"] else ".",), options)
     except (ConfigError, RuleError) as error:
         click.echo(f"bringup-lint: {error}", err=True)
         code = 2
@@ -90,6 +85,8 @@ def command(ctx: click.Context, paths: tuple[str, ...], **options) -> None:
 
 def _check(outputs: list[Output], paths: tuple[str, ...], options: dict[str, Any]) -> int:
     from bringup_lint.cli.reporting import report_of
+    from bringup_lint.cli.reporting import save_baseline
+    from bringup_lint.cli.reporting import take_known
     from bringup_lint.cli.reporting import wants_colour
     from bringup_lint.engine import run
     from bringup_lint.registry import Registry
@@ -107,7 +104,10 @@ def _check(outputs: list[Output], paths: tuple[str, ...], options: dict[str, Any
             click.echo(f"Fixed {fixed} finding{'s' * (fixed > 1)}.", err=True)
             robot = read_robot(paths, config, options)
             outcome = run(robot, registry, config, ignores=not options["no_ignores"])
-    report = report_of(outcome, robot, config, started)
+    if options["write_baseline"]:
+        save_baseline(outcome, robot, options["write_baseline"])
+    known = take_known(outcome, robot, config)
+    report = report_of(outcome, robot, config, started, known)
     for output in outputs:
         colour = output.file is None and wants_colour(options["colour"])
         write(render(output.format, dataclasses.replace(report, colour=colour)), output.file)
@@ -132,7 +132,7 @@ def configuration(paths: tuple[str, ...], options: dict[str, Any]) -> tuple[Conf
         "fail_on": options["fail_on"],
         "target_ros": options["target_ros"],
         "target_systemd": options["target_systemd"],
-        "baseline": options["baseline"],
+        "baseline": options["baseline"] and str(options["baseline"].absolute()),
     }
     return dataclasses.replace(config, **{key: value for key, value in given.items() if value}), rule_folders
 

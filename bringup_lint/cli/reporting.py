@@ -7,8 +7,10 @@ import shutil
 import sys
 import time
 from collections import Counter
+from pathlib import Path
 from typing import TYPE_CHECKING
 
+from bringup_lint.config import ConfigError
 from bringup_lint.finding import Severity
 from bringup_lint.report import Notification
 from bringup_lint.report import Report
@@ -25,14 +27,46 @@ DOCS = "https://github.com/bringup-lint/bringup-lint/blob/main/docs/rules/{}.md"
 """Where a built-in rule is documented on the web."""
 
 
-def report_of(outcome: Outcome, robot: Robot, config: Config, started: float) -> Report:
+def save_baseline(outcome: Outcome, robot: Robot, path: Path) -> None:
+    """Write the findings of a run to a baseline file."""
+    from bringup_lint.baseline import written
+    from bringup_lint.cli.outputs import write
+
+    write(written(outcome.findings, root_of(robot), os.getcwd()), path)
+
+
+def take_known(outcome: Outcome, robot: Robot, config: Config) -> int:
+    """Take the findings that the baseline holds out of the outcome; returns how many. Raises ConfigError."""
+    if not config.baseline:
+        return 0
+    from bringup_lint.baseline import BaselineError
+    from bringup_lint.baseline import read
+    from bringup_lint.baseline import sift
+
+    path = config.folder / config.baseline
+    try:
+        sifted = sift(outcome.findings, read(path.read_text("utf-8")), root_of(robot), os.getcwd())
+    except OSError as error:
+        raise ConfigError(f"{path}: {error.strerror}") from error
+    except BaselineError as error:
+        raise ConfigError(f"{path}: {error}") from error
+    outcome.findings = list(sifted.new)
+    return len(sifted.known)
+
+
+def root_of(robot: Robot) -> str:
+    """What the URIs of a report are relative to."""
+    return str(robot.tree.root or os.getcwd())
+
+
+def report_of(outcome: Outcome, robot: Robot, config: Config, started: float, known: int = 0) -> Report:
     """Everything that a format may say about a run."""
     target = robot.target
     return Report(
         findings=tuple(outcome.findings),
         rules={rule_id: doc_of(rule) for rule_id, rule in outcome.rules.items()},
         kinds=Counter(source.kind for source in robot.sources if source.judged),
-        root=str(robot.tree.root or os.getcwd()),
+        root=root_of(robot),
         cwd=os.getcwd(),
         target=Target(target.ros, target.systemd, target.ros_why, target.systemd_why),
         command=("bringup-lint", *sys.argv[1:]),
@@ -41,6 +75,7 @@ def report_of(outcome: Outcome, robot: Robot, config: Config, started: float) ->
         exit_code=outcome.exit_code(Severity[config.fail_on.upper()]),
         notifications=tuple(Notification("error", failure) for failure in outcome.failures),
         below=outcome.hidden,
+        known=known,
         width=min(shutil.get_terminal_size((80, 24)).columns, 100),
     )
 

@@ -24,8 +24,12 @@ VENDOR_FOLDERS = (
 )
 """Folders of the distribution that /etc builds on, by systemd.unit(5), udev(7), netplan(5), sysctl.d(5), sysusers.d(5)."""
 
-EPHEMERAL = frozenset({"proc", "sys", "dev", "tmp", "lost+found", "snap", "media", "mnt", "cdrom", "boot"})
-"""Top folders of a root file system that hold no configuration."""
+PASSED_OVER = frozenset(
+    "bin boot cdrom dev lib lib32 lib64 libx32 lost+found media mnt proc run sbin snap swapfile sys tmp usr/bin usr/games "
+    "usr/include usr/lib usr/lib32 usr/lib64 usr/libexec usr/libx32 usr/sbin usr/share usr/src var/cache var/crash "
+    "var/lib/apt var/lib/docker var/lib/dpkg var/lib/snapd var/log var/mail var/run var/spool var/tmp".split()
+)
+"""Folders of a root file system that hold programs, data and state; the vendor's configuration there is context."""
 
 _OVERLAY = re.compile(
     r"(?:^|/)((?:etc|usr/lib|usr/local|lib/systemd|lib/udev|run/systemd|opt|home|root|var/lib)/.*)"

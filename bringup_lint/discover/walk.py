@@ -14,7 +14,7 @@ from bringup_lint.discover.kinds import kind_of
 from bringup_lint.discover.reading import decode
 from bringup_lint.discover.reading import describe
 from bringup_lint.discover.reading import read_head
-from bringup_lint.discover.roots import EPHEMERAL
+from bringup_lint.discover.roots import PASSED_OVER
 from bringup_lint.discover.roots import VENDOR_FOLDERS
 from bringup_lint.discover.roots import is_root
 from bringup_lint.discover.roots import root_of
@@ -103,14 +103,19 @@ def walk(
         return
     if depth and any(entry.name in IGNORE_MARKERS for entry in entries):
         return
-    root = depth == 0 and is_root(Path(top))
+    if depth == 0 and is_root(Path(top)):
+        excluded = _with_system_folders(excluded, top)
     for entry in entries:
         if entry.is_dir(follow_symlinks=False):
-            skipped = entry.name in SKIPPED_FOLDERS or (root and entry.name in EPHEMERAL)
-            if not skipped and depth < DEPTH_LIMIT and not excluded(entry.path + "/"):
+            if entry.name not in SKIPPED_FOLDERS and depth < DEPTH_LIMIT and not excluded(entry.path + "/"):
                 yield from walk(entry.path, excluded, failed, depth + 1)
         elif not excluded(entry.path) and (entry.is_file(follow_symlinks=False) or entry.is_symlink()):
             yield entry.path
+
+
+def _with_system_folders(excluded: Excluded, root: str) -> Excluded:
+    folders = {os.path.join(root, folder) + "/" for folder in PASSED_OVER}
+    return lambda path: path in folders or excluded(path)
 
 
 def _read_walked(tree: Tree, path: str, walked: set[str], judged: bool = True) -> None:

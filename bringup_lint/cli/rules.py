@@ -1,0 +1,58 @@
+"""``bringup-lint rules``: list the rules."""
+
+from __future__ import annotations
+
+import json
+from itertools import groupby
+from pathlib import Path
+
+import click
+
+from bringup_lint.cli.options import rules_option
+from bringup_lint.cli.reporting import wants_colour
+from bringup_lint.registry import Registry
+from bringup_lint.registry import Rule
+from bringup_lint.report.paint import painter
+
+
+@click.command(context_settings={"help_option_names": ["-h", "--help"]})
+@click.argument("families", nargs=-1, metavar="[FAMILY]...")
+@click.option("--output-format", type=click.Choice(["text", "json"]), default="text", show_default=True)
+@rules_option
+@click.pass_context
+def command(ctx: click.Context, families: tuple[str, ...], output_format: str, rule_folders: tuple[Path, ...]) -> None:
+    """List the rules, all or those of some families."""
+    registry = Registry.of(rule_folders)
+    unknown = set(families) - {family.name for family in registry.families}
+    if unknown:
+        click.echo(f"bringup-lint: no family is called '{sorted(unknown)[0]}'", err=True)
+        ctx.exit(2)
+    rules = [rule for rule in registry.all() if not families or rule.family in families]
+    if output_format == "json":
+        click.echo(json.dumps([_data(rule) for rule in rules], indent=2, ensure_ascii=False))
+        return
+    titles = {family.name: family.title for family in registry.families}
+    paint = painter(wants_colour(None))
+    for family, members in groupby(rules, key=lambda rule: rule.family):
+        members = list(members)
+        click.echo(paint("strong", f"{titles[family]} ({len(members)})"))
+        for rule in members:
+            mark = {"safe": "*", "unsafe": "+"}.get(rule.meta.fix, " ")
+            severity = paint(str(rule.severity), f"{rule.severity!s:<8}")
+            click.echo(f"  {severity}{mark} {rule.id:<40} {rule.title}")
+        click.echo()
+    click.echo(f"{len(rules)} rules. * has a safe fix, + an unsafe one. bringup-lint explain RULE tells more.")
+
+
+def _data(rule: Rule) -> dict[str, object]:
+    return {
+        "id": rule.id,
+        "title": rule.title,
+        "severity": str(rule.severity),
+        "confidence": str(rule.meta.confidence),
+        "fix": rule.meta.fix,
+        "since": rule.meta.since,
+        "aliases": rule.meta.aliases,
+        "tags": rule.meta.tags,
+        "symptoms": rule.meta.symptoms,
+    }
