@@ -8,12 +8,13 @@ Paint = Callable[[str, str], str]
 
 _CODES = {
     "error": "1;91",
-    "warning": "1;93",
-    "info": "1;96",
+    "warning": "1;33",
+    "info": "1;36",
     "mark": "1;94",
+    "label": "94",
     "frame": "94",
     "strong": "1",
-    "good": "1;92",
+    "good": "1;32",
     "faint": "2",
     "code": "36",
 }

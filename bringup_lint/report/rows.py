@@ -98,14 +98,15 @@ def closing(line: str, bar: Bar, room: int, paint: Paint) -> Iterator[str]:
 
 
 def _labelled(drawn: str, at: int, mark: Underline, room: int, paint: Paint) -> Iterator[str]:
-    label = printable(mark.label)
+    label = printable(" ".join(mark.label.split()))
+    style = "label" if mark.style == "mark" else mark.style
     beside = room - at - 1
     if len(label) <= beside or beside >= LABEL:
         first, *more = wrap(label, beside)
-        yield f"{drawn} {paint(mark.style, first)}"
+        yield f"{drawn} {paint(style, first)}"
         indent = at + 1
     else:
         yield drawn
         indent = max(0, min(mark.start, room - LABEL))
         more = wrap(label, room - indent)
-    yield from (" " * indent + paint(mark.style, line) for line in more)
+    yield from (" " * indent + paint(style, line) for line in more)

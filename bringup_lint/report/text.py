@@ -26,7 +26,7 @@ def render(report: Report) -> str:
     paint = painter(report.colour)
     width = max(report.width, NARROW)
     blocks = ["\n".join(block(finding, width, paint)) for finding in report.shown]
-    return "\n\n".join([*blocks, summary(report, paint)]) + "\n"
+    return "\n\n".join([*blocks, summary(report, min(width, WIDE), paint)]) + "\n"
 
 
 def block(finding: Finding, width: int, paint: Paint) -> Iterator[str]:
@@ -50,9 +50,9 @@ def block(finding: Finding, width: int, paint: Paint) -> Iterator[str]:
 
 def _headline(finding: Finding, style: str, width: int, paint: Paint) -> Iterator[str]:
     name = f"{style}[{finding.rule}]"
-    first, *more = wrap(f"{name}: {printable(' '.join(finding.message.split()))}", width)
+    first, *more = wrap(f"{name}: {printable(' '.join(finding.message.split()))}", width - 2)
     yield f"{paint(style, first[: len(name)])}{paint('strong', first[len(name) :])}"
-    yield from (paint("strong", line) for line in more)
+    yield from (f"  {paint('strong', line)}" for line in more)
 
 
 def _notes(finding: Finding) -> Iterator[tuple[str, str]]:
@@ -76,6 +76,6 @@ def _steps(finding: Finding) -> Iterator[str]:
 def _note(name: str, text: str, gutter: int, width: int, paint: Paint) -> Iterator[str]:
     head = f"{'':{gutter}} {paint('frame', '=')} {paint('strong', name + ':')} "
     indent = gutter + 5 + len(name)
-    lines = [line for part in text.splitlines() for line in wrap(printable(part), width - indent)]
+    lines = [line for part in text.splitlines() or [""] for line in wrap(printable(part), width - indent)]
     yield head + lines[0]
     yield from (" " * indent + line for line in lines[1:])
