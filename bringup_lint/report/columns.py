@@ -7,7 +7,7 @@ from itertools import accumulate
 from typing import NamedTuple
 
 TAB = 4
-_REPLACEMENT = "\N{REPLACEMENT CHARACTER}"
+_REPLACEMENT = "\ufffd"
 _ZERO_WIDTH = ("Mn", "Me")
 _UNSAFE = ("Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp")
 
@@ -51,7 +51,7 @@ def _glyph(character: str) -> str:
     if character < " ":
         return chr(0x2400 + ord(character))
     if character == "\x7f":
-        return "\N{SYMBOL FOR DELETE}"
+        return "␡"
     from unicodedata import category
 
     return _REPLACEMENT if category(character) in _UNSAFE else " "

@@ -46,6 +46,8 @@ def block(finding: Finding, width: int, paint: Paint) -> Iterator[str]:
         yield edge
     for name, text in _notes(finding):
         yield from _note(name, text, gutter, min(width, WIDE), paint)
+    edge = f"{'':{gutter}} {paint('frame', '=')}"
+    yield f"{edge} {paint('strong', 'docs:')} bringup-lint explain {finding.rule}"
 
 
 def _headline(finding: Finding, style: str, width: int, paint: Paint) -> Iterator[str]:
@@ -63,7 +65,6 @@ def _notes(finding: Finding) -> Iterator[tuple[str, str]]:
     if finding.fix:
         safe = finding.fix.applicability is Applicability.SAFE
         yield "fix", f"{finding.fix.title} ({'--fix' if safe else '--fix --unsafe-fixes'})"
-    yield "docs", f"bringup-lint explain {finding.rule}"
 
 
 def _steps(finding: Finding) -> Iterator[str]:

@@ -1,0 +1,79 @@
+"""Microsoft's SARIF Multitool validates what the schema cannot say.
+
+The tool is the npm package ``@microsoft/sarif-multitool-linux``; it is found through ``SARIF_MULTITOOL`` (the
+program), on the PATH, or below ``node_modules`` in the project or in the folder ``NPM_CONFIG_PREFIX``.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+from pathlib import Path
+
+import jsonschema
+import pytest
+
+from bringup_lint.report import Report
+from bringup_lint.report import render
+from tests.conftest import PROJECT
+from tests.lint import lint
+from tests.report.sample import clean
+from tests.report.sample import sample
+
+PROGRAM = "node_modules/@microsoft/sarif-multitool-linux/Sarif.Multitool"
+FIXTURES = sorted(path for path in (PROJECT / "fixtures").glob("*/*/bad*") if path.is_dir())
+
+
+@pytest.fixture(scope="module")
+def multitool() -> Path:
+    places = [os.environ.get("SARIF_MULTITOOL", ""), shutil.which("Sarif.Multitool") or ""]
+    places += [os.path.join(prefix, PROGRAM) for prefix in (PROJECT, os.environ.get("NPM_CONFIG_PREFIX", ""))]
+    for place in places:
+        if os.access(place, os.X_OK):
+            return Path(place)
+    pytest.skip("the SARIF Multitool is not installed")
+
+
+def complaints(multitool: Path, *files: Path) -> list[str]:
+    run = subprocess.run(
+        [multitool, "validate", *files, "--rule-kind", "Sarif;Ghas", "--level", "Error;Warning"],
+        capture_output=True,
+        text=True,
+        timeout=120,
+        check=False,
+    )
+    assert "Analysis completed successfully." in run.stdout, run.stdout + run.stderr
+    return [line for line in run.stdout.splitlines() if ": error " in line or ": warning " in line]
+
+
+@pytest.mark.parametrize("name", ["sample", "clean", "bare"])
+def test_validates(multitool: Path, name: str, tmp_path: Path) -> None:
+    report = {"sample": sample, "clean": clean, "bare": Report}[name]()
+    file = tmp_path / f"{name}.sarif"
+    file.write_text(render("sarif", report), "utf-8")
+    assert complaints(multitool, file) == []
+
+
+def test_tool_does_complain(multitool: Path, tmp_path: Path) -> None:
+    file = tmp_path / "wrong.sarif"
+    file.write_text(render("sarif", sample()).replace('"ruleIndex": 0', '"ruleIndex": 99'), "utf-8")
+    assert "SARIF1009" in "".join(complaints(multitool, file))
+
+
+def test_every_bad_fixture_validates(multitool: Path, tmp_path: Path) -> None:
+    files = []
+    for number, folder in enumerate(FIXTURES):
+        run = lint("--output-format", "sarif", "--min-severity", "info", "--no-ignores", ".", cwd=folder)
+        assert run.code in (0, 1), run.stderr
+        files.append(tmp_path / f"{number}.sarif")
+        files[-1].write_text(run.stdout, "utf-8")
+    assert complaints(multitool, *files) == []
+
+
+@pytest.mark.parametrize("name", ["sample", "clean", "bare"])
+def test_follows_the_official_schema(multitool: Path, name: str) -> None:
+    schema = json.loads((multitool.parent / "sarif-2.1.0.json").read_text("utf-8-sig"))
+    report = {"sample": sample, "clean": clean, "bare": Report}[name]()
+    jsonschema.validate(json.loads(render("sarif", report)), schema)

@@ -1,0 +1,57 @@
+"""What is marked as secret is masked wherever it stands."""
+
+from __future__ import annotations
+
+from bringup_lint.finding import Finding
+from bringup_lint.finding import Severity
+from bringup_lint.report import Report
+from bringup_lint.report import render
+from bringup_lint.report.redact import mask_of
+from bringup_lint.source import Source
+
+
+def report_on(text: str, *secrets: str, message: str = "readable") -> str:
+    source = Source("robot.env", text)
+    starts = [text.index(secret) for secret in secrets]
+    spans = tuple(
+        source.span(start, start + len(secret)) for start, secret in zip(starts, secrets, strict=True)
+    )
+    return render(
+        "text", Report((Finding(message, source.span(0, 3), "env/secret", Severity.ERROR, secrets=spans),))
+    )
+
+
+def test_short_secret_is_masked_where_it_is_marked() -> None:
+    text = report_on("KEY=abc\nOTHER=abc\n", "abc")
+    assert "KEY=***\n" in text
+    assert "OTHER=abc" in text
+
+
+def test_long_secret_is_masked_everywhere() -> None:
+    text = report_on("KEY=abcdefgh\nOTHER=abcdefgh\n", "abcdefgh", message="abcdefgh is readable")
+    assert "abcdefgh" not in text
+    assert "******** is readable" in text
+
+
+def test_secret_of_several_lines_keeps_its_lines() -> None:
+    text = report_on("KEY=-----BEGIN\nabcdefgh\nijklmnop-----\nX=1\n", "-----BEGIN\nabcdefgh\nijklmnop-----")
+    assert "2 | ********\n" in text
+
+
+def test_secrets_that_overlap() -> None:
+    assert "KEY=*******\n" in report_on("KEY=abcdefg\n", "abcde", "cdefg")
+
+
+def test_without_secrets_nothing_is_copied() -> None:
+    finding = Finding("fine", Source("a", "b").whole, "env/x", Severity.INFO)
+    assert mask_of([finding]) is None
+    assert Report((finding,)).findings[0] is finding
+
+
+def test_masked_findings_have_nothing_to_mask() -> None:
+    source = Source("robot.env", "KEY=abcdefgh\n")
+    report = Report(
+        (Finding("readable", source.span(0, 3), "env/secret", Severity.ERROR, secrets=(source.span(4, 12),)),)
+    )
+    assert mask_of(report.findings) is None
+    assert source.text == "KEY=abcdefgh\n", "fixes still need the text itself"

@@ -1,0 +1,58 @@
+"""Baselines: what is known is not reported again."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from bringup_lint import baseline
+from tests.report.sample import FINDINGS
+from tests.report.sample import PASSWORD
+
+ROOT = "/home/robot/mower"
+
+
+def test_what_is_written_is_known() -> None:
+    known = baseline.read(baseline.written(FINDINGS, ROOT))
+    sifted = baseline.sift(FINDINGS, known, ROOT)
+    assert [finding.rule for finding in sifted.new] == ["systemd/restart-unlimited"], (
+        "suppressed ones are not kept"
+    )
+    assert sifted.gone == 0
+
+
+def test_new_ones_and_gone_ones() -> None:
+    known = baseline.read(baseline.written(FINDINGS[:4], ROOT))
+    sifted = baseline.sift(FINDINGS[2:], known, ROOT)
+    assert sifted.known == FINDINGS[2:4]
+    assert sifted.new == FINDINGS[4:]
+    assert sifted.gone == 2
+
+
+def test_text_is_stable_and_holds_no_secret() -> None:
+    text = baseline.written(FINDINGS, ROOT)
+    assert text == baseline.written(reversed(FINDINGS), ROOT)
+    assert PASSWORD not in text
+    assert text.endswith("}\n")
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("", "not a baseline: "),
+        ("[]", "not a baseline: it has no version"),
+        ('{"version": 2, "findings": []}', "baseline of version 2; this program reads 1"),
+        ('{"version": 1, "findings": [{}]}', "not a baseline: findings without fingerprints"),
+        ('{"version": 1, "findings": 3}', "not a baseline: findings without fingerprints"),
+        ("[" * 100_000, "not a baseline: "),
+    ],
+)
+def test_what_is_no_baseline_says_so(text: str, message: str) -> None:
+    with pytest.raises(baseline.BaselineError, match=message):
+        baseline.read(text)
+
+
+def test_entries_say_what_they_are() -> None:
+    first = json.loads(baseline.written(FINDINGS, ROOT))["findings"][0]
+    assert list(first) == ["path", "rule", "message", "fingerprint"]
