@@ -71,7 +71,16 @@ def test_time_spans(text, seconds):
 
 @pytest.mark.parametrize(
     ("text", "size"),
-    [("2G", 2**31), ("2 G", 2**31), ("1.5K", 1536), ("64", 64), ("2GB", None), ("64MB", None), ("-1", None), ("2g", None)],
+    [
+        ("2G", 2**31),
+        ("2 G", 2**31),
+        ("1.5K", 1536),
+        ("64", 64),
+        ("2GB", None),
+        ("64MB", None),
+        ("-1", None),
+        ("2g", None),
+    ],
 )
 def test_sizes(text, size):
     assert values.parse_size(text) == size
@@ -85,14 +94,21 @@ def test_the_path_of_a_device_unit():
 
 @pytest.mark.parametrize(
     ("name", "valid"),
-    [("a.service", True), ("a@.service", True), ("a@b@c.service", True), ("a", False), ("a.servce", False), ("@a.service", False)],
+    [
+        ("a.service", True),
+        ("a@.service", True),
+        ("a@b@c.service", True),
+        ("a", False),
+        ("a.servce", False),
+        ("@a.service", False),
+    ],
 )
 def test_unit_names(name, valid):
     assert values.is_unit_name(name) is valid
 
 
 def test_a_command_line_with_everything():
-    line = values.split_command_line(nowhere("-@/bin/bash shell -c 'a && \"b c\"' ; +/bin/echo \\; \"x\\ty\""))
+    line = values.split_command_line(nowhere('-@/bin/bash shell -c \'a && "b c"\' ; +/bin/echo \\; "x\\ty"'))
     first, second = line.commands
     assert (first.prefixes, first.program, first.argv0) == ("-@", "/bin/bash", "shell")
     assert first.arguments == ("-c", 'a && "b c"')

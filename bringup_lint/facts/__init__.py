@@ -1,16 +1,16 @@
-"""Tables of facts: data files beside this module, each with a header that names its source, read once when asked for."""
+"""Tables of facts: data files beside this module, each with its source in its header, read when first asked for."""
 
 from __future__ import annotations
 
-from functools import lru_cache
+from functools import cache
 from pathlib import Path
 
 _FOLDER = Path(__file__).parent
 
 
-@lru_cache(maxsize=None)
+@cache
 def rows(name: str) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
-    """Column names and rows of ``NAME.tsv``: tab-separated, no quoting; lines before the column names start with ``#``."""
+    """Column names and rows of ``NAME.tsv``: tab-separated, no quoting, comments only above the column names."""
     lines = _FOLDER.joinpath(f"{name}.tsv").read_text(encoding="utf-8").split("\n")
     at = 0
     while lines[at].startswith("#"):
@@ -19,8 +19,8 @@ def rows(name: str) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
     return columns, [tuple(line.split("\t")) for line in lines[at + 1 :] if line]
 
 
-@lru_cache(maxsize=None)
+@cache
 def table(name: str) -> list[dict[str, str]]:
     """The rows of ``NAME.tsv`` as dictionaries. They are shared: do not change them."""
     columns, found = rows(name)
-    return [dict(zip(columns, row)) for row in found]
+    return [dict(zip(columns, row, strict=True)) for row in found]

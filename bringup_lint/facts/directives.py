@@ -1,8 +1,8 @@
-"""The directives of systemd unit files: which section knows which key, since when, and what its value looks like."""
+"""The directives of systemd unit files: which section knows which key, since when, with what value."""
 
 from __future__ import annotations
 
-from functools import lru_cache
+from functools import cache
 from typing import NamedTuple
 
 from bringup_lint import facts
@@ -46,10 +46,12 @@ class Legacy(NamedTuple):
     note: str
 
 
-@lru_cache(maxsize=None)
+@cache
 def sections() -> dict[str, dict[str, Directive]]:
     """Section to key to directive. ``Target`` and ``Device`` exist but have no keys."""
-    found: dict[str, dict[str, Directive]] = {name: {} for name in ("Unit", "Install", *SECTION_OF_TYPE.values())}
+    found: dict[str, dict[str, Directive]] = {
+        name: {} for name in ("Unit", "Install", *SECTION_OF_TYPE.values())
+    }
     for section, key, kind, since in facts.rows("systemd_directives")[1]:
         found[section][key] = Directive(section, key, kind, int(since))
     return found
@@ -70,7 +72,7 @@ def sections_with(key: str) -> list[str]:
     return [name for name, keys in sections().items() if key in keys]
 
 
-@lru_cache(maxsize=None)
+@cache
 def legacy() -> dict[tuple[str, str, str], Legacy]:
     """(section, key, value or empty) to what replaces it."""
     found = (Legacy(*row) for row in facts.rows("systemd_legacy")[1])

@@ -22,7 +22,8 @@ _LOCALHOST = re.compile(r"(?:.+\.)?localhost(?:\.localdomain)?\.?", re.IGNORECAS
 
 
 def is_port(text: str) -> bool:
-    return re.fullmatch(r"[0-9]{1,5}", text) is not None and 0 < int(text) <= 65535 and text[0] != "0"
+    number = parse_integer(text) if text[:1].isdigit() else None
+    return number is not None and 0 < number <= 65535
 
 
 def is_address(text: str, family: int = 0) -> bool:
@@ -74,9 +75,9 @@ def check_listen_netlink(value: Located, version: int) -> Iterator[ValueProblem]
     words = value.split(None, 1)
     if bad or "%" in value:
         return
-    if words[0] not in enumerations()["netlink-family"] and parse_integer(words[0]) is None:
-        yield ValueProblem("invalid", value, "a netlink family such as kobject-uevent and a group")
-    elif len(words) > 1 and parse_integer(words[1]) is None:
+    if (words[0] not in enumerations()["netlink-family"] and parse_integer(words[0]) is None) or (
+        len(words) > 1 and parse_integer(words[1]) is None
+    ):
         yield ValueProblem("invalid", value, "a netlink family such as kobject-uevent and a group")
 
 
@@ -87,7 +88,12 @@ def check_address_prefixes(value: Located, version: int) -> Iterator[ValueProble
         address, slash, length = word.partition("/")
         bits = 32 if is_address(address, 4) else 128 if is_address(address, 6) and "%" not in address else -1
         if bits < 0 or (slash and not (length.isdigit() and int(length) <= bits)):
-            yield ValueProblem("invalid", word, "an address, an address/length, any, localhost, link-local or multicast", WORD)
+            yield ValueProblem(
+                "invalid",
+                word,
+                "an address, an address/length, any, localhost, link-local or multicast",
+                WORD,
+            )
 
 
 def check_socket_bind(value: Located, version: int) -> Iterator[ValueProblem]:
@@ -106,4 +112,6 @@ def check_socket_bind(value: Located, version: int) -> Iterator[ValueProblem]:
 
 def _is_port_range(text: str) -> bool:
     low, dash, high = text.partition("-")
-    return is_port(low) and (not dash or (is_port(high) and int(low) <= int(high)))
+    return is_port(low) and (
+        not dash or (is_port(high) and (parse_integer(low) or 0) <= (parse_integer(high) or 0))
+    )

@@ -6,20 +6,34 @@ import re
 from typing import NamedTuple
 
 SHORTHANDS = frozenset(
-    (
-        "minutely hourly daily weekly monthly quarterly yearly annually anually"
-        " biannually bi-annually semiannually semi-annually"
-    ).split()
+    [
+        "minutely",
+        "hourly",
+        "daily",
+        "weekly",
+        "monthly",
+        "quarterly",
+        "yearly",
+        "annually",
+        "anually",
+        "biannually",
+        "bi-annually",
+        "semiannually",
+        "semi-annually",
+    ]
 )
 _DAYS = ("mon", "tue", "wed", "thu", "fri", "sat", "sun")
 _DAY = re.compile(
-    r"(mon(?:day)?|tue(?:sday)?|wed(?:nesday)?|thu(?:rsday)?|fri(?:day)?|sat(?:urday)?|sun(?:day)?)(?=[-., ]|$)",
+    r"(mon(?:day)?|tue(?:sday)?|wed(?:nesday)?|thu(?:rsday)?|fri(?:day)?|sat(?:urday)?|sun(?:day)?)"
+    r"(?=[-., ]|$)",
     re.IGNORECASE,
 )
 _TIMEZONE = re.compile(r"[A-Z][A-Za-z0-9_+-]*(/[A-Za-z0-9_+-]+)*")
 _NUMBER = re.compile(r"[0-9]+")
 _SECONDS = re.compile(r"[0-9]+(\.(?!\.)[0-9]+)?")
 _MICRO = 1_000_000
+_LAST_SECOND = 7_258_118_399
+"""The end of 2199."""
 
 
 class _Reject(Exception):
@@ -49,13 +63,17 @@ def is_calendar(text: str) -> bool:
 
 def _is_timezone(word: str) -> bool:
     """UTC, or a word shaped like a name of the time zone database (which is not asked)."""
-    return _TIMEZONE.fullmatch(word) is not None and _DAY.fullmatch(word) is None and word.lower() not in SHORTHANDS
+    return (
+        _TIMEZONE.fullmatch(word) is not None
+        and _DAY.fullmatch(word) is None
+        and word.lower() not in SHORTHANDS
+    )
 
 
 def _parse(text: str) -> bool:
     rest = _weekdays(text)
     if rest.startswith("@"):
-        return rest[1:].isdigit()
+        return rest[1:].isdigit() and int(rest[1:]) <= _LAST_SECOND
     rest = _date(rest)
     return not rest or _time(rest)
 

@@ -21,7 +21,7 @@ from bringup_lint.source import Located
 
 @dataclass(frozen=True)
 class Command:
-    """One command. Quotes are gone and escapes decoded; specifiers and variables stand as they are written."""
+    """One command. Quotes are gone and escapes decoded; specifiers and variables stand as written."""
 
     where: Located
     """The whole command, prefixes and all, as written."""
@@ -116,9 +116,10 @@ def _prefix_length(word: str) -> int:
     at = 0
     while at < len(word):
         char = word[at]
-        if char in "-@:" and char not in seen:
-            seen += char
-        elif char == "+" and not set("+!") & set(seen) or char == "!" and "+" not in seen and seen.count("!") < 2:
+        if (char in "-@:" and char not in seen) or (
+            (char == "+" and not set("+!") & set(seen))
+            or (char == "!" and "+" not in seen and seen.count("!") < 2)
+        ):
             seen += char
         else:
             break
@@ -136,7 +137,9 @@ def check_command_line(value: Located, version: int) -> Iterator[ValueProblem]:
         if command.argv0 is not None:
             yield from check_specifiers(command.argv0, version, effect)
         elif "@" in command.prefixes:
-            yield ValueProblem("empty-command", command.where, "the name that the program sees, after the path", effect)
+            yield ValueProblem(
+                "empty-command", command.where, "the name that the program sees, after the path", effect
+            )
         for argument in command.arguments:
             yield from check_specifiers(argument, version, effect)
 

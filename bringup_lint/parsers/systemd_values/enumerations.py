@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from difflib import get_close_matches
-from functools import lru_cache
+from functools import cache
 
 from bringup_lint import facts
 from bringup_lint.parsers.systemd_values.numbers import parse_bool
@@ -13,9 +13,10 @@ from bringup_lint.parsers.systemd_values.problems import ValueProblem
 from bringup_lint.source import Located
 
 BOOLEAN = "<bool>"
+_ANY_CASE = ("socket-protocol",)
 
 
-@lru_cache(maxsize=None)
+@cache
 def enumerations() -> dict[str, dict[str, int]]:
     """Name to word to the first release that knows it; ``<bool>`` stands for the words of a boolean."""
     found: dict[str, dict[str, int]] = {}
@@ -44,7 +45,7 @@ def closest(word: str, known: Iterator[str] | dict[str, int]) -> str | None:
 
 def check_choice(name: str, value: Located, version: int, effect: str = LINE) -> Iterator[ValueProblem]:
     known = enumerations()[name]
-    since = known.get(value)
+    since = known.get(value.lower() if name in _ANY_CASE else value)
     if since is not None:
         if since > version:
             yield ValueProblem("too-new", value, choices(name, version), effect, since=since)

@@ -10,6 +10,7 @@ from bringup_lint.parsers.systemd_values.problems import LINE
 from bringup_lint.parsers.systemd_values.problems import WORD
 from bringup_lint.parsers.systemd_values.problems import ValueProblem
 from bringup_lint.parsers.systemd_values.specifiers import check_specifiers
+from bringup_lint.parsers.systemd_values.specifiers import literal
 from bringup_lint.parsers.systemd_values.words import DECODE
 from bringup_lint.parsers.systemd_values.words import DROP
 from bringup_lint.parsers.systemd_values.words import split_words
@@ -54,7 +55,9 @@ def check_environment(value: Located, version: int) -> Iterator[ValueProblem]:
     for item in _checked_words(value, version):
         if isinstance(item, ValueProblem):
             yield item
-        elif "=" not in item or not (is_variable_name(item.partition("=")[0]) or "%" in item.partition("=")[0]):
+            continue
+        name = literal(item.partition("=")[0])
+        if name is not None and not ("=" in item and is_variable_name(name)):
             yield ValueProblem("invalid", item, ASSIGNMENT, WORD)
 
 
@@ -62,7 +65,7 @@ def check_environment_names(value: Located, version: int) -> Iterator[ValueProbl
     for item in _checked_words(value, version, DROP):
         if isinstance(item, ValueProblem):
             yield item
-        elif "%" not in item and not is_variable_name(item):
+        elif (name := literal(item)) is not None and not is_variable_name(name):
             yield ValueProblem("invalid", item, "the name of a variable", WORD)
 
 
@@ -70,7 +73,7 @@ def check_environment_unset(value: Located, version: int) -> Iterator[ValueProbl
     for item in _checked_words(value, version):
         if isinstance(item, ValueProblem):
             yield item
-        elif "%" not in item and not is_variable_name(item.partition("=")[0]):
+        elif (name := literal(item.partition("=")[0])) is not None and not is_variable_name(name):
             yield ValueProblem("invalid", item, "the name of a variable, or NAME=VALUE", WORD)
 
 

@@ -105,7 +105,9 @@ def _memory(floor: bool, value: Located, version: int) -> Iterator[ValueProblem]
     share = parse_share(value)
     bytes_ = parse_size(value) if share is None else share
     if bytes_ is None:
-        yield ValueProblem("invalid", value, f"{SIZE}, a percentage or infinity", LINE, _meant_size(value), True)
+        yield ValueProblem(
+            "invalid", value, f"{SIZE}, a percentage or infinity", LINE, _meant_size(value), True
+        )
     elif (share is not None and share > 100) or bytes_ >= 2**64 - 1 or (bytes_ == 0 and not floor):
         yield ValueProblem("out-of-range", value, f"{SIZE}, a percentage or infinity")
 
@@ -114,7 +116,11 @@ def cpu_quota(value: Located, version: int) -> Iterator[ValueProblem]:
     share = parse_share(value)
     if share is None or share <= 0:
         bare = value.strip()
-        meant = f"{bare}%" if share is None and re.fullmatch(r"[0-9]+(\.[0-9]{1,2})?", bare) and float(bare) > 0 else None
+        meant = (
+            f"{bare}%"
+            if share is None and re.fullmatch(r"[0-9]+(\.[0-9]{1,2})?", bare) and float(bare) > 0
+            else None
+        )
         yield ValueProblem("invalid", value, "a percentage of one CPU such as 50% or 200%", LINE, meant)
 
 
@@ -141,11 +147,15 @@ def cpu_weight(value: Located, version: int) -> Iterator[ValueProblem]:
     yield from _integer(1, 10000, value, version)
 
 
-def _limit(one: Callable[[str], float | None], expected: str, value: Located, version: int) -> Iterator[ValueProblem]:
+def _limit(
+    one: Callable[[str], float | None], expected: str, value: Located, version: int
+) -> Iterator[ValueProblem]:
     """``LIMIT`` or ``SOFT:HARD``, each with infinity."""
-    parts = value.split(":")
-    found = [math.inf if part.strip() == "infinity" else one(part) for part in parts]
-    if len(found) > 2 or None in found:
+    parts = split_words(value, separators=":", quotes=False, coalesce=False).words
+    if len(parts) == 3 and not parts[2]:
+        parts = parts[:2]
+    found = [math.inf if part == "infinity" and one is not _nice_limit else one(part) for part in parts]
+    if len(found) not in (1, 2) or None in found:
         meant = ":".join(_meant_size(part) or part for part in parts) if one is parse_size else None
         yield ValueProblem("invalid", value, expected, LINE, meant if meant != value else None, True)
     elif found[0] > found[-1]:  # type: ignore[operator]
@@ -212,9 +222,13 @@ def documentation(value: Located, version: int) -> Iterator[ValueProblem]:
     yield from bad
     if bad:
         return
-    for word in split_words(value, escapes=KEEP).words:
+    found = split_words(value, escapes=KEEP)
+    yield from found.problems
+    for word in found.words:
         if _URL.fullmatch(word) is None and "%" not in word[:1]:
-            yield ValueProblem("invalid", word, "a URI that starts with http://, https://, file:, man: or info:", WORD)
+            yield ValueProblem(
+                "invalid", word, "a URI that starts with http://, https://, file:, man: or info:", WORD
+            )
 
 
 def condition_string(value: Located, version: int) -> Iterator[ValueProblem]:
@@ -226,7 +240,7 @@ def label(value: Located, version: int) -> Iterator[ValueProblem]:
 
 
 def credential(value: Located, version: int) -> Iterator[ValueProblem]:
-    name, colon, _ = value.partition(":")
+    name = value.partition(":")[0]
     bad = list(check_specifiers(value.part(0, len(name)), version))
     yield from bad
     if not bad and (not name or "/" in name or name in (".", "..")):
@@ -272,7 +286,9 @@ GRAMMARS: dict[str, Grammar] = {
     "limit-size": partial(_limit, parse_size, f"{SIZE}, SOFT:HARD or infinity"),
     "limit-number": partial(_limit, _count, "a number, SOFT:HARD or infinity"),
     "limit-time": partial(_limit, parse_timespan, f"{SPAN}, SOFT:HARD or infinity"),
-    "limit-rttime": partial(_limit, partial(parse_timespan, unit=1e-6), "microseconds or a time span, SOFT:HARD or infinity"),
+    "limit-rttime": partial(
+        _limit, partial(parse_timespan, unit=1e-6), "microseconds or a time span, SOFT:HARD or infinity"
+    ),
     "limit-nice": partial(_limit, _nice_limit, "a nice level such as +5 or -10, or 1 to 40"),
     "mode": mode,
     "log-level": partial(_choice_or_number, "log-level", 7),
@@ -357,6 +373,6 @@ def expected(kind: str, version: int) -> str:
 
 
 def check(kind: str, value: Located, version: int) -> Iterator[ValueProblem]:
-    """What systemd of this release finds wrong with a value of this type. An empty value resets and is never wrong."""
+    """What systemd of this release finds wrong with a value of this type; an empty one resets and is right."""
     if value.strip():
         yield from grammar(kind)(value, version)

@@ -13,41 +13,50 @@ from bringup_lint.parsers.systemd_values.numbers import parse_integer
 from bringup_lint.parsers.systemd_values.problems import WORD
 from bringup_lint.parsers.systemd_values.problems import ValueProblem
 from bringup_lint.parsers.systemd_values.specifiers import check_specifiers
+from bringup_lint.parsers.systemd_values.specifiers import literal
 from bringup_lint.parsers.systemd_values.words import BLANKS
 from bringup_lint.parsers.systemd_values.words import split_words
 from bringup_lint.source import Located
 
 CPUS = "CPU numbers and ranges such as 0 2-3"
-_ERRNO = re.compile(r"E[A-Z][A-Z0-9]*")
+_SYSTEM_CALL = re.compile(r"[a-z_][a-z0-9_]*|@[a-z-]+")
 _HIGHEST_ERRNO = 4095
+_HIGHEST_CPU = 8191
 
 
 def _without_tilde(value: Located) -> Located:
     return value.part(1, len(value)) if value.startswith("~") else value
 
 
+def _range(word: str) -> range | None:
+    low, dash, high = word.partition("-")
+    first = parse_integer(low)
+    last = parse_integer(high) if dash else first
+    if first is None or last is None or first < 0 or not 0 <= last <= _HIGHEST_CPU:
+        return None
+    return range(first, last + 1)
+
+
 def parse_cpus(text: str) -> frozenset[int] | None:
     """The CPU numbers of a list; None when systemd would reject it."""
     found: set[int] = set()
     for word in re.split(r"[,\s]+", text.strip(BLANKS + ",")):
-        low, dash, high = word.partition("-")
-        first = parse_integer(low)
-        last = parse_integer(high) if dash else first
-        if not word or first is None or last is None or first < 0 or last > 8191:
+        cpus = _range(word)
+        if cpus is None:
             return None
-        found.update(range(first, last + 1))
+        found.update(cpus)
     return frozenset(found)
 
 
 def check_cpuset(value: Located, version: int) -> Iterator[ValueProblem]:
     bad = list(check_specifiers(value, version))
     yield from bad
-    if bad or "%" in value:
+    if bad or literal(value) is None:
         return
     found = split_words(value, separators=BLANKS + ",")
     yield from found.problems
     for word in found.words:
-        cpus = parse_cpus(word)
+        cpus = _range(word)
         if cpus is None:
             yield ValueProblem("invalid", word, CPUS)
             return
@@ -61,8 +70,8 @@ def check_cpu_affinity(value: Located, version: int) -> Iterator[ValueProblem]:
 
 
 def check_numa_mask(value: Located, version: int) -> Iterator[ValueProblem]:
-    if value != "all" and (parse_cpus(value) or frozenset()) == frozenset():
-        yield ValueProblem("invalid", value, "all, or node numbers and ranges such as 0 2-3")
+    if value != "all":
+        yield from check_cpuset(value, version)
 
 
 def check_capabilities(value: Located, version: int) -> Iterator[ValueProblem]:
@@ -71,7 +80,9 @@ def check_capabilities(value: Located, version: int) -> Iterator[ValueProblem]:
         number = parse_integer(word)
         if word.lower() not in known and not (number is not None and 0 <= number < 64):
             meant = closest(word.lower(), known) or closest("cap_" + word.lower(), known)
-            yield ValueProblem("invalid", word, "a capability such as CAP_NET_ADMIN", WORD, meant.upper() if meant else None)
+            yield ValueProblem(
+                "invalid", word, "a capability such as CAP_NET_ADMIN", WORD, meant.upper() if meant else None
+            )
 
 
 def check_namespaces(value: Located, version: int) -> Iterator[ValueProblem]:
@@ -83,7 +94,7 @@ def check_namespaces(value: Located, version: int) -> Iterator[ValueProblem]:
 
 def check_address_families(value: Located, version: int) -> Iterator[ValueProblem]:
     if value != "none":
-        yield from check_words_of("address-family", _without_tilde(value), version)
+        yield from check_words_of("address-family", _without_tilde(value), version, fold=True)
 
 
 def check_architectures(value: Located, version: int) -> Iterator[ValueProblem]:
@@ -104,14 +115,17 @@ def check_delegate(value: Located, version: int) -> Iterator[ValueProblem]:
 
 def check_coredump_filter(value: Located, version: int) -> Iterator[ValueProblem]:
     for word in split_words(value, quotes=False).words:
-        if word not in enumerations()["coredump-filter"] and re.fullmatch(r"(0[xX])?[0-9a-fA-F]+", word) is None:
+        if (
+            word not in enumerations()["coredump-filter"]
+            and re.fullmatch(r"(0[xX])?[0-9a-fA-F]+", word) is None
+        ):
             yield ValueProblem("invalid", word, "names such as private-anonymous, or a hexadecimal mask")
             return
 
 
 def is_errno(text: str) -> bool:
     number = parse_integer(text)
-    return 0 <= number <= _HIGHEST_ERRNO if number is not None else _ERRNO.fullmatch(text) is not None
+    return 0 <= number <= _HIGHEST_ERRNO if number is not None else text.upper() in enumerations()["errno"]
 
 
 def check_errno(value: Located, version: int) -> Iterator[ValueProblem]:
@@ -120,9 +134,17 @@ def check_errno(value: Located, version: int) -> Iterator[ValueProblem]:
 
 
 def check_system_calls(value: Located, version: int) -> Iterator[ValueProblem]:
-    """Only the shape: the names depend on the kernel and the architecture."""
+    """Groups, and the shape of the rest: the names of calls depend on the kernel and the architecture."""
     denied = value.startswith("~")
+    groups = enumerations()["system-call-group"]
     for word in split_words(_without_tilde(value), quotes=False).words:
         name, colon, error = word.partition(":")
-        if colon and (not denied or not (error == "kill" or is_errno(error))):
-            yield ValueProblem("invalid", word, "a system call, with :ERROR only in a list that starts with ~", WORD)
+        if _SYSTEM_CALL.fullmatch(name) is None or (name.startswith("@") and name not in groups):
+            meant = closest(name, groups)
+            yield ValueProblem(
+                "invalid", word, "a system call or a group such as @system-service", WORD, meant
+            )
+        elif colon and (not denied or not (error == "kill" or is_errno(error))):
+            yield ValueProblem(
+                "invalid", word, "a system call, with :ERROR only in a list that starts with ~", WORD
+            )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from bringup_lint.facts.directives import SECTION_OF_TYPE
 from bringup_lint.parsers.systemd_values.enumerations import closest
 from bringup_lint.parsers.systemd_values.enumerations import enumerations
 from bringup_lint.parsers.systemd_values.numbers import parse_integer
@@ -15,8 +16,8 @@ from bringup_lint.parsers.systemd_values.problems import WORD
 from bringup_lint.parsers.systemd_values.problems import ValueProblem
 from bringup_lint.parsers.systemd_values.specifiers import check_specifiers
 from bringup_lint.parsers.systemd_values.specifiers import literal
+from bringup_lint.parsers.systemd_values.unit_names import escape_path
 from bringup_lint.parsers.systemd_values.unit_names import is_unit_name
-from bringup_lint.parsers.systemd_values.unit_names import split_name
 from bringup_lint.parsers.systemd_values.words import DROP
 from bringup_lint.parsers.systemd_values.words import KEEP
 from bringup_lint.parsers.systemd_values.words import split_words
@@ -45,7 +46,9 @@ def is_signal(text: str) -> bool:
 def check_signal(value: Located, version: int) -> Iterator[ValueProblem]:
     if not is_signal(value):
         upper = value.upper()
-        yield ValueProblem("invalid", value, SIGNALS, suggestion=upper if is_signal(upper) else None, safe=True)
+        yield ValueProblem(
+            "invalid", value, SIGNALS, suggestion=upper if is_signal(upper) else None, safe=True
+        )
 
 
 def check_exit_statuses(value: Located, version: int) -> Iterator[ValueProblem]:
@@ -58,7 +61,14 @@ def check_exit_statuses(value: Located, version: int) -> Iterator[ValueProblem]:
         elif since is None and not is_signal(word) and not (number is not None and 0 <= number <= 255):
             upper = word.upper()
             known = is_signal(upper) or upper in enumerations()["exit-status"]
-            yield ValueProblem("invalid", word, "an exit status up to 255, or a signal", WORD, upper if known else None, known)
+            yield ValueProblem(
+                "invalid",
+                word,
+                "an exit status up to 255, or a signal",
+                WORD,
+                upper if known else None,
+                known,
+            )
 
 
 def check_user_name(name: Located, version: int) -> Iterator[ValueProblem]:
@@ -70,9 +80,17 @@ def check_user_name(name: Located, version: int) -> Iterator[ValueProblem]:
     if text.isdigit():
         if int(text) >= 2**32 - 1 or int(text) == 65535 or (len(text) > 1 and text[0] == "0"):
             yield ValueProblem("out-of-range", name, "a name, or a number up to 4294967294", UNIT)
-    elif ":" in text or "/" in text or text in (".", "..") or (text[0] == "-" and text[1:].isdigit()) or text == "-":
-        yield ValueProblem("invalid", name, "the name of a user or group", UNIT)
-    elif any(ord(char) < 32 or ord(char) == 127 for char in text) or text != text.strip(" "):
+    elif (
+        (
+            ":" in text
+            or "/" in text
+            or text in (".", "..")
+            or (text[0] == "-" and text[1:].isdigit())
+            or text == "-"
+        )
+        or any(ord(char) < 32 or ord(char) == 127 for char in text)
+        or text != text.strip(" ")
+    ):
         yield ValueProblem("invalid", name, "the name of a user or group", UNIT)
     elif _STRICT_USER.fullmatch(text) is None:
         yield ValueProblem("odd-name", name, "a name of letters, digits, '-' and '_'", NOTHING)
@@ -100,7 +118,9 @@ def check_interfaces(value: Located, version: int) -> Iterator[ValueProblem]:
     yield from found.problems
     for word in found.words:
         if not is_interface_name(word):
-            yield ValueProblem("invalid", word, "the name of a network interface, 15 characters at most", WORD)
+            yield ValueProblem(
+                "invalid", word, "the name of a network interface, 15 characters at most", WORD
+            )
 
 
 def check_unit_name(name: Located, version: int, effect: str, suffix: str = "") -> Iterator[ValueProblem]:
@@ -111,13 +131,14 @@ def check_unit_name(name: Located, version: int, effect: str, suffix: str = "") 
         return
     text = literal(name)
     if text is None:
-        if not suffix or name.endswith(suffix) or "%" in name[-2:]:
+        tail = name.rpartition(".")[2]
+        if "%" in tail or (tail in SECTION_OF_TYPE and name.endswith(suffix)):
             return
     elif is_unit_name(text) and text.endswith(suffix):
         return
-    if text is not None and "/" in text and text.startswith("/"):
-        return
     meant = next((name.rstrip(mark) for mark in (",", ";") if is_unit_name(name.rstrip(mark))), None)
+    if meant is None and text is not None and text.startswith("/dev/"):
+        meant = f"{escape_path(text)}.device"
     expected = f"the name of a unit that ends in {suffix}" if suffix else UNIT_NAME
     yield ValueProblem("bad-unit-name", name, expected, effect, meant, meant is not None)
 
@@ -143,11 +164,6 @@ def check_trigger_unit(value: Located, version: int) -> Iterator[ValueProblem]:
 
 def check_slice(value: Located, version: int) -> Iterator[ValueProblem]:
     yield from check_unit_name(value, version, LINE, ".slice")
-    text = literal(value)
-    if text is not None and is_unit_name(text) and text.endswith(".slice") and text != "-.slice":
-        stem = split_name(text).prefix
-        if "@" in text or stem.startswith("-") or stem.endswith("-") or "--" in stem:
-            yield ValueProblem("bad-unit-name", value, "a slice without empty parts between the dashes")
 
 
 def check_bus_name(value: Located, version: int) -> Iterator[ValueProblem]:
@@ -174,11 +190,15 @@ def check_log_namespace(value: Located, version: int) -> Iterator[ValueProblem]:
 
 
 def check_words_of(kind: str, value: Located, version: int, *, fold: bool = False) -> Iterator[ValueProblem]:
-    """A list of words out of one enumeration; ``fold`` ignores case."""
+    """A list of words out of one enumeration of capital letters if ``fold``, which ignores case."""
     known = enumerations()[kind]
-    for word in split_words(value).words:
-        since = known.get(word.lower() if fold else word)
+    found = split_words(value)
+    yield from found.problems
+    for word in found.words:
+        since = known.get(word.upper() if fold else word)
         if since is None:
-            yield ValueProblem("invalid", word, f"known words such as {next(iter(known))}", WORD, closest(word, known))
+            yield ValueProblem(
+                "invalid", word, f"known words such as {next(iter(known))}", WORD, closest(word, known)
+            )
         elif since > version:
             yield ValueProblem("too-new", word, "", WORD, since=since)

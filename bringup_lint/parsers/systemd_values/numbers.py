@@ -62,7 +62,7 @@ def parse_size(text: str, base: int = 1024) -> int | None:
 
 
 def parse_share(text: str) -> float | None:
-    """Per cent of a value that ends in ``%``, ``‰`` or ``‱``, with up to two places (one for ‰, none for ‱)."""
+    """Per cent of a value in ``%``, ``‰`` or ``‱``, with up to two places (one for ‰, none for ‱)."""
     for sign, places, scale in (("‱", 0, 100.0), ("‰", 1, 10.0), ("%", 2, 1.0)):
         if text.endswith(sign):
             whole, dot, fraction = text[: -len(sign)].partition(".")

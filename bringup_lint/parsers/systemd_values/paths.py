@@ -24,15 +24,15 @@ RELATIVE = "a path relative to the base folder"
 
 def is_absolute(text: str) -> bool | None:
     """Whether the path starts at the root; None when that hangs on a specifier."""
-    if text.startswith("%%"):
-        return False
-    if text.startswith("%"):
+    if text.startswith("%") and text[1:2].isalnum():
         known = specifiers().get(text[1:2])
         return True if known is not None and known.expands == "path" else None
     return text.startswith("/")
 
 
-def check_path(path: Located, version: int, effect: str = LINE, *, absolute: bool | None = True) -> Iterator[ValueProblem]:
+def check_path(
+    path: Located, version: int, effect: str = LINE, *, absolute: bool | None = True
+) -> Iterator[ValueProblem]:
     """One path. ``absolute``: what it has to be, None for either."""
     bad = list(check_specifiers(path, version, effect))
     yield from bad
@@ -43,7 +43,7 @@ def check_path(path: Located, version: int, effect: str = LINE, *, absolute: boo
         yield ValueProblem("not-absolute", path, ABSOLUTE, effect)
     elif absolute is False and is_so:
         yield ValueProblem("not-relative", path, RELATIVE, effect)
-    elif ".." in path.split("/"):
+    elif ".." in path.split("/") or path.strip("/") == ".":
         yield ValueProblem("not-normalized", path, "a path without '..'", effect)
 
 
@@ -64,8 +64,9 @@ def check_environment_file(value: Located, version: int) -> Iterator[ValueProble
 
 
 def check_pid_file(value: Located, version: int) -> Iterator[ValueProblem]:
-    """A relative path is taken below /run."""
-    yield from check_path(value, version, absolute=None)
+    """A relative path is taken below /run; one with ``..`` stops the unit."""
+    for problem in check_path(value, version, absolute=None):
+        yield problem._replace(effect=UNIT) if problem.code == "not-normalized" else problem
 
 
 def check_condition_path(value: Located, version: int) -> Iterator[ValueProblem]:
@@ -169,6 +170,12 @@ def check_open_file(value: Located, version: int) -> Iterator[ValueProblem]:
     yield from check_path(path, version)
 
 
+def _is_device(node: str) -> bool:
+    if node.startswith(("block-", "char-")):
+        return True
+    return f"{node}/".startswith(("/dev/", "/run/systemd/inaccessible/")) and ".." not in node.split("/")
+
+
 def check_device_allow(value: Located, version: int) -> Iterator[ValueProblem]:
     """A node below /dev, ``char-NAME`` or ``block-NAME``, then the rights out of ``rwm``."""
     found = extract(value, escapes="drop")
@@ -177,14 +184,13 @@ def check_device_allow(value: Located, version: int) -> Iterator[ValueProblem]:
         return
     bad = list(check_specifiers(found.word, version))
     yield from bad
-    node = literal(found.word)
-    if bad or node is None:
+    if bad:
         return
-    if not node.startswith(("block-", "char-")):
-        if not node.startswith(("/dev/", "/run/systemd/inaccessible/")) or ".." in node.split("/") or not node[5:].strip("/"):
-            yield ValueProblem("invalid", found.word, "a device node below /dev, char-NAME or block-NAME")
-            return
-    if found.next >= 0:
+    node = literal(found.word)
+    expected = "a device node below /dev, char-NAME or block-NAME"
+    if node is not None and not _is_device(node):
+        yield ValueProblem("invalid", found.word, expected)
+    elif found.next >= 0:
         rights = value.part(found.next, len(value))
         if rights.strip("rwm"):
             yield ValueProblem("invalid", rights, "rights out of r, w and m")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from collections.abc import Mapping
-from functools import lru_cache
+from functools import cache
 from typing import NamedTuple
 
 from bringup_lint import facts
@@ -21,7 +21,7 @@ class Specifier(NamedTuple):
     in_unit_names: bool
 
 
-@lru_cache(maxsize=None)
+@cache
 def specifiers() -> dict[str, Specifier]:
     return {
         letter: Specifier(letter, expands, int(since), in_names == "yes")
@@ -30,7 +30,7 @@ def specifiers() -> dict[str, Specifier]:
 
 
 def occurrences(value: Located) -> Iterator[Located]:
-    """Every ``%x`` that systemd looks up: not ``%%``, and not a ``%`` before other characters than letters and digits."""
+    """Every ``%x`` that systemd looks up: those with a letter or digit; ``%%`` and the others stand for themselves."""
     at = value.find("%")
     while 0 <= at < len(value) - 1:
         letter = value[at + 1]
@@ -71,7 +71,7 @@ def literal(text: str) -> str | None:
 
 
 def expand(text: str, known: Mapping[str, str | None]) -> str | None:
-    """The text with ``known`` (letter to value) put in; None when a specifier is unknown there or has the value None."""
+    """The text with ``known`` (letter to value) put in; None when it lacks a specifier or has None for it."""
     out = []
     at = 0
     while at < len(text):

@@ -38,7 +38,7 @@ def parse_timespan(text: str, *, unit: float = 1.0, nanoseconds: bool = False) -
         found = _NUMBER.match(text)
         assert found is not None
         _, whole, dot, fraction = found.groups()
-        if not whole and (not dot or not fraction) or (dot and not fraction):
+        if (not whole and (not dot or not fraction)) or (dot and not fraction):
             return None
         rest = text[found.end() :]
         bare = rest

@@ -1,4 +1,4 @@
-"""Unit names: their parts, their characters, and the escaping of paths, systemd.unit(5) and systemd-escape(1)."""
+"""Unit names: their parts, their characters, the escaping of paths; systemd.unit(5), systemd-escape(1)."""
 
 from __future__ import annotations
 

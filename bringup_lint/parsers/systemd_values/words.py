@@ -1,4 +1,4 @@
-"""Splitting a value into words, with quotes and escapes as systemd.syntax(7) has them; every word keeps its place."""
+"""Splitting a value into words, with the quotes and escapes of systemd.syntax(7); every word keeps its place."""
 
 from __future__ import annotations
 
@@ -49,7 +49,11 @@ def decode_escape(text: str, at: int) -> tuple[str, int] | None:
     else:
         return None
     digits = text[start : start + count]
-    if len(digits) != count or not set(digits) <= _HEXADECIMAL or (base == 8 and not set(digits) <= set("01234567")):
+    if (
+        len(digits) != count
+        or not set(digits) <= _HEXADECIMAL
+        or (base == 8 and not set(digits) <= set("01234567"))
+    ):
         return None
     code = int(digits, base)
     limit = 255 if base == 8 else 0x10FFFF
@@ -59,7 +63,7 @@ def decode_escape(text: str, at: int) -> tuple[str, int] | None:
 
 
 def _located(value: Located, pieces: list[tuple[int, int, str]], start: int, end: int) -> Located:
-    """The word made of ``pieces`` (offset in the value, length there, text), which stands at ``start:end``."""
+    """The word made of ``pieces`` (offset in the value, length there, text), standing at ``start:end``."""
     place = value.part(start, end)
     if len(pieces) == 1 and pieces[0][1] == end - start == len(pieces[0][2]):
         return place
@@ -90,7 +94,7 @@ def extract(
     escapes: str = DECODE,
     coalesce: bool = True,
 ) -> Extracted:
-    """The first word at or after ``at``. With ``coalesce`` off, every single separator ends a (maybe empty) word."""
+    """The first word at or after ``at``. Without ``coalesce`` every single separator ends a (maybe empty) word."""
     text = str(value)
     size = len(text)
     if at < 0 or at > size:
@@ -118,7 +122,9 @@ def extract(
                     pieces.append((at, 1, "\\"))
                     run = at = size
                     break
-                return Extracted(value.part(start, size), -1, (ValueProblem("unknown-escape", value.part(at, size)),), True)
+                return Extracted(
+                    value.part(start, size), -1, (ValueProblem("unknown-escape", value.part(at, size)),), True
+                )
             if escapes == DROP:
                 pieces.append((at, 2, text[at + 1]))
                 at += 2
@@ -128,7 +134,9 @@ def extract(
                     pieces.append((at, decoded[1] - at, decoded[0]))
                     at = decoded[1]
                 else:
-                    bad = ValueProblem("unknown-escape", value.part(at, at + 2), suggestion="\\" + text[at : at + 2])
+                    bad = ValueProblem(
+                        "unknown-escape", value.part(at, at + 2), suggestion="\\" + text[at : at + 2]
+                    )
                     problems.append(bad)
                     if escapes == DECODE:
                         return Extracted(value.part(start, size), -1, tuple(problems), True)
@@ -176,7 +184,12 @@ def split_words(
     coalesce: bool = True,
 ) -> Words:
     """All words of a value, quotes removed; stops at the first word that cannot be read."""
-    if coalesce and separators == BLANKS and "\\" not in value and (not quotes or ("'" not in value and '"' not in value)):
+    if (
+        coalesce
+        and separators == BLANKS
+        and "\\" not in value
+        and (not quotes or ("'" not in value and '"' not in value))
+    ):
         return Words(tuple(value.words()), (), False)
     return Words(*_collect(value, separators, quotes, escapes, coalesce))
 
@@ -201,4 +214,3 @@ def nowhere(text: str) -> Located:
     """A value that stands in no file, for callers that only have a string."""
     source = Source("", text)
     return Located(text, Span(source, 0, len(text)))
-
