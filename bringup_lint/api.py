@@ -19,6 +19,7 @@ from bringup_lint.robot import Robot
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.source import Span
+from bringup_lint.spelling import nearest
 
 __all__ = [
     "Edit",
@@ -29,6 +30,7 @@ __all__ = [
     "Span",
     "finding",
     "fix",
+    "nearest",
     "note",
     "rule",
 ]

@@ -54,3 +54,23 @@ def has_placeholder(text: str) -> bool:
 def has_control_flow(text: str) -> bool:
     """Whether whole lines of the text may come and go."""
     return bool(_CONTROL.search(text))
+
+
+_STAND_IN = re.compile(
+    r"[<\[({].*[>\])}]|\$\{?\w+\}?|[*x•.#_-]+|.*\{\{.*\}\}.*|@\w+@|%\w+%"
+    r"|(?:your|insert|enter|put|replace|change|fill|todo|fixme|redacted)[-_ ]?(?:.*[-_ ])?"
+    r"(?:me|this|here|it|in|with|by|password|passphrase|passwd|psk|key|secret|token|ssid|wifi|\W)*"
+    r"|placeholder|todo|none|null|n/?a",
+    re.IGNORECASE | re.DOTALL,
+)
+_EXAMPLE_FOLDER = re.compile(r"(?:^|/)(?:examples?|docs?|documentation|samples?|demo)/", re.IGNORECASE)
+
+
+def is_stand_in(value: str) -> bool:
+    """Whether a value only stands in for the real one: ``<your-password>``, ``${PSK}``, ``CHANGE_ME``."""
+    return bool(_STAND_IN.fullmatch(value.strip()))
+
+
+def is_example(name: str) -> bool:
+    """Whether a path lies in a folder of examples or documentation."""
+    return bool(_EXAMPLE_FOLDER.search(name))

@@ -24,7 +24,7 @@ LAYERS = (
     {"discover"},
     {"parsers"},
     {"model", "finding", "facts"},
-    {"source", "templates", "toml"},
+    {"source", "spelling", "templates", "toml"},
 )
 LEVEL = {name: level for level, names in enumerate(LAYERS) for name in names}
 HEAVY = ("networkx", "libcst", "lxml", "yaml", "rich", "pathspec", "click", "jsonschema")

@@ -27,7 +27,7 @@ PLACE = re.compile(r"(?P<root>(?:.*/)?)(?P<folder>etc|run|usr/lib|lib)/netplan/(
 
 
 def load_netplan(robot: Robot) -> Netplan:
-    """All plans of a tree: one for each set of netplan folders, and one for every file that lies elsewhere."""
+    """All plans of a tree: one for each set of netplan folders, one for every file elsewhere."""
     files = robot.parsed(parse, robot.of_kind("netplan", "cloud-init-network"))
     return assemble(files)
 
@@ -36,15 +36,12 @@ def assemble(files: Iterable[NetplanFile]) -> Netplan:
     netplan = Netplan()
     folders: dict[str, dict[str, list[tuple[int, NetplanFile]]]] = {}
     for file in files:
-        place = PLACE.match(file.source.robot_path or "") or PLACE.match(file.source.name)
+        place = PLACE.match(f"/{file.source.name}") or PLACE.match(file.source.robot_path or "")
         if place is None or file.embedded:
             netplan.plans.append(merge([file]))
             continue
-        root = place["root"]
-        if file.source.robot_path and PLACE.match(file.source.robot_path):
-            root = file.source.name.removesuffix(file.source.robot_path)
         rank = FOLDERS.index(place["folder"])
-        folders.setdefault(root, {}).setdefault(place["file"], []).append((rank, file))
+        folders.setdefault(place["root"], {}).setdefault(place["file"], []).append((rank, file))
     for named in folders.values():
         ordered = []
         for name in sorted(named):
@@ -52,13 +49,15 @@ def assemble(files: Iterable[NetplanFile]) -> Netplan:
             netplan.shadowed.extend((file, first[1]) for _, file in hidden)
             if name.endswith(".yaml"):
                 ordered.append(first[1])
+            else:
+                netplan.unread.append(first[1].source)
         if ordered:
             netplan.plans.append(merge(ordered, whole=True))
     return netplan
 
 
 def merge(files: list[NetplanFile], *, whole: bool = False) -> Plan:
-    """Read the files one after the other, as netplan does; a file sees what it and the files before it define."""
+    """Read the files one after the other, as netplan does; a file sees what it and those before it define."""
     plan = Plan(files, whole=whole)
     known: dict[str, Located] = {}
     for file in files:
@@ -72,6 +71,8 @@ def merge(files: list[NetplanFile], *, whole: bool = False) -> Plan:
     for interface in plan.interfaces.values():
         interface.renderer = _renderer(interface) or plan.renderer
     check_plan(plan)
+    if any(file.source.template or not file.yaml.complete for file in files):
+        plan.problems.clear()
     return plan
 
 
@@ -108,7 +109,7 @@ def references(interface: Interface) -> Iterator[tuple[str, Located]]:
 def _undefined(
     plan: Plan, file: NetplanFile, known: dict[str, Located], files: list[NetplanFile]
 ) -> Iterator[Problem]:
-    """Names that neither this file nor one before it defines; the detail is the file that does, further on."""
+    """Names that neither this file nor one before it defines; the detail is a later file that does."""
     later = {
         str(definition.name): other.source.name
         for other in files[files.index(file) + 1 :]

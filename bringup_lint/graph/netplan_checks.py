@@ -80,9 +80,9 @@ def _route(route: Route) -> str:
         if (text := route.value(key)) is not None and text != "default"
     }
     if len(families) > 1:
-        return "it mixes IPv4 and IPv6"
+        return "the route mixes IPv4 and IPv6"
     if to is None:
-        return "it has no destination (to)"
+        return "the route has no destination (to)"
     if kind == "unicast" and scope == "global" and via is None:
         return "a global unicast route needs a gateway (via)"
     return ""
@@ -103,7 +103,7 @@ def _wifi(interface: Interface) -> Iterator[Problem]:
 def _vlan(interface: Interface) -> Iterator[Problem]:
     number = interface.value("id")
     if interface.link is None:
-        yield Problem("incomplete", interface.name, "a VLAN needs link:")
+        yield Problem("incomplete", interface.name, "a VLAN needs link")
     if number is None:
         yield Problem("vlan-no-id", interface.name)
     elif number.isdecimal() and int(number) > 4094:
@@ -112,7 +112,7 @@ def _vlan(interface: Interface) -> Iterator[Problem]:
 
 def _vrf(interface: Interface) -> Iterator[Problem]:
     if interface.value("table") is None:
-        yield Problem("incomplete", interface.name, "a VRF needs table:")
+        yield Problem("incomplete", interface.name, "a VRF needs table")
 
 
 def _tokens(interface: Interface) -> Iterator[Problem]:
@@ -126,25 +126,25 @@ def _tokens(interface: Interface) -> Iterator[Problem]:
 def _passthrough(interface: Interface) -> Iterator[Problem]:
     if interface.value("networkmanager", "passthrough", "connection.type") is None:
         yield Problem(
-            "incomplete", interface.name, "a NetworkManager device needs passthrough: connection.type"
+            "incomplete", interface.name, "a NetworkManager device needs connection.type in its passthrough"
         )
 
 
 def _tunnel(interface: Interface) -> Iterator[Problem]:
     mode = str(interface.value("mode") or "")
     if not mode:
-        yield Problem("incomplete", interface.name, "a tunnel needs mode:")
+        yield Problem("incomplete", interface.name, "a tunnel needs mode")
     elif mode == "wireguard":
         yield from _wireguard(interface)
     elif mode == "vxlan":
         if not interface.number("id") or interface.number("id") > 16777215:
             yield Problem(
-                "incomplete", interface.value("id") or interface.name, "a VXLAN needs id: 1..16777215"
+                "incomplete", interface.value("id") or interface.name, "a VXLAN needs an id in 1..16777215"
             )
     else:
         remote = interface.value("remote")
         if remote is None:
-            yield Problem("incomplete", interface.name, "a tunnel needs remote:")
+            yield Problem("incomplete", interface.name, "a tunnel needs remote")
         for end in filter(None, (interface.value("local"), remote)):
             if (":" in end) != (mode in IP6_TUNNELS):
                 family = "IPv6" if mode in IP6_TUNNELS else "IPv4"
@@ -155,16 +155,16 @@ def _wireguard(interface: Interface) -> Iterator[Problem]:
     for key in ("key", "keys"):
         private = interface.value(key) or interface.value(key, "private")
         if private is not None and not private.startswith("/") and not WIREGUARD_KEY.match(private):
-            yield Problem("secret", private, "is no WireGuard key")
+            yield Problem("secret", private)
     for peer in interface.items("peers"):
         if not isinstance(peer, Mapping):
             continue
         keys = peer.mapping("keys")
         public = keys.scalar("public") if keys else None
         if public is None:
-            yield Problem("incomplete", peer.span, "a WireGuard peer needs keys: public")
+            yield Problem("incomplete", peer.span, "a WireGuard peer needs a public key")
         elif not WIREGUARD_KEY.match(public.value):
-            yield Problem("incomplete", public.value, "is no WireGuard public key")
+            yield Problem("incomplete", public.value, "this is no WireGuard public key")
 
 
 def _memberships(plan: Plan) -> Iterator[Problem]:

@@ -8,6 +8,8 @@ from dataclasses import dataclass
 from dataclasses import field
 from functools import cached_property
 
+from bringup_lint.model.netplan_schema import home_of
+from bringup_lint.model.netplan_schema import tables
 from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.model.yaml_node import Node
 from bringup_lint.model.yaml_node import Scalar
@@ -316,6 +318,8 @@ class Netplan:
     plans: list[Plan] = field(default_factory=list)
     shadowed: list[tuple[NetplanFile, NetplanFile]] = field(default_factory=list)
     """Files that are never read, each with the file of the same name that hides it."""
+    unread: list[Source] = field(default_factory=list)
+    """Files in netplan's folders whose name does not end in ``.yaml``."""
 
     @property
     def files(self) -> Iterator[NetplanFile]:
@@ -326,6 +330,23 @@ class Netplan:
     def interfaces(self) -> Iterator[Interface]:
         for plan in self.plans:
             yield from plan.interfaces.values()
+
+    @staticmethod
+    def keys(table: str) -> list[str]:
+        """The keys that a mapping takes, by the name of its table."""
+        return list(tables()[table])
+
+    @staticmethod
+    def home_of(key: str) -> str | None:
+        """Where else this key would stand."""
+        return home_of(str(key))
+
+    def problems(self, *codes: str) -> Iterator[Problem]:
+        """What netplan would refuse, by code; templates, whose text is not final, say nothing."""
+        for plan in self.plans:
+            final = [file for file in plan.files if not file.source.template]
+            found = [problem for file in final for problem in file.problems] + plan.problems
+            yield from (problem for problem in found if problem.code in codes)
 
     def named(self, device: str) -> Iterator[Interface]:
         """The interfaces whose device certainly has this name."""

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import re
-from functools import lru_cache
-from typing import NamedTuple
 
-from bringup_lint import facts
 from bringup_lint.model.netplan import Definition
 from bringup_lint.model.netplan import NetplanFile
+from bringup_lint.model.netplan_schema import Key
+from bringup_lint.model.netplan_schema import tables
 from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.model.yaml_node import Node
 from bringup_lint.model.yaml_node import Scalar
@@ -23,26 +22,7 @@ from bringup_lint.source import Problem
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 
-DEVICE_TYPES = "bonds bridges dummy-devices ethernets modems nm-devices tunnels virtual-ethernets vlans vrfs wifis".split()
-GROUP = {"devices": [kind for kind in DEVICE_TYPES if kind != "vrfs"]}
 NAMED = re.compile(r"\{(?P<key>\w+):(?P<value>[\w-]+)\}\Z")
-
-
-class Key(NamedTuple):
-    name: str
-    value: str
-    since: str
-
-
-@lru_cache(maxsize=None)
-def tables() -> dict[str, dict[str, Key]]:
-    """The keys of every mapping, from the table ``netplan_keys``."""
-    found: dict[str, dict[str, Key]] = {}
-    for row in facts.table("netplan_keys"):
-        for name in row["tables"].split(","):
-            for table in GROUP.get(name, [name]):
-                found.setdefault(table, {})[row["key"]] = Key(row["key"], row["value"], row["since"])
-    return found
 
 
 def parse(source: Source) -> NetplanFile:

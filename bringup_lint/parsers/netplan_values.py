@@ -152,5 +152,6 @@ def check(grammar: str, scalar: Scalar) -> tuple[str | None, str]:
         elif text == word or (not case and text.lower() == word.lower()):
             return None, since
     plain = [word for word in words if word not in CHECKS]
-    listed = " or ".join([*reasons, *([f"is none of {', '.join(plain)}"] if plain else [])])
-    return listed, ""
+    if plain:
+        reasons.append(f"none of {', '.join(plain)}" if reasons else f"is none of {', '.join(plain)}")
+    return " and ".join(reasons), ""

@@ -1,0 +1,39 @@
+"""Which known word a misspelt one means."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+
+def nearest(word: str, known: Iterable[str], farthest: int = 2) -> list[str]:
+    """The known words with the fewest edits (a swap of neighbours is one), in the order given.
+
+    Short words allow fewer edits: no more than a third of their length, but always one.
+    """
+    limit = max(1, min(farthest, len(word) // 3))
+    best: list[str] = []
+    for other in known:
+        distance = edits(word.lower(), other.lower(), limit)
+        if distance < limit:
+            best, limit = [other], distance
+        elif distance == limit:
+            best.append(other)
+    return best
+
+
+def edits(one: str, other: str, limit: int) -> int:
+    """The edit distance with swaps of neighbours, or ``limit + 1`` when it is more."""
+    if abs(len(one) - len(other)) > limit:
+        return limit + 1
+    before: list[int] = []
+    row = list(range(len(other) + 1))
+    for i, char in enumerate(one, 1):
+        before, last, row = row, before, [i]
+        for j, wanted in enumerate(other, 1):
+            cost = min(before[j] + 1, row[-1] + 1, before[j - 1] + (char != wanted))
+            if last and i > 1 and j > 1 and char == other[j - 2] and one[i - 2] == wanted:
+                cost = min(cost, last[j - 2] + 1)
+            row.append(cost)
+        if min(row) > limit:
+            return limit + 1
+    return row[-1]

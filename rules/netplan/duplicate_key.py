@@ -1,0 +1,48 @@
+"""A key stands twice in one mapping.
+
+## What it finds
+The same key twice in one YAML mapping of a netplan file: an interface, a device type or a setting.
+
+## Why it matters on a robot
+Netplan says nothing: of a setting the last one counts, two blocks of one interface are merged. What was
+meant to replace an address adds a second one.
+
+## Bad
+```yaml
+ethernets:
+  eth0:
+    dhcp4: true
+  eth0:
+    addresses: [10.0.0.10/24]
+```
+
+## Good
+```yaml
+ethernets:
+  eth0:
+    dhcp4: false
+    addresses: [10.0.0.10/24]
+```
+
+## References
+- YAML 1.2.2, section 3.2.1.3: keys of a mapping are unique
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error")
+def duplicate_key(robot: Robot):
+    for file in robot.netplan.files:
+        if file.embedded:
+            continue
+        for first, again in file.yaml.duplicates:
+            yield finding(
+                again.value,
+                f"Duplicate key '{again.value}': netplan accepts it silently and merges both",
+                advice="merge the two by hand",
+                related=[note(first.value, "first written here")],
+            )

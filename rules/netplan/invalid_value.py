@@ -1,0 +1,75 @@
+"""netplan refuses a value, or the shape of an entry.
+
+## What it finds
+A value that netplan's own checks refuse: a word that is none of those allowed, a scalar where a mapping
+belongs, a number out of range, a route without destination, an incomplete tunnel, a port in two bridges.
+Addresses, renderers, versions, VLANs and Wi-Fi have rules of their own.
+
+## Why it matters on a robot
+`netplan generate` stops at the first such value and writes nothing at all.
+
+## Bad
+```yaml
+ethernets:
+  eth0:
+    dhcp4: enabled
+```
+
+## Good
+```yaml
+ethernets:
+  eth0:
+    dhcp4: true
+```
+
+## References
+- netplan YAML reference
+"""
+
+from bringup_lint.api import Located
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+CODES = (
+    "wrong-shape",
+    "bad-value",
+    "bad-name",
+    "type-changed",
+    "two-masters",
+    "duplicate-ssid",
+    "route",
+    "incomplete",
+    "secret",
+)
+SHAPES = {
+    "mapping": "a mapping (check the indentation)",
+    "sequence": "a sequence",
+    "scalar": "a single value",
+}
+
+
+def _explain(code: str, where: str, detail: str) -> tuple[str, str]:
+    """What netplan says to a problem, and what to do."""
+    if code == "wrong-shape":
+        return f"{SHAPES[detail]} is expected here", f"write {SHAPES[detail]}"
+    if code == "type-changed":
+        return f"'{where}' is already one of the {detail}", "use one device type for one name"
+    if code == "two-masters":
+        return f"'{where}' already belongs to {detail}", "a port has one master: remove it here"
+    if code == "duplicate-ssid":
+        return f"the access point '{where}' stands twice", "merge the two"
+    if code in ("route", "incomplete"):
+        return detail, "complete it"
+    if code == "secret":
+        return "this is no WireGuard key", "put in the whole base64 key, or the path of a file that holds it"
+    return f"'{where}' {detail}", "correct the value"
+
+
+@rule("error", symptoms=["Error in network definition"])
+def invalid_value(robot: Robot):
+    for code, where, detail in robot.netplan.problems(*CODES):
+        text = where if isinstance(where, Located) else where.text.partition("\n")[0]
+        message, advice = _explain(code, text, detail)
+        secrets = [where] if code == "secret" else []
+        yield finding(where, f"netplan generates nothing: {message}", advice=advice, secrets=secrets)

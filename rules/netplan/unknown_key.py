@@ -1,0 +1,54 @@
+"""A key that netplan does not know stops it.
+
+## What it finds
+A key that netplan's schema does not have at that place: a typing mistake, a key one level too high or too
+deep, or a key of another tool. Netplan has no extension prefix; everything unknown is an error.
+
+## Why it matters on a robot
+`netplan generate` stops at the first unknown key and writes nothing. The robot keeps the old network until
+the next boot and then comes up without one, or without the interface that this file was meant to configure.
+
+## Bad
+```yaml
+network:
+  version: 2
+  ethernets:
+    eth0:
+      adresses: [10.0.0.10/24]
+```
+
+## Good
+```yaml
+network:
+  version: 2
+  ethernets:
+    eth0:
+      addresses: [10.0.0.10/24]
+```
+
+## References
+- netplan YAML reference, https://netplan.readthedocs.io/en/stable/netplan-yaml/
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import nearest
+from bringup_lint.api import rule
+
+
+@rule("error", fix="safe", symptoms=["Error in network definition: unknown key"])
+def unknown_key(robot: Robot):
+    for problem in robot.netplan.problems("unknown-key"):
+        key, table = problem.where, problem.detail
+        if table == "root":
+            continue
+        near = nearest(key, robot.netplan.keys(table))
+        elsewhere = None if near else robot.netplan.home_of(key)
+        message = f"Unknown key '{key}' in {table}: netplan generates nothing"
+        if near:
+            advice = f"did you mean {' or '.join(near)}?"
+        else:
+            advice = f"move it into {elsewhere}" if elsewhere else f"remove it: {table} has no such key"
+        change = fix(f"rename to {near[0]}", (key, near[0]), safe=len(near) == 1) if near else None
+        yield finding(key, message, advice=advice, fix=change)

@@ -1,0 +1,41 @@
+"""A netplan version other than 2.
+
+## What it finds
+`version:` with another number. A missing version is fine.
+
+## Why it matters on a robot
+Netplan knows version 2 only and refuses the whole configuration. Version 1 is cloud-init's own format,
+which netplan cannot read.
+
+## Bad
+```yaml
+network:
+  version: 1
+```
+
+## Good
+```yaml
+network:
+  version: 2
+```
+
+## References
+- netplan YAML reference, "version"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule("error", fix="safe", symptoms=["Only version 2 is supported"])
+def version(robot: Robot):
+    for problem in robot.netplan.problems("bad-version"):
+        change = fix("write version 2", (problem.where, "2"))
+        yield finding(
+            problem.where,
+            "Only version 2 is supported: netplan generates nothing",
+            advice="write 2",
+            fix=change,
+        )

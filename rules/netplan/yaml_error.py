@@ -1,0 +1,54 @@
+"""A netplan file is not valid YAML.
+
+## What it finds
+A tab in the indentation, a missing blank, unbalanced brackets: anything that the YAML reader refuses.
+Templates are left alone.
+
+## Why it matters on a robot
+One broken line in one file stops netplan for all files: `netplan apply` changes nothing, and older versions
+bring the robot up without any network. Newer ones skip the file at boot without a word.
+
+## Bad
+```yaml
+network:
+  version: 2
+  ethernets:
+        eth0:          # a tab
+      dhcp4: true
+```
+
+## Good
+```yaml
+network:
+  version: 2
+  ethernets:
+    eth0:
+      dhcp4: true
+```
+
+## References
+- netplan-generate(8)
+- YAML 1.2.2, section 6.1, "Indentation Spaces"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule(
+    "error",
+    symptoms=["Invalid YAML: tabs are not allowed for indent", "Invalid YAML: inconsistent indentation"],
+)
+def yaml_error(robot: Robot):
+    for file in robot.netplan.files:
+        if file.source.template:
+            continue
+        for problem in file.yaml.problems[:1]:
+            if problem.code == "tab":
+                message = "Tabs are not allowed in YAML: netplan generates nothing"
+                advice = "indent with blanks"
+            else:
+                message = f"This is not valid YAML ({problem.detail}): netplan generates nothing"
+                advice = "correct the indentation, quotes or brackets around this place"
+            yield finding(problem.where, message, advice=advice)
