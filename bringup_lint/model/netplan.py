@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from dataclasses import field
 from functools import cached_property
+from typing import NamedTuple
 
 from bringup_lint.model.netplan_schema import home_of
 from bringup_lint.model.netplan_schema import tables
@@ -296,6 +297,14 @@ class Interface:
         return bool(self.addresses) or self.dhcp4 or self.dhcp6
 
 
+class DefaultRoute(NamedTuple):
+    interface: Interface
+    family: int
+    table: str
+    metric: int | None
+    where: Located | Span
+
+
 @dataclass(eq=False)
 class Plan:
     """The files that netplan reads together on one robot, in its order."""
@@ -311,6 +320,19 @@ class Plan:
     def masters(self) -> dict[str, Interface]:
         """The bridge, bond or VRF of every member."""
         return {str(member): owner for owner in self.interfaces.values() for member in owner.members}
+
+    @property
+    def default_routes(self) -> Iterator[DefaultRoute]:
+        """The static default routes; those whose family cannot be told are left out."""
+        for interface in self.interfaces.values():
+            for family in (4, 6):
+                if (gateway := interface.value(f"gateway{family}")) is not None:
+                    yield DefaultRoute(interface, family, "main", None, gateway)
+            for route in interface.routes:
+                if route.is_default and (family := route.family) is not None:
+                    table = route.value("table")
+                    table = "main" if table in (None, "254") else str(table)
+                    yield DefaultRoute(interface, family, table, route.number("metric"), route.where)
 
 
 @dataclass(eq=False)
@@ -347,6 +369,11 @@ class Netplan:
             final = [file for file in plan.files if not file.source.template]
             found = [problem for file in final for problem in file.problems] + plan.problems
             yield from (problem for problem in found if problem.code in codes)
+
+    def declarations(self, name: str) -> Iterator[Located]:
+        """Every place that defines a name."""
+        definitions = (d for interface in self.interfaces for d in interface.definitions)
+        return (definition.name for definition in definitions if definition.name == name)
 
     def named(self, device: str) -> Iterator[Interface]:
         """The interfaces whose device certainly has this name."""

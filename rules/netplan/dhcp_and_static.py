@@ -1,0 +1,41 @@
+"""An interface has a static address and DHCP.
+
+## What it finds
+`dhcp4: true` and static IPv4 addresses on one interface. Link-local addresses do not count.
+
+## Why it matters on a robot
+The interface has two addresses and maybe two default routes. DDS announces all of them, and peers choose;
+without a DHCP server the boot waits for one although the static address would do.
+
+## Bad
+```yaml
+eth0: {dhcp4: true, addresses: [10.0.0.10/24]}
+```
+
+## Good
+```yaml
+eth0: {dhcp4: false, addresses: [10.0.0.10/24]}
+```
+
+## References
+- robot-bringup guide, "Static IP Configuration"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("info")
+def dhcp_and_static(robot: Robot):
+    for interface in robot.netplan.interfaces:
+        flag = interface.flag("dhcp4")
+        static = [a for a in interface.addresses if a.ip and a.ip.version == 4 and not a.ip.is_link_local]
+        if flag is not None and flag.value and static:
+            yield finding(
+                flag.where,
+                f"{interface.name} has the static address {static[0].text} and DHCP",
+                advice="set dhcp4: false, unless the second address is meant",
+                related=[note(static[0].text, "the static address")],
+            )

@@ -1,0 +1,57 @@
+"""Two interfaces of one robot have the same address.
+
+## What it finds
+The same static address on two interfaces that netplan configures together. One interface that two files
+give the same address is fine.
+
+## Why it matters on a robot
+Netplan says nothing. The kernel answers for the address on both networks, and packets leave by whichever
+route was added last: DDS discovery works on some boots and not on others.
+
+## Bad
+```yaml
+eth0: {addresses: [10.0.0.10/24]}
+eth1: {addresses: [10.0.0.10/24]}
+```
+
+## Good
+```yaml
+eth0: {addresses: [10.0.0.10/24]}
+eth1: {addresses: [10.0.1.10/24]}
+```
+
+## References
+- netplan YAML reference, "addresses"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error")
+def duplicate_ip(robot: Robot):
+    for plan in robot.netplan.plans:
+        owners = {}
+        for interface in plan.interfaces.values():
+            for address in interface.addresses:
+                if address.ip is None or address.ip.is_link_local:
+                    continue
+                other, first = owners.setdefault(address.ip.ip, (interface, address))
+                if other is not interface and not apart(plan, other, interface):
+                    yield finding(
+                        address.text,
+                        f"{address.ip.ip} is assigned to {other.name} and {interface.name}",
+                        advice="give one of them another address",
+                        related=[note(first.text, f"{other.name} has it here")],
+                    )
+
+
+def apart(plan, one, other) -> bool:
+    """Whether two interfaces live in routing domains of their own."""
+    masters = plan.masters
+    domains = [masters.get(str(interface.name)) for interface in (one, other)]
+    return domains[0] is not domains[1] and any(
+        domain is not None and domain.kind == "vrfs" for domain in domains
+    )

@@ -1,0 +1,53 @@
+"""gateway4 and gateway6 are deprecated.
+
+## What it finds
+`gateway4` or `gateway6`.
+
+## Why it matters on a robot
+They still work, with a warning at every run, and hide conflicts: two of them, in two files, are two default
+routes. Routes show metric and table.
+
+## Bad
+```yaml
+gateway4: 10.0.0.1
+```
+
+## Good
+```yaml
+routes: [{to: default, via: 10.0.0.1}]
+```
+
+## References
+- netplan YAML reference, "gateway4, gateway6"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule("warning", fix="safe", symptoms=["`gateway4` has been deprecated, use default routes instead"])
+def gateway_deprecated(robot: Robot):
+    for interface in robot.netplan.interfaces:
+        for key in ("gateway4", "gateway6"):
+            for name, value in interface.entries(key):
+                yield finding(
+                    name.value,
+                    f"{key} is deprecated: use routes to default",
+                    advice=f"routes: [{{to: default, via: {getattr(value, 'value', '...')}}}]",
+                    fix=_as_route(interface, name, value),
+                )
+
+
+def _as_route(interface, name, value):
+    """Put a route in the place of the key; only where no other routes stand."""
+    if any(True for _ in interface.entries("routes")) or not hasattr(value, "value"):
+        return None
+    if (
+        sum(1 for key in ("gateway4", "gateway6") for _ in interface.entries(key)) > 1
+        or name.span.line != value.span.line
+    ):
+        return None
+    whole = name.span.source.span(name.span.start, value.span.end)
+    return fix("write a default route", (whole, f"routes: [{{to: default, via: {value.span.text}}}]"))

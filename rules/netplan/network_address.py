@@ -1,0 +1,43 @@
+"""An interface has the address of its network, or the broadcast address.
+
+## What it finds
+A static address whose host part is all zeros or all ones. Prefixes /31 and /32 (/127 and /128) have no such
+addresses.
+
+## Why it matters on a robot
+The kernel takes the address, but other hosts do not answer to it, or treat what they send there as a
+broadcast: the robot is up and unreachable.
+
+## Bad
+```yaml
+addresses: [10.0.0.0/24]
+```
+
+## Good
+```yaml
+addresses: [10.0.0.10/24]
+```
+
+## References
+- RFC 1122, section 3.2.1.3
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("warning")
+def network_address(robot: Robot):
+    for interface in robot.netplan.interfaces:
+        for address in interface.addresses:
+            ip = address.ip
+            if ip is None or ip.network.prefixlen >= ip.max_prefixlen - 1:
+                continue
+            if ip.ip == ip.network.network_address:
+                what = "the network itself, not a host"
+            elif ip.version == 4 and ip.ip == ip.network.broadcast_address:
+                what = "the broadcast address, not a host"
+            else:
+                continue
+            yield finding(address.text, f"{address.text} is {what}", advice="choose an address of a host")

@@ -1,0 +1,64 @@
+"""Two interfaces own the same subnet.
+
+## What it finds
+Two interfaces of one robot with static addresses in overlapping subnets. Members of bridges, bonds and
+VRFs, host addresses (/32) and interfaces with routing policies of their own are left alone.
+
+## Why it matters on a robot
+The kernel has two routes to the same hosts and takes one: what is plugged into the other port is not
+reached, or answers leave by the wrong port. With DDS, discovery is heard on one interface and data leaves
+by the other.
+
+## Bad
+```yaml
+eth0:  {addresses: [10.0.0.10/24]}
+wlan0: {addresses: [10.0.0.11/24]}
+```
+
+## Good
+```yaml
+eth0:  {addresses: [10.0.0.10/24]}
+wlan0: {addresses: [10.0.1.11/24]}
+```
+
+## References
+- Linux kernel documentation, ip-sysctl, arp_filter
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning")
+def overlapping_subnets(robot: Robot):
+    for plan in robot.netplan.plans:
+        seen = []
+        for interface in plan.interfaces.values():
+            if interface.name in plan.masters or any(True for _ in interface.items("routing-policy")):
+                continue
+            for address in interface.addresses:
+                if address.ip is None or address.ip.is_link_local or address.ip.network.num_addresses < 4:
+                    continue
+                for other, first in seen:
+                    if (
+                        other is interface
+                        or first.ip.version != address.ip.version
+                        or first.ip.ip == address.ip.ip
+                    ):
+                        continue
+                    if first.ip.network.overlaps(address.ip.network):
+                        both = f"{other.name} and {interface.name} share {address.ip.network}"
+                        yield finding(
+                            address.text,
+                            f"{both}: packets leave by either",
+                            advice="separate the subnets",
+                            related=[note(first.text, f"{other.name} is in {first.ip.network}")],
+                        )
+                        break
+            seen += [(interface, address) for address in interface.addresses if _counts(address)]
+
+
+def _counts(address) -> bool:
+    return address.ip is not None and not address.ip.is_link_local and address.ip.network.num_addresses >= 4

@@ -1,0 +1,41 @@
+"""A renderer that netplan does not know.
+
+## What it finds
+A `renderer` other than `networkd` and `NetworkManager`. Case counts. Below a VLAN, `sriov` is allowed too.
+
+## Why it matters on a robot
+Netplan stops and generates nothing for any interface.
+
+## Bad
+```yaml
+renderer: networkmanager
+```
+
+## Good
+```yaml
+renderer: NetworkManager
+```
+
+## References
+- netplan YAML reference, "renderer"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import nearest
+from bringup_lint.api import rule
+
+
+@rule("error", fix="safe", symptoms=["unknown renderer"])
+def renderer_unknown(robot: Robot):
+    for problem in robot.netplan.problems("bad-renderer"):
+        word = problem.where
+        near = nearest(str(word), ["networkd", "NetworkManager"]) or (
+            ["networkd"] if "systemd" in word.lower() else []
+        )
+        change = fix(f"write {near[0]}", (word, near[0])) if near else None
+        advice = f"write {near[0]}" if near else "write networkd or NetworkManager"
+        yield finding(
+            word, f"Unknown renderer '{word}': netplan generates nothing", advice=advice, fix=change
+        )

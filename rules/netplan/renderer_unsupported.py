@@ -1,0 +1,44 @@
+"""The chosen renderer cannot do what a file asks for.
+
+## What it finds
+Settings that the renderer of an interface refuses: with networkd an access point (`mode: ap`), Wi-Fi with
+`match:`, modems, and DHCP overrides that differ between IPv4 and IPv6; with NetworkManager a match by
+driver, options of addresses, `ipv6-mtu`, `activation-mode: off` and routes that are not unicast.
+
+## Why it matters on a robot
+Netplan stops while it writes: the files of some interfaces are new, those of others old or gone. A robot
+that should open its own hotspot comes up with no Wi-Fi at all.
+
+## Bad
+```yaml
+wifis:
+  wlan0:
+    access-points:
+      robot-7: {mode: ap, password: "${PSK}"}
+```
+
+## Good
+```yaml
+wifis:
+  renderer: NetworkManager
+  wlan0:
+    access-points:
+      robot-7: {mode: ap, password: "${PSK}"}
+```
+
+## References
+- netplan YAML reference, "Properties for device type wifis:"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["networkd does not support this wifi mode", "networkd backend does not support"])
+def renderer_unsupported(robot: Robot):
+    for _, where, detail in robot.netplan.problems("unsupported"):
+        other = "NetworkManager" if detail.startswith("networkd") else "networkd"
+        same = "needs the same" in detail
+        advice = "write the same value in both" if same else f"choose renderer: {other}, or leave it out"
+        yield finding(where, f"netplan stops half-way: {detail}", advice=advice)

@@ -1,0 +1,38 @@
+"""A default route is written as 0.0.0.0/0.
+
+## What it finds
+`to: 0.0.0.0/0` or `to: ::/0`.
+
+## Why it matters on a robot
+It works. `to: default` says what is meant, and cannot be mistyped into a route to one host.
+
+## Bad
+```yaml
+routes: [{to: 0.0.0.0/0, via: 10.0.0.1}]
+```
+
+## Good
+```yaml
+routes: [{to: default, via: 10.0.0.1}]
+```
+
+## References
+- netplan YAML reference, "Default routes"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule("info", fix="safe")
+def route_to_default_old(robot: Robot):
+    for interface in robot.netplan.interfaces:
+        for route in interface.routes:
+            to = route.value("to")
+            if to in ("0.0.0.0/0", "::/0"):
+                change = fix("write default", (to, "default"))
+                yield finding(
+                    to, f"'to: {to}' is the default route", advice="write 'to: default'", fix=change
+                )

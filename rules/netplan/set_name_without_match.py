@@ -1,0 +1,38 @@
+"""set-name without match.
+
+## What it finds
+`set-name` on an interface that has no `match`.
+
+## Why it matters on a robot
+Netplan stops: it does not know which device it should rename. Nothing is generated.
+
+## Bad
+```yaml
+lidar0:
+  set-name: lidar0
+```
+
+## Good
+```yaml
+lidar0:
+  match: {macaddress: "00:11:22:33:44:55"}
+  set-name: lidar0
+```
+
+## References
+- netplan YAML reference, "set-name"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["'set-name:' requires 'match:' properties"])
+def set_name_without_match(robot: Robot):
+    for problem in robot.netplan.problems("set-name"):
+        yield finding(
+            problem.where,
+            "set-name needs match: netplan generates nothing",
+            advice="add match with the MAC address of the device",
+        )

@@ -1,0 +1,47 @@
+"""A bridge, bond or other interface names one that is not defined.
+
+## What it finds
+A member of a bridge, bond or VRF, a `primary`, a `link` or a `peer` that is defined neither in the same
+file nor in one that sorts before it. VLANs have a rule of their own.
+
+## Why it matters on a robot
+Netplan stops and configures nothing.
+
+## Bad
+```yaml
+bridges:
+  br0: {interfaces: [eth0]}
+```
+
+## Good
+```yaml
+ethernets:
+  eth0: {dhcp4: false}
+bridges:
+  br0: {interfaces: [eth0]}
+```
+
+## References
+- netplan YAML reference, "interfaces"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["is not defined"])
+def undefined_interface(robot: Robot):
+    for _, name, later in robot.netplan.problems("undefined"):
+        related = [
+            note(place, "defined here") for place in robot.netplan.declarations(name) if place.path == later
+        ]
+        if later:
+            message, advice = (
+                f"'{name}' is defined only in {later}, which sorts later",
+                "let that file sort first",
+            )
+        else:
+            message, advice = f"interface '{name}' is not defined", "define it, even with dhcp4: false"
+        yield finding(name, f"{message}: netplan generates nothing", advice=advice, related=related)

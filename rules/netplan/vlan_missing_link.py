@@ -1,0 +1,47 @@
+"""The link of a VLAN is not defined.
+
+## What it finds
+A VLAN whose `link` names an interface that is defined neither in its own file nor in one that sorts before
+it. A definition in a later file does not help: netplan finishes each file before it reads the next.
+
+## Why it matters on a robot
+Netplan stops: no interface is configured, not only the VLAN.
+
+## Bad
+```yaml
+vlans:
+  vlan10: {id: 10, link: eth0}
+```
+
+## Good
+```yaml
+ethernets:
+  eth0: {dhcp4: false}
+vlans:
+  vlan10: {id: 10, link: eth0}
+```
+
+## References
+- netplan YAML reference, "link"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["is not defined"])
+def vlan_missing_link(robot: Robot):
+    for _, link, later in robot.netplan.problems("vlan-link"):
+        related = [
+            note(place, "defined here") for place in robot.netplan.declarations(link) if place.path == later
+        ]
+        if later:
+            message, advice = (
+                f"'{link}' is defined only in {later}, which sorts later",
+                "let that file sort first",
+            )
+        else:
+            message, advice = f"interface '{link}' is not defined", "define it, even with dhcp4: false"
+        yield finding(link, f"{message}: netplan generates nothing", advice=advice, related=related)

@@ -1,0 +1,50 @@
+"""The name of a VLAN holds another number than its id.
+
+## What it finds
+A VLAN called `vlan10` or `eth0.10` with another id.
+
+## Why it matters on a robot
+It works, and misleads whoever looks for the control network on the robot.
+
+## Bad
+```yaml
+vlan10: {link: eth0, id: 20}
+```
+
+## Good
+```yaml
+vlan20: {link: eth0, id: 20}
+```
+
+## References
+- IEEE 802.1Q
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+NUMBERED = re.compile(r"(?:vlan[._-]?|.+\.)0*(\d+)", re.IGNORECASE)
+
+
+@rule("info")
+def vlan_name_id_mismatch(robot: Robot):
+    for interface in robot.netplan.interfaces:
+        named = NUMBERED.fullmatch(interface.name)
+        number = interface.value("id")
+        if (
+            interface.kind == "vlans"
+            and named
+            and number
+            and number.isdecimal()
+            and int(named[1]) != int(number)
+        ):
+            yield finding(
+                interface.name,
+                f"{interface.name} has id {number}",
+                advice=f"rename it to vlan{number}, or correct the id",
+                related=[note(number, "the id")],
+            )

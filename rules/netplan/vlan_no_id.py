@@ -1,0 +1,36 @@
+"""A VLAN without an id.
+
+## What it finds
+An entry below `vlans:` without `id`.
+
+## Why it matters on a robot
+Netplan stops and configures nothing; the name of the VLAN does not count as its id.
+
+## Bad
+```yaml
+vlan10: {link: eth0}
+```
+
+## Good
+```yaml
+vlan10: {link: eth0, id: 10}
+```
+
+## References
+- netplan YAML reference, "Properties for device type vlans:"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["missing 'id' property"])
+def vlan_no_id(robot: Robot):
+    for problem in robot.netplan.problems("vlan-no-id"):
+        number = "".join(char for char in problem.where if char.isdigit())
+        yield finding(
+            problem.where,
+            f"{problem.where} has no id: netplan generates nothing",
+            advice=f"add id: {number}" if number else "add its id",
+        )
