@@ -52,6 +52,7 @@ def _names(ctx: click.Context, param: click.Parameter, value: tuple[str, ...]) -
 @click.option("--ignore", multiple=True, callback=_names, help="Leave these rules or families out.")
 @click.option("--min-severity", type=click.Choice(SEVERITIES), help="Lowest severity to show. [default: warning]")
 @click.option("--fail-on", type=click.Choice(SEVERITIES), help="Lowest severity that fails. [default: warning]")
+@click.option("--exit-zero", is_flag=True, help="Exit with 0 whatever is found.")
 @click.option("--target-ros", type=click.Choice(ROS_DISTROS), help="The ROS distribution that the robot runs.")
 @click.option("--target-systemd", type=click.IntRange(245), help="The systemd version that the robot runs.")
 @click.option("--no-ignores", is_flag=True, help="Show what comments in the files suppress.")
@@ -111,7 +112,7 @@ def _check(outputs: list[Output], paths: tuple[str, ...], options: dict[str, Any
     for output in outputs:
         colour = output.file is None and wants_colour(options["colour"])
         write(render(output.format, dataclasses.replace(report, colour=colour)), output.file)
-    return report.exit_code
+    return 0 if options["exit_zero"] and report.exit_code == 1 else report.exit_code
 
 
 def configuration(paths: tuple[str, ...], options: dict[str, Any]) -> tuple[Config, list[Path]]:

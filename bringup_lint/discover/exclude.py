@@ -1,4 +1,4 @@
-"""Which paths a run leaves out: the configuration's patterns and the repository's ``.gitignore`` files."""
+"""Which paths a run leaves out."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ def exclusion(folder: Path, patterns: Sequence[str]) -> Callable[[str], bool]:
         return lambda path: False
     import pathspec
 
-    spec = pathspec.PathSpec.from_lines("gitwildmatch", patterns)
+    spec = pathspec.GitIgnoreSpec.from_lines(patterns)
 
     def excluded(path: str) -> bool:
         relative = os.path.relpath(path, folder)

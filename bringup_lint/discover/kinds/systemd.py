@@ -25,7 +25,7 @@ _TEMPLATE = r"(?:\.(?:in|j2|jinja|jinja2|em|m4|tmpl|tpl|template|erb))?"
 _UNIT = re.compile(rf"/[^/]+\.(?:{_TYPES}){_TEMPLATE}$")
 _DROPIN = re.compile(rf"/(?:[^/]*\.)?(?:{_TYPES})\.d/[^/]+$")
 _LINK = re.compile(r"\.(?:wants|requires|upholds)/[^/]+$")
-_SECTION = re.compile(r"^\s*\[(?:Unit|Service|Install|Socket|Timer|Path|Mount|Automount|Swap|Slice)\]", re.M)
+_SECTION = re.compile(r"^\ufeff?\s*\[(?:Unit|Service|Install|Socket|Timer|Path|Mount|Automount|Swap|Slice)\]", re.M)
 _BACKUP = re.compile(r"(?:~|\.(?:bak|orig|rej|swp|dpkg-\w+|rpm\w+|ucf-\w+))$")
 
 

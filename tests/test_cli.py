@@ -1,0 +1,229 @@
+"""The command line as a user meets it: exit codes, selection, outputs, configuration, standard input."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from bringup_lint import __version__
+from tests.conftest import PROJECT
+from tests.lint import lint
+
+LATIN1 = "[Unit]\nDescription=R\xe4der\n[Service]\nExecStart=/bin/true\n".encode("latin-1")
+CLEAN = "[Unit]\nDescription=One\n[Service]\nExecStart=/bin/true\n"
+
+
+@pytest.fixture
+def bad(tmp_path: Path) -> Path:
+    (tmp_path / "robot.service").write_bytes(LATIN1)
+    return tmp_path
+
+
+@pytest.fixture
+def clean(tmp_path: Path) -> Path:
+    (tmp_path / "robot.service").write_text(CLEAN)
+    return tmp_path
+
+
+def only_lint(*arguments: str, cwd: Path):
+    return lint("--select", "lint", "--output-format", "concise", *arguments, cwd=cwd)
+
+
+def test_version() -> None:
+    run = subprocess.run([sys.executable, "-m", "bringup_lint", "--version"], capture_output=True, text=True, cwd=PROJECT)
+    assert (run.returncode, run.stdout) == (0, f"bringup-lint {__version__}\n")
+
+
+def test_clean_tree_exits_0(clean: Path) -> None:
+    assert only_lint(cwd=clean) == (0, "", "")
+
+
+def test_findings_exit_1(bad: Path) -> None:
+    run = only_lint(cwd=bad)
+    assert run.code == 1
+    assert run.stdout.startswith("robot.service:1:1: error[lint/encoding]")
+    assert run.stderr == ""
+
+
+def test_exit_zero(bad: Path) -> None:
+    assert only_lint("--exit-zero", cwd=bad).code == 0
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [["--no-such-option"], ["--select", "no-such-rule"], ["--target-ros", "melodic"], ["--config", "absent.toml"]],
+)
+def test_wrong_usage_exits_2_with_a_word_on_stderr(clean: Path, arguments: list[str]) -> None:
+    run = lint(*arguments, cwd=clean)
+    assert run.code == 2
+    assert run.stdout == ""
+    assert run.stderr.strip()
+
+
+def test_unknown_rule_gets_a_suggestion(clean: Path) -> None:
+    assert "did you mean 'lint/encoding'?" in lint("--select", "lint/encodng", cwd=clean).stderr
+
+
+def test_fail_on(bad: Path) -> None:
+    (bad / "notes.xyz").write_text("x")
+    assert lint("--select", "lint/unknown-kind", "notes.xyz", cwd=bad).code == 1
+    assert lint("--select", "lint/unknown-kind", "--fail-on", "error", "notes.xyz", cwd=bad).code == 0
+
+
+def test_ignore_takes_families_and_rules(bad: Path) -> None:
+    assert only_lint("--ignore", "lint/encoding", cwd=bad).code == 0
+    assert only_lint("--ignore", "lint", cwd=bad).code == 0
+
+
+def test_command_name_as_path(bad: Path) -> None:
+    (bad / "rules").mkdir()
+    (bad / "robot.service").rename(bad / "rules/robot.service")
+    assert only_lint("./rules", cwd=bad).stdout.startswith("rules/robot.service:1:1")
+
+
+def test_several_outputs(bad: Path) -> None:
+    run = lint(
+        *("--select", "lint", "--output-format", "concise", "--output-format", "json", "--output-file", "x.json"),
+        *("--output-format", "sarif", "--output-file", "x.sarif"),
+        cwd=bad,
+    )
+    assert run.stdout.startswith("robot.service:1:1: error")
+    assert json.loads((bad / "x.json").read_text())["version"] == 1
+    assert json.loads((bad / "x.sarif").read_text())["version"] == "2.1.0"
+
+
+def test_two_reports_cannot_share_standard_output(clean: Path) -> None:
+    assert lint("--output-format", "json", "--output-format", "sarif", cwd=clean).code == 2
+
+
+def test_output_file_that_cannot_be_written(clean: Path) -> None:
+    run = lint("--output-format", "json", "--output-file", "absent/x.json", cwd=clean)
+    assert run.code not in (0, 3)
+    assert "absent/x.json" in run.stderr
+
+
+def test_stdin(clean: Path) -> None:
+    run = subprocess.run(
+        [sys.executable, "-m", "bringup_lint", "--stdin-filename", "etc/x.service", "--select", "lint/encoding",
+         "--output-format", "concise"],
+        input=LATIN1,
+        capture_output=True,
+        cwd=PROJECT,
+    )  # fmt: skip
+    assert run.stdout.decode().startswith("etc/x.service:1:1: error[lint/encoding]")
+    assert run.returncode == 1
+
+
+def test_stdin_of_unknown_kind_says_so(clean: Path) -> None:
+    run = subprocess.run(
+        [sys.executable, "-m", "bringup_lint", "--stdin-filename", "notes.xyz"], input=b"x", capture_output=True, cwd=PROJECT
+    )
+    assert b"lint/unknown-kind" in run.stdout
+
+
+def test_configuration_file(bad: Path) -> None:
+    (bad / "bringup-lint.toml").write_text('ignore = ["lint/encoding"]\n')
+    assert only_lint(cwd=bad).code == 0
+    assert only_lint("--isolated", cwd=bad).code == 1
+
+
+def test_pyproject_table(bad: Path) -> None:
+    (bad / "pyproject.toml").write_text('[tool.bringup-lint]\nignore = ["lint/encoding"]\n')
+    assert only_lint(cwd=bad).code == 0
+
+
+@pytest.mark.parametrize(
+    ("text", "complaint"),
+    [
+        ('ignor = ["x"]', "unknown key 'ignor'; did you mean 'ignore'?"),
+        ('select = "systemd"', "select must be a list of strings"),
+        ('fail-on = "fatal"', "fail-on must be one of info, warning, error, not 'fatal'"),
+        ("target-systemd = true", "target-systemd must be a whole number"),
+        ("select = [", "bringup-lint.toml"),
+    ],
+)
+def test_mistakes_in_the_configuration(clean: Path, text: str, complaint: str) -> None:
+    (clean / "bringup-lint.toml").write_text(text)
+    run = lint(cwd=clean)
+    assert run.code == 2
+    assert complaint in run.stderr
+    assert len(run.stderr.strip().splitlines()) == 1
+
+
+def test_severity_can_be_changed(bad: Path) -> None:
+    (bad / "bringup-lint.toml").write_text('[severity]\n"lint/encoding" = "info"\n')
+    assert only_lint(cwd=bad).stdout == ""
+    assert "info[lint/encoding]" in only_lint("--min-severity", "info", cwd=bad).stdout
+
+
+def test_exclude(bad: Path) -> None:
+    assert only_lint("--exclude", "*.service", cwd=bad).code == 0
+
+
+def test_found_configuration_never_loads_rules(bad: Path) -> None:
+    (bad / "evil").mkdir()
+    (bad / "evil/family").mkdir()
+    (bad / "evil/family/x.py").write_text("open('ran', 'w').close()\n")
+    (bad / "bringup-lint.toml").write_text('rules = ["evil"]\n')
+    run = only_lint(cwd=bad)
+    assert not (bad / "ran").exists()
+    assert "'rules' is only read from a file named by --config" in run.stderr
+
+
+def test_baseline(bad: Path) -> None:
+    assert only_lint("--write-baseline", "known.json", cwd=bad).code == 1
+    assert only_lint("--baseline", "known.json", cwd=bad).code == 0
+    (bad / "other.service").write_bytes(LATIN1)
+    assert only_lint("--baseline", "known.json", cwd=bad).stdout.startswith("other.service:1:1")
+
+
+def test_damaged_baseline_exits_2(bad: Path) -> None:
+    (bad / "known.json").write_text("{")
+    assert only_lint("--baseline", "known.json", cwd=bad).code == 2
+
+
+def test_explain_prints_the_documentation(tmp_path: Path) -> None:
+    run = lint("explain", "lint/encoding", cwd=tmp_path)
+    assert run.code == 0
+    assert "What it finds" in run.stdout
+
+
+def test_explain_finds_the_rule_behind_a_log_line(tmp_path: Path) -> None:
+    line = "robot.service:2: String is not UTF-8 clean, ignoring assignment"
+    assert lint("explain", line, cwd=tmp_path).stdout.startswith("lint/encoding")
+
+
+def test_explain_of_nothing_known(tmp_path: Path) -> None:
+    assert lint("explain", "no such words anywhere", cwd=tmp_path).code == 2
+
+
+def test_rules_lists_every_rule(tmp_path: Path) -> None:
+    from bringup_lint.registry import Registry
+
+    listed = json.loads(lint("rules", "--output-format", "json", cwd=tmp_path).stdout)
+    assert [rule["id"] for rule in listed] == list(Registry.of().paths)
+
+
+def test_init_writes_a_configuration_that_is_valid(tmp_path: Path) -> None:
+    assert lint("init", cwd=tmp_path).code == 0
+    assert lint(cwd=tmp_path).code == 0
+    assert lint("init", cwd=tmp_path).code == 2
+
+
+def test_schema_accepts_what_is_documented(tmp_path: Path) -> None:
+    jsonschema = pytest.importorskip("jsonschema")
+    schema = json.loads(lint("init", "--schema", cwd=tmp_path).stdout)
+    jsonschema.Draft202012Validator.check_schema(schema)
+    validate = jsonschema.Draft202012Validator(schema).is_valid
+    assert validate({"select": ["systemd"], "severity": {"systemd/root-user": "error"}, "target-ros": "jazzy"})
+    assert not validate({"selct": []})
+
+
+def test_published_schema_is_current() -> None:
+    from bringup_lint.config import schema
+
+    assert json.loads((PROJECT / "docs/bringup-lint.schema.json").read_text()) == schema()

@@ -1,0 +1,121 @@
+"""However it is installed, the built-in rules are found; the hook works with the real pre-commit."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+
+import pytest
+
+from bringup_lint.registry import Registry
+from tests.conftest import PROJECT
+
+LATIN1 = b"[Service]\nExecStart=/bin/\xff\n"
+RULES = set(Registry.of().paths)
+
+
+def run(*command: str | Path, cwd: Path, **env: str) -> subprocess.CompletedProcess[str]:
+    clean = {key: value for key, value in os.environ.items() if not key.startswith(("PYTHONPATH", "GIT_", "PRE_COMMIT"))}
+    return subprocess.run(
+        [str(part) for part in command], capture_output=True, text=True, cwd=cwd, env={**clean, **env}, timeout=600
+    )
+
+
+def checked(*command: str | Path, cwd: Path, **env: str) -> str:
+    done = run(*command, cwd=cwd, **env)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+@pytest.fixture(scope="session")
+def repository(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The project as a git repository with everything committed, as a hook or pip would clone it."""
+    folder = tmp_path_factory.mktemp("clone") / "bringup-lint"
+    unwanted = shutil.ignore_patterns(".git", ".venv", "__pycache__", ".hypothesis", "*.egg-info", "node_modules", "fixtures")
+    shutil.copytree(PROJECT, folder, ignore=unwanted, symlinks=True)
+    git(folder, "init", "-q")
+    git(folder, "add", "-A")
+    git(folder, "commit", "-qm", "all")
+    return folder
+
+
+def git(folder: Path, *arguments: str) -> None:
+    checked("git", "-c", "user.name=t", "-c", "user.email=t@example.org", *arguments, cwd=folder)
+
+
+@pytest.fixture
+def robot(tmp_path: Path) -> Path:
+    folder = tmp_path / "robot"
+    folder.mkdir()
+    (folder / "robot.service").write_bytes(LATIN1)
+    return folder
+
+
+def environment(folder: Path, *requirements: str | Path) -> Path:
+    """A fresh virtual environment with the project; its libraries come from the one that runs the tests."""
+    checked(sys.executable, "-m", "venv", folder, cwd=PROJECT)
+    libraries = next((folder / "lib").iterdir()) / "site-packages"
+    ours = [path for path in sys.path if path.endswith("-packages")]
+    (libraries / "theirs.pth").write_text("\n".join(ours) + "\n")
+    checked(folder / "bin/python", "-m", "pip", "install", "-q", "--no-deps", "--no-build-isolation",
+            "--disable-pip-version-check", "--force-reinstall", *requirements, cwd=PROJECT)  # fmt: skip
+    return folder / "bin/bringup-lint"
+
+
+def rules_of(command: Path, cwd: Path) -> set[str]:
+    import json
+
+    return {rule["id"] for rule in json.loads(checked(command, "rules", "--output-format", "json", cwd=cwd))}
+
+
+def test_wheel_carries_the_rules_and_no_top_level_rules(repository: Path, tmp_path: Path, robot: Path) -> None:
+    checked(sys.executable, "-m", "pip", "wheel", "-q", "--no-deps", "--no-build-isolation", "-w", tmp_path, repository,
+            cwd=tmp_path)  # fmt: skip
+    (wheel,) = tmp_path.glob("*.whl")
+    names = zipfile.ZipFile(wheel).namelist()
+    assert "bringup_lint/rules/lint/encoding.py" in names
+    assert not [name for name in names if name.startswith(("rules/", "tests/", "fixtures/"))]
+    command = environment(tmp_path / "env", wheel)
+    assert rules_of(command, robot) == RULES
+    assert run(command, ".", cwd=robot).returncode == 1
+
+
+def test_install_from_git(repository: Path, tmp_path: Path, robot: Path) -> None:
+    command = environment(tmp_path / "env", f"git+file://{repository}")
+    assert rules_of(command, robot) == RULES
+
+
+def test_editable_install(repository: Path, tmp_path: Path, robot: Path) -> None:
+    command = environment(tmp_path / "env", "--editable", repository)
+    assert rules_of(command, robot) == RULES
+
+
+def test_plain_checkout(repository: Path, robot: Path) -> None:
+    done = run(sys.executable, "-m", "bringup_lint", robot, cwd=repository)
+    assert done.returncode == 1
+    assert "lint/encoding" in done.stdout
+
+
+def test_pre_commit_hook(repository: Path, robot: Path, tmp_path: Path) -> None:
+    pytest.importorskip("pre_commit")
+    (robot / ".pre-commit-config.yaml").write_text(
+        f"repos:\n- repo: {repository}\n  rev: {head(repository)}\n  hooks:\n  - id: bringup-lint\n"
+    )
+    git(robot, "init", "-q")
+    git(robot, "add", "-A")
+    home = {"PRE_COMMIT_HOME": str(tmp_path / "cache")}
+    done = run(sys.executable, "-m", "pre_commit", "run", "--all-files", cwd=robot, **home)
+    assert done.returncode == 1, done.stdout + done.stderr
+    assert "error[lint/encoding]" in done.stdout
+    (robot / "robot.service").write_text("[Unit]\nDescription=One\n[Service]\nExecStart=/bin/true\n")
+    git(robot, "add", "-A")
+    done = run(sys.executable, "-m", "pre_commit", "run", "--all-files", cwd=robot, **home)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+def head(repository: Path) -> str:
+    return checked("git", "rev-parse", "HEAD", cwd=repository).strip()
