@@ -53,6 +53,11 @@ class Condition(NamedTuple):
     def is_plain(self) -> bool:
         return all(is_plain(pattern) for pattern in self.patterns)
 
+    @property
+    def text(self) -> str:
+        """As a rule would say it: ``SUBSYSTEM=="tty"``."""
+        return f'{self.token.name}{"==" if self.equal else "!="}"{self.token.value}"'
+
     def accepts(self, text: str) -> bool:
         found = any(matches(pattern, text) for pattern in self.patterns)
         return found == self.equal

@@ -14,6 +14,7 @@ from bringup_lint.model.udev import Token
 
 USB_DEVICE = "usb_device"
 USB_INTERFACE = "usb_interface"
+_WELL_KNOWN = frozenset({USB_DEVICE, USB_INTERFACE, "usb-serial", "tty", "video4linux"})
 
 _LEVEL_OF_NAME = (
     (re.compile(r"(?:\d+-\d+(?:\.\d+)*|usb\d+)\Z"), frozenset({USB_DEVICE})),
@@ -39,6 +40,13 @@ def levels(token: Token) -> frozenset[str] | None:
         return _owners().get(("ATTRS", str(token.attribute)))
     found = [_levels_of(token.key, pattern) for pattern in token.alternatives]
     return None if None in found else frozenset().union(*(levels for levels in found if levels))
+
+
+def can_be_one(one: frozenset[str], other: frozenset[str]) -> bool:
+    """Whether one device can be of both sets of levels; ``other`` stands for all but the well known ones."""
+    if one & other:
+        return True
+    return bool(("other" in one and other - _WELL_KNOWN) or ("other" in other and one - _WELL_KNOWN))
 
 
 def _levels_of(key: str, pattern: str) -> frozenset[str] | None:

@@ -10,6 +10,8 @@ from typing import NamedTuple
 
 from bringup_lint.graph.udev_conditions import Condition
 from bringup_lint.graph.udev_conditions import Conditions
+from bringup_lint.graph.udev_conditions import contradict
+from bringup_lint.graph.udev_devices import can_be_one
 from bringup_lint.graph.udev_devices import is_open_by_design
 from bringup_lint.graph.udev_devices import levels
 from bringup_lint.graph.udev_devices import subsystem_of_name
@@ -20,6 +22,7 @@ from bringup_lint.model.udev import RulesFile
 from bringup_lint.model.udev import Token
 from bringup_lint.source import Located
 from bringup_lint.source import Source
+from bringup_lint.source import Span
 
 ACTIONS = ("add", "change", "bind", "unbind", "move", "online", "offline", "remove")
 _SUBSTITUTION = re.compile(r"%%|\$\$|[%$](?:[a-z]+|[A-Z])?(?:\{[^}]*\})?")
@@ -71,12 +74,32 @@ class UdevRule:
             if condition.key == key and attribute in (None, condition.attribute)
         )
 
-    def mentions(self, *subjects: tuple[str, str]) -> bool:
-        """Whether any condition, also one of a jump over the rule, speaks of one of these."""
-        everything = (*self.conditions.positive, *(one for jump in self.conditions.jumps for one in jump))
-        return any(
-            condition.subject in subjects or (condition.key, "") in subjects for condition in everything
-        )
+    @property
+    def subjects(self) -> set[tuple[str, str]]:
+        """All that decides whether the rule fires: what its conditions and those of jumps over it compare."""
+        jumps = (condition for jump in self.conditions.jumps for condition in jump)
+        return {condition.subject for condition in (*self.conditions.positive, *jumps)}
+
+    @cached_property
+    def contradictions(self) -> tuple[tuple[Condition, Condition], ...]:
+        """Pairs of conditions that no device fulfils both, the second one the rule's own."""
+        found = []
+        own = [condition for condition in self.conditions.positive if not condition.inherited]
+        inherited = [condition for condition in self.conditions.positive if condition.inherited]
+        for index, second in enumerate(own):
+            for first in (*(one for one in inherited if one.key != "ENV"), *own[:index]):
+                if contradict(first, second):
+                    found.append((first, second))
+        return tuple(found)
+
+    def levels(self, token: Token) -> frozenset[str]:
+        """The devices of the chain on which a parent key can hold; empty when unknown."""
+        return levels(token) or frozenset()
+
+    @staticmethod
+    def is_any_number(pattern: str) -> bool:
+        """Whether a kernel name is a known stem with any number: ``ttyUSB*``, ``video[0-9]*``."""
+        return subsystem_of_name(pattern) is not None and pattern.endswith(("*", "[0-9]", "?"))
 
     @cached_property
     def is_unreachable(self) -> bool:
@@ -167,9 +190,25 @@ class UdevRule:
         ]
         for index, (token, on) in enumerate(known):
             for other, other_on in known[:index]:
-                if not on & other_on:
+                if not can_be_one(on, other_on):
                     return other, token
         return None
+
+    def without(self, token: Token) -> list[tuple[Span, str]]:
+        """The edit that deletes a token with the delimiter on one side of it."""
+        tokens = self.line.tokens
+        index = tokens.index(token)
+        start, end = token.span.start, token.span.end
+        text = self.source.text
+        if index + 1 < len(tokens) and "\n" not in text[end : tokens[index + 1].span.start]:
+            end = tokens[index + 1].span.start
+        elif index and "\n" not in text[tokens[index - 1].span.end : start]:
+            start = tokens[index - 1].span.end
+        return [(Span(self.source, start, end), "")]
+
+    def before(self, token: Token, text: str) -> tuple[Span, str]:
+        """The edit that puts a new token before one of the line."""
+        return Span(self.source, token.span.start, token.span.start), f"{text}, "
 
 
 def _path(name: str) -> str:

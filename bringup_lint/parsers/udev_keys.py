@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from difflib import SequenceMatcher
+from difflib import get_close_matches
 from functools import cache
 from typing import NamedTuple
 
@@ -97,7 +99,18 @@ def _unknown_key(token: Token, key: Key | None) -> Problem:
         return Problem("removed-key", token.key, key.replacement)
     if token.key.startswith("\ufeff"):
         return Problem("byte-order-mark", token.key.part(0, 1))
-    return Problem("unknown-key", token.key)
+    return Problem("unknown-key", token.key, _nearest(token.key))
+
+
+def _nearest(name: str) -> str:
+    """The key that was meant, when there is one that is much closer than all others."""
+    known = [key for key, row in keys().items() if row.operators]
+    near = get_close_matches(name.upper(), known, 2, 0.8)
+    if len(near) == 2 and name.upper() not in near:
+        closeness = [SequenceMatcher(None, name.upper(), one).ratio() for one in near]
+        if closeness[0] == closeness[1]:
+            return ""
+    return near[0] if near else ""
 
 
 def _attribute_problems(token: Token, key: Key) -> Iterator[Problem]:

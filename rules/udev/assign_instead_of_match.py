@@ -1,0 +1,42 @@
+"""A match key is written with a single equals sign.
+
+## What it finds
+`SUBSYSTEM=`, `KERNEL=`, `ATTRS{...}=` and the other keys that only match, with an assignment operator.
+
+## Why it matters on a robot
+udev reports an invalid operator in the journal and drops the whole line: no link, no permissions.
+
+## Bad
+```udev
+SUBSYSTEM="tty", ATTRS{idVendor}="0403", SYMLINK+="robot/imu"
+```
+
+## Good
+```udev
+SUBSYSTEM=="tty", ATTRS{idVendor}=="0403", SYMLINK+="robot/imu"
+```
+
+## References
+- udev(7), "Operators" and "Matches"
+- `udevadm verify`: Invalid operator
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule(
+    "error",
+    fix="safe",
+    symptoms=["Invalid operator for SUBSYSTEM", "Invalid operator for KERNEL", "Invalid operator for ATTRS"],
+)
+def assign_instead_of_match(robot: Robot):
+    for problem, _ in robot.udev.problems("match-only-key"):
+        yield finding(
+            problem.where,
+            f"{problem.detail} cannot be assigned, a match needs ==: udev drops the whole line",
+            advice="write == instead",
+            fix=fix("write ==", (problem.where, "==")),
+        )

@@ -1,0 +1,53 @@
+"""An attribute of the USB device is looked for on the port.
+
+## What it finds
+`ATTR{idVendor}`, `ATTR{idProduct}`, `ATTR{serial}` and other attributes of a USB device in a rule for tty,
+video4linux, input or hidraw devices.
+
+## Why it matters on a robot
+`ATTR` looks at the matched device only; its USB parent has the attribute. The rule never fires.
+
+## Bad
+```udev
+SUBSYSTEM=="tty", ATTR{idVendor}=="0403", ATTR{idProduct}=="6001", SYMLINK+="robot/imu"
+```
+
+## Good
+```udev
+SUBSYSTEM=="tty", ATTRS{idVendor}=="0403", ATTRS{idProduct}=="6001", SYMLINK+="robot/imu"
+```
+
+## References
+- udev(7), ATTR and ATTRS
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+_OF_USB_DEVICE = {
+    "idVendor",
+    "idProduct",
+    "serial",
+    "manufacturer",
+    "product",
+    "bcdDevice",
+    "bInterfaceNumber",
+}
+
+
+@rule("error", fix="safe")
+def attr_vs_attrs(robot: Robot):
+    for line in robot.udev.judged:
+        if not line.is_for("tty", "video4linux", "input", "hidraw"):
+            continue
+        for token in line.line.matches("ATTR"):
+            if token.attribute in _OF_USB_DEVICE:
+                subsystem = "/".join(sorted(line.subsystems))
+                yield finding(
+                    token.key,
+                    f"A {subsystem} device has no {token.attribute}, its USB parent has: the rule never fires",
+                    advice=f"write ATTRS{{{token.attribute}}}",
+                    fix=fix("look at the parents", (token.key, "ATTRS")),
+                )

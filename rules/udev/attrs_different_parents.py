@@ -1,0 +1,93 @@
+r"""Parent keys of one rule stand for different devices.
+
+## What it finds
+`KERNELS`, `SUBSYSTEMS`, `DRIVERS` and `ATTRS` of one rule must hold on one and the same device of the chain.
+Vendor, product and serial belong to the USB device (`1-1.2`); `1-1.2:1.0`, the drivers uvcvideo or ftdi_sio
+and the interface number belong to its interface; a tty or a video node is yet another device.
+
+## Why it matters on a robot
+The rule never fires: no link, no permissions. `udevadm verify` finds nothing wrong, since each key is valid
+for itself.
+
+## Bad
+```udev
+SUBSYSTEM=="video4linux", ATTRS{idVendor}=="0c45", ATTRS{idProduct}=="6366", KERNELS=="1-1.2:1.0", \
+  ATTR{index}=="0", SYMLINK+="robot/camera_front"
+```
+
+## Good
+```udev
+SUBSYSTEM=="video4linux", ATTRS{idVendor}=="0c45", ATTRS{idProduct}=="6366", KERNELS=="1-1.2", \
+  ATTR{index}=="0", SYMLINK+="robot/camera_front"
+```
+
+## References
+- udev(7), KERNELS and ATTRS: "all have to match at the same device"
+- https://github.com/systemd/systemd/issues/43405
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+_PLACE = {
+    "usb_device": "the USB device",
+    "usb_interface": "a USB interface",
+    "usb-serial": "the port below the interface",
+}
+_INTERFACE = re.compile(r"(\d+-[\d.]+):\d+\.\d+")
+
+
+@rule("error", fix="safe", confidence="high")
+def attrs_different_parents(robot: Robot):
+    for line in robot.udev.judged:
+        if line.impossible_parents is None:
+            continue
+        first, second = line.impossible_parents
+        interface = next((token for token in (second, first) if _is_interface(token)), None)
+        owners = (
+            f"{_named(first)} belongs to {_owner(line, first)}, {_named(second)} to {_owner(line, second)}"
+        )
+        yield finding(
+            interface.value if interface else second.span,
+            f"The rule never fires: {owners}",
+            advice=_advice(interface),
+            related=[
+                note((first if interface is not first else second).span, "must hold on the same device")
+            ],
+            fix=_fix(interface, first if interface is not first else second, line),
+        )
+
+
+def _is_interface(token) -> bool:
+    return token.key == "KERNELS" and _INTERFACE.fullmatch(token.value) is not None
+
+
+def _named(token) -> str:
+    return token.name if token.key == "ATTRS" else f"{token.name} '{token.value}'"
+
+
+def _owner(line, token) -> str:
+    found = sorted(line.levels(token) - {"other"})
+    named = [_PLACE.get(name, f"a {name} device") for name in found]
+    return " or ".join(named)
+
+
+def _advice(interface) -> str:
+    if interface is not None:
+        return f'write KERNELS=="{_INTERFACE.sub(_device, interface.value)}", or match the port with ENV{{ID_PATH}}'
+    return "keep the parent keys of one device, and match the others with ENV{ID_...} or with ATTR or KERNEL"
+
+
+def _device(found) -> str:
+    return found[1]
+
+
+def _fix(interface, other, line):
+    if interface is None or line.levels(other) - {"other"} != {"usb_device"}:
+        return None
+    return fix("name the USB device", (interface.value, _INTERFACE.sub(_device, interface.value)))

@@ -1,0 +1,52 @@
+"""A rule asks for two things that exclude each other.
+
+## What it finds
+Two matches of one key on a line that no device fulfils both, or a match that a jump above the rule never lets
+through.
+
+## Why it matters on a robot
+The rule never fires and nothing says so: no link, no permissions, and the driver waits for its device.
+
+## Bad
+```udev
+KERNEL=="ttyUSB*", KERNEL=="ttyACM*", SYMLINK+="robot/base"
+```
+
+## Good
+```udev
+KERNEL=="ttyUSB*|ttyACM*", SYMLINK+="robot/base"
+```
+
+## References
+- udev(7), "Rules Files"
+- `udevadm verify`: conflicting match expressions
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["conflicting match expressions, the line has no effect"])
+def conflicting_matches(robot: Robot):
+    for line in robot.udev.judged:
+        for first, second in line.contradictions:
+            yield finding(
+                second.token.span,
+                f"No device has {first.text} and {second.text} at once: the rule never fires",
+                advice=_advice(first, second),
+                related=[note(first.token.span, _why(first))],
+            )
+
+
+def _why(condition) -> str:
+    return (
+        f"only devices with {condition.text} get past this jump" if condition.inherited else "the other match"
+    )
+
+
+def _advice(first, second) -> str:
+    if not first.inherited and first.equal and second.equal:
+        return f'write {second.token.name}=="{first.token.value}|{second.token.value}" for either of them'
+    return "delete the match that is wrong"

@@ -1,0 +1,44 @@
+"""A rule asks for the same thing twice.
+
+## What it finds
+The same key, operator and value two times on one line.
+
+## Why it matters on a robot
+One of the two was mostly meant to be another attribute, so the rule matches more devices than it should.
+
+## Bad
+```udev
+ATTRS{idVendor}=="0403", ATTRS{idVendor}=="0403", SYMLINK+="robot/imu"
+```
+
+## Good
+```udev
+ATTRS{idVendor}=="0403", ATTRS{idProduct}=="6001", SYMLINK+="robot/imu"
+```
+
+## References
+- `udevadm verify`: duplicate expressions
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning", fix="safe", symptoms=["duplicate expressions"])
+def duplicate_match(robot: Robot):
+    for rule_line in robot.udev.judged:
+        seen = {}
+        for token in rule_line.line.tokens:
+            said = (token.name, token.operator, token.value)
+            if token.is_match and token.key not in ("PROGRAM", "IMPORT") and said in seen:
+                yield finding(
+                    token.span,
+                    f'{token.name}{token.operator}"{token.value}" stands on this line twice',
+                    advice="delete it, or write the attribute that was meant",
+                    related=[note(seen[said].span, "the first one")],
+                    fix=fix("delete the second one", *rule_line.without(token)),
+                )
+            seen.setdefault(said, token)

@@ -1,0 +1,37 @@
+"""A rule sets a property that udev does not let rules set.
+
+## What it finds
+`ENV{DEVNAME}=`, `ENV{SUBSYSTEM}=`, `ENV{ACTION}=` and the other properties that belong to the kernel or to
+udev itself.
+
+## Why it matters on a robot
+udev drops the whole line, with the link and the permissions on it.
+
+## Bad
+```udev
+SUBSYSTEM=="tty", ATTRS{serial}=="A5XK3RJT", ENV{DEVNAME}="/dev/imu"
+```
+
+## Good
+```udev
+SUBSYSTEM=="tty", ATTRS{serial}=="A5XK3RJT", SYMLINK+="imu"
+```
+
+## References
+- udev(7), ENV
+- `udevadm verify`: Invalid ENV attribute
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["Invalid ENV attribute"])
+def env_readonly(robot: Robot):
+    for problem, _ in robot.udev.problems("read-only-property"):
+        yield finding(
+            problem.where,
+            f"ENV{{{problem.where}}} cannot be set: udev drops the whole line",
+            advice="use a property name of your own",
+        )

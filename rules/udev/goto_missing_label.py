@@ -1,0 +1,39 @@
+"""A jump goes to a label that does not exist.
+
+## What it finds
+`GOTO` without a `LABEL` of that name in the same file.
+
+## Why it matters on a robot
+udev ignores the jump and runs the lines it was to skip, so that a rule for one device applies to all.
+
+## Bad
+```udev
+SUBSYSTEM!="tty", GOTO="robot_end"
+ATTRS{serial}=="A5XK3RJT", SYMLINK+="robot/imu"
+```
+
+## Good
+```udev
+SUBSYSTEM!="tty", GOTO="robot_end"
+ATTRS{serial}=="A5XK3RJT", SYMLINK+="robot/imu"
+LABEL="robot_end"
+```
+
+## References
+- udev(7), GOTO
+- `udevadm verify`: has no matching label
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["has no matching label, ignoring"])
+def goto_missing_label(robot: Robot):
+    for problem, _ in robot.udev.problems("goto-without-label"):
+        yield finding(
+            problem.where,
+            f"No LABEL is called '{problem.where}': udev ignores the jump and runs the lines it should skip",
+            advice=f'add LABEL="{problem.where}"',
+        )

@@ -1,0 +1,67 @@
+"""A USB vendor or product number is not written as sysfs has it.
+
+## What it finds
+`idVendor` or `idProduct` (also `ID_VENDOR_ID`, `ID_MODEL_ID`) that is not exactly four lower-case hexadecimal
+digits.
+
+## Why it matters on a robot
+udev compares text: `10C4`, `0x10c4` and `403` never match `10c4` and `0403`. The rule never fires.
+
+## Bad
+```udev
+SUBSYSTEM=="tty", ATTRS{idVendor}=="10C4", ATTRS{idProduct}=="0xea60", SYMLINK+="robot/lidar"
+```
+
+## Good
+```udev
+SUBSYSTEM=="tty", ATTRS{idVendor}=="10c4", ATTRS{idProduct}=="ea60", SYMLINK+="robot/lidar"
+```
+
+## References
+- udev(7), ATTRS
+- Linux ABI documentation, sysfs-bus-usb: idVendor
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+_KEYS = {
+    "ATTR": ("idVendor", "idProduct"),
+    "ATTRS": ("idVendor", "idProduct"),
+    "ENV": ("ID_VENDOR_ID", "ID_MODEL_ID"),
+}
+_NUMBER = re.compile(r"(?:0[xX])?([0-9a-fA-F]{1,4})")
+
+
+@rule("error", fix="safe")
+def idvendor_format(robot: Robot):
+    for line in robot.udev.judged:
+        for token in line.line.tokens:
+            known = token.attribute in _KEYS.get(token.key, ()) and not line.is_for(
+                "pci", "net", "sound", "block"
+            )
+            if known and token.is_match and "i" not in token.prefix:
+                yield from _numbers(token)
+
+
+def _numbers(token):
+    if token.has_substitution or any(character in token.value for character in "*?[\\"):
+        return
+    at = 0
+    for number in token.value.split("|"):
+        found = _NUMBER.fullmatch(number)
+        right = found[1].lower().rjust(4, "0") if found else ""
+        if number and right != number:
+            where = token.value.part(at, at + len(number))
+            stored = f"'{right}'" if right else "four lower-case hexadecimal digits"
+            yield finding(
+                where,
+                f"{token.attribute} '{number}' never matches: sysfs has {stored}",
+                advice=f"write {right}" if right else "write four lower-case hexadecimal digits",
+                fix=fix(f"write {right}", (where, right)) if right else None,
+            )
+        at += len(number) + 1

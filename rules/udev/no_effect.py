@@ -1,0 +1,40 @@
+r"""A rule matches and does nothing.
+
+## What it finds
+A line with matches only: no assignment, no jump, no label, no program.
+
+## Why it matters on a robot
+udev drops the line. Mostly an assignment was lost, or a continuing backslash is missing and the next line has
+become a rule of its own that fires for every device.
+
+## Bad
+```udev
+SUBSYSTEM=="tty", ATTRS{serial}=="A5XK3RJT",
+  SYMLINK+="robot/imu"
+```
+
+## Good
+```udev
+SUBSYSTEM=="tty", ATTRS{serial}=="A5XK3RJT", \
+  SYMLINK+="robot/imu"
+```
+
+## References
+- udev(7), "Rules Files"
+- `udevadm verify`: The line has no effect
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("warning", symptoms=["The line has no effect, ignoring"])
+def no_effect(robot: Robot):
+    for problem, line in robot.udev.problems("no-effect"):
+        if not line.matches("SYMLINK"):
+            yield finding(
+                problem.where,
+                "The line assigns nothing: udev drops it",
+                advice="add the assignment, or end the line with a backslash if the next one belongs to it",
+            )

@@ -1,0 +1,46 @@
+"""A rule uses the output of a program that did not run.
+
+## What it finds
+`RESULT`, `%c` or `$result` where neither the line nor an earlier one has a `PROGRAM`.
+
+## Why it matters on a robot
+The result is empty: the match fails, or the link is named without its last part, and several devices share
+it.
+
+## Bad
+```udev
+KERNEL=="ttyUSB*", SYMLINK+="robot/%c"
+```
+
+## Good
+```udev
+KERNEL=="ttyUSB*", PROGRAM="/usr/local/bin/role-of %k", SYMLINK+="robot/%c"
+```
+
+## References
+- udev(7), PROGRAM and RESULT
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+_RESULT = re.compile(r"(?<![%$])(?:%c|\$result)(?![a-z])")
+
+
+@rule("warning")
+def result_before_program(robot: Robot):
+    for rules in robot.udev.sets:
+        for rule_line in rules.rules:
+            if rule_line.line.first("PROGRAM") is not None or rule_line.source.template:
+                break
+            for token in rule_line.line.tokens if rule_line.judged else ():
+                used = None if token.is_match else _RESULT.search(token.value)
+                if token.key == "RESULT" or used:
+                    yield finding(
+                        token.value.part(*used.span()) if used else token.span,
+                        "No PROGRAM ran before this line: the result is empty",
+                        advice="add PROGRAM= to this line or to one before it",
+                    )

@@ -1,0 +1,48 @@
+"""A link for a serial port or camera points to the raw USB node.
+
+## What it finds
+A rule for `SUBSYSTEM=="usb"` that makes a link for a device that a kernel driver serves as ttyUSB, ttyACM or
+video.
+
+## Why it matters on a robot
+The link leads to /dev/bus/usb/..., which a serial or camera driver cannot open: 'port not found', although
+the link is there.
+
+## Bad
+```udev
+SUBSYSTEM=="usb", ATTR{idVendor}=="0403", ATTR{idProduct}=="6014", SYMLINK+="robot/arm"
+```
+
+## Good
+```udev
+SUBSYSTEM=="tty", ATTRS{idVendor}=="0403", ATTRS{idProduct}=="6014", SYMLINK+="robot/arm"
+```
+
+## References
+- https://github.com/ROBOTIS-GIT/dynamixel-workbench/issues/177
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+_NODES = {"ttyUSB": "tty", "ttyACM": "tty", "video": "video4linux"}
+
+
+@rule("warning")
+def usb_subsystem_device_node(robot: Robot):
+    for line in robot.udev.judged:
+        subsystem = _NODES.get(line.usb_device["device"]) if line.usb_device else None
+        if subsystem is None or not _is_for_usb_nodes(line):
+            continue
+        for link in line.links:
+            yield finding(
+                link.name,
+                f"{link.path} points to the raw USB node of the {line.usb_device['product']}: its driver cannot open it",
+                advice=f'match SUBSYSTEM=="{subsystem}" and use ATTRS for the numbers',
+            )
+
+
+def _is_for_usb_nodes(line) -> bool:
+    types = [condition for condition in line.on("ENV", "DEVTYPE") if condition.equal]
+    return line.is_for("usb") or any(condition.accepts("usb_device") for condition in types)
