@@ -20,6 +20,8 @@ from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 from bringup_lint.spelling import nearest
+from bringup_lint.templates import is_example
+from bringup_lint.templates import is_stand_in
 
 __all__ = [
     "Edit",
@@ -30,6 +32,8 @@ __all__ = [
     "Span",
     "finding",
     "fix",
+    "is_example",
+    "is_stand_in",
     "nearest",
     "note",
     "rule",

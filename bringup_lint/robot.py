@@ -12,6 +12,7 @@ from typing import TypeVar
 
 from bringup_lint.graph.target import Target
 from bringup_lint.graph.target import find_target
+from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
 
@@ -88,3 +89,10 @@ class Robot:
         from bringup_lint.graph.udev import load_udev
 
         return load_udev(self)
+
+    @cached_property
+    def waiting_for_network(self) -> list[tuple[str, Located]]:
+        """Units that are ordered after network-online.target, with the word that says so."""
+        from bringup_lint.graph.network_online import waiting_for_network
+
+        return waiting_for_network(self.units)

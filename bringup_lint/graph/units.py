@@ -145,7 +145,9 @@ class Units:
     @cached_property
     def ros(self) -> list[Unit]:
         """The services that start something of ROS 2."""
-        return [unit for unit in self.services if any(process.mentions_ros for process in self.processes(unit))]
+        return [
+            unit for unit in self.services if any(process.mentions_ros for process in self.processes(unit))
+        ]
 
     @cached_property
     def launch(self) -> list[tuple[Unit, Process]]:
@@ -207,7 +209,11 @@ class Units:
             for word in unit.words(key, "Install"):
                 yield str(word), relation, word
         for link in self.links:
-            if link.name == unit.name or link.name in unit.aliases or self.candidates(link.name, unit.manager) == [unit]:
+            if (
+                link.name == unit.name
+                or link.name in unit.aliases
+                or self.candidates(link.name, unit.manager) == [unit]
+            ):
                 yield link.unit, link.relation, link.name
 
 
@@ -230,7 +236,11 @@ def load_units(robot: Robot) -> Units:
             continue
         fragments.setdefault((place.root, place.manager, name), []).append((_order(place), source))
     for (root, manager, name), sources in fragments.items():
-        _add_unit(units, Unit(name, manager, place=root), [source for _, source in sorted(sources, key=lambda s: s[0])])
+        _add_unit(
+            units,
+            Unit(name, manager, place=root),
+            [source for _, source in sorted(sources, key=lambda s: s[0])],
+        )
     for place, name, target in aliases:
         for unit in units.all:
             if unit.name == target and unit.manager == place.manager and unit.place == place.root:
@@ -289,7 +299,11 @@ def _add_dropins(units: Units, robot: Robot) -> None:
         place = place_of(source, folder=(source.robot_path or "").rpartition("/")[0])
         by_folder.setdefault((place.manager, file.name), []).append((place, file))
     for (manager, name), files in by_folder.items():
-        if "." in name and not name.partition(".")[0].endswith(("-", "@")) and not units.candidates(name, manager):
+        if (
+            "." in name
+            and not name.partition(".")[0].endswith(("-", "@"))
+            and not units.candidates(name, manager)
+        ):
             _add_extended(units, name, manager, files)
     for unit in units.all:
         _extend(unit, by_folder, alone=len(units.candidates(unit.name, unit.manager)) == 1)
@@ -298,6 +312,7 @@ def _add_dropins(units: Units, robot: Robot) -> None:
 def _add_extended(units: Units, name: str, manager: str, files: list[tuple[_Place, UnitFile]]) -> None:
     """A unit of the distribution that the tree only extends."""
     units.all.append(Unit(name, manager, place=files[0][0].root))
+    units.__dict__.pop("_by_name", None)
     if not units.is_distribution_unit(name) and not GENERATED.search(name):
         units.orphans += [file for _, file in files]
 
@@ -312,4 +327,6 @@ def _extend(unit: Unit, by_folder: dict[tuple[str, str], list[tuple[_Place, Unit
             known = winners.get(file.source.basename)
             if known is None or rank < known[0]:
                 winners[file.source.basename] = (rank, file)
-    unit.dropins = [winners[name][1] for name in sorted(winners) if winners[name][1].source.link != "/dev/null"]
+    unit.dropins = [
+        winners[name][1] for name in sorted(winners) if winners[name][1].source.link != "/dev/null"
+    ]

@@ -137,6 +137,18 @@ class AccessPoint:
         return scalar.value if scalar else None
 
     @property
+    def passwords(self) -> Iterator[Located]:
+        """The passphrase, and the password of 802.1X."""
+        for body in filter(None, (self.body, self.auth)):
+            if (password := _last_scalar(body, "password")) is not None:
+                yield password.value
+
+    @property
+    def is_passed_through(self) -> bool:
+        """NetworkManager gets settings that netplan does not look into."""
+        return any(key.value == "networkmanager" for key, _ in self.body.entries)
+
+    @property
     def is_open(self) -> bool:
         if self.password is not None:
             return False
@@ -292,6 +304,23 @@ class Interface:
         return name if name is not None and not GLOBS & set(name) else None
 
     @property
+    def passwords(self) -> Iterator[Located]:
+        """Wi-Fi and 802.1X passwords, as written."""
+        for point in self.access_points:
+            yield from point.passwords
+        for key in ("password", "client-key-password"):
+            if (password := self.value("auth", key)) is not None:
+                yield password
+
+    @property
+    def secrets(self) -> Iterator[Located]:
+        """Passwords and private keys."""
+        yield from self.passwords
+        for path in (("key",), ("keys", "private"), ("password",), ("pin",)):
+            if (secret := self.value(*path)) is not None and not secret.startswith("/"):
+                yield secret
+
+    @property
     def is_configured(self) -> bool:
         """It gets an address by itself: static or DHCP."""
         return bool(self.addresses) or self.dhcp4 or self.dhcp6
@@ -322,6 +351,11 @@ class Plan:
         return {str(member): owner for owner in self.interfaces.values() for member in owner.members}
 
     @property
+    def is_waited_for(self) -> bool:
+        """networkd renders every interface, so that its wait-online decides when the network is there."""
+        return bool(self.interfaces) and all(i.backend == "networkd" for i in self.interfaces.values())
+
+    @property
     def default_routes(self) -> Iterator[DefaultRoute]:
         """The static default routes; those whose family cannot be told are left out."""
         for interface in self.interfaces.values():
@@ -347,6 +381,11 @@ class Netplan:
     def files(self) -> Iterator[NetplanFile]:
         for plan in self.plans:
             yield from plan.files
+
+    @property
+    def only_plan(self) -> Plan | None:
+        """The plan, when the tree has exactly one: only then can other files be joined to it."""
+        return self.plans[0] if len(self.plans) == 1 else None
 
     @property
     def interfaces(self) -> Iterator[Interface]:

@@ -1,0 +1,54 @@
+"""A netplan file can be read or written by others.
+
+## What it finds
+A netplan file in /etc or /run with permissions for group or others, where permissions are real: in a root
+file system or on the robot, not in a checkout. It is an error when the file holds a password or a private
+key.
+
+## Why it matters on a robot
+Whoever logs in can read the password of the robot network. Netplan 0.106 and later warn at every run.
+
+## Bad
+```
+-rw-r--r-- root root /etc/netplan/10-robot.yaml
+```
+
+## Good
+```
+-rw------- root root /etc/netplan/10-robot.yaml
+```
+
+## References
+- netplan security guidance, "Permissions for … are too open"
+- CWE-732
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule(
+    "warning",
+    symptoms=["are too open. Netplan configuration should NOT be accessible by others"],
+    tags=["CWE-732"],
+)
+def file_mode(robot: Robot):
+    for plan in robot.netplan.plans:
+        secrets = {secret.path for interface in plan.interfaces.values() for secret in interface.secrets}
+        for file in plan.files:
+            source = file.source
+            if (
+                source.mode is None
+                or not source.mode & 0o077
+                or not plan.whole
+                or "lib" in source.name.split("/")
+            ):
+                continue
+            holds = source.name in secrets
+            yield finding(
+                source,
+                f"{source.basename} is open to others" + (": so is the password in it" if holds else ""),
+                advice=f"chmod 600 {source.robot_path or source.name}",
+                severity="error" if holds else None,
+            )

@@ -1,0 +1,50 @@
+"""Control, data and management share one network.
+
+## What it finds
+A plan with a Wi-Fi interface and at least one other, without any VLAN, in which all static addresses lie in
+one subnet.
+
+## Why it matters on a robot
+A laptop on the Wi-Fi is in the same network as the motor controllers: every scan, every stray node and
+every flood of images reaches the control traffic.
+
+## Bad
+```yaml
+eth0:  {addresses: [10.0.0.10/24]}
+wlan0: {addresses: [10.0.0.11/24]}
+```
+
+## Good
+```yaml
+vlan10 (control): 10.0.10.10/24 on eth0
+vlan20 (data):    10.0.20.10/24 on eth0
+wlan0 (management only)
+```
+
+## References
+- robotics-security guide, network hardening
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("info", confidence="medium")
+def flat_network(robot: Robot):
+    for plan in robot.netplan.plans:
+        interfaces = [i for i in plan.interfaces.values() if i.is_configured and i.name not in plan.masters]
+        wifi = [
+            i for i in interfaces if i.is_wifi and not any(point.mode == "ap" for point in i.access_points)
+        ]
+        networks = {a.ip.network for i in interfaces for a in i.addresses if a.ip and not a.ip.is_link_local}
+        if not wifi or len(interfaces) < 2 or len(networks) > 1:
+            continue
+        if any(i.kind in ("vlans", "vrfs", "tunnels") for i in plan.interfaces.values()):
+            continue
+        yield finding(
+            wifi[0].name,
+            "Control, data and management share one network: no VLAN, and the Wi-Fi is part of it",
+            advice="separate control, data and management with VLANs",
+            confidence="medium",
+        )

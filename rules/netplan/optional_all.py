@@ -1,0 +1,50 @@
+"""Every interface is optional although units wait for the network.
+
+## What it finds
+`optional: true` on every interface of the plan while a unit is ordered after `network-online.target`.
+Nothing is said when the wait-online service is configured by a drop-in, or when NetworkManager renders an
+interface: it ignores `optional`.
+
+## Why it matters on a robot
+`network-online.target` is reached at once, without an address; from netplan 1.1 on the waiter does not even
+start. DDS binds to an interface that has no address yet, or to none.
+
+## Bad
+```yaml
+ethernets:
+  eth0: {dhcp4: true, optional: true}
+```
+
+## Good
+```yaml
+ethernets:
+  eth0: {dhcp4: true}
+  eth1: {dhcp4: true, optional: true}
+```
+
+## References
+- netplan YAML reference, "optional"
+- systemd.special(7), "network-online.target"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning")
+def optional_all(robot: Robot):
+    waiting = robot.waiting_for_network
+    plan = robot.netplan.only_plan
+    if not waiting or plan is None or not plan.is_waited_for:
+        return
+    interfaces = [i for i in plan.interfaces.values() if i.name not in plan.masters]
+    if interfaces and all(i.optional is not None and i.optional.value for i in interfaces):
+        name, word = waiting[0]
+        yield finding(
+            interfaces[0].optional.where,
+            f"Every interface is optional: {name} starts before any of them has an address",
+            advice="leave optional: true out on the interface that DDS needs",
+            related=[note(word, f"{name} waits for the network here")],
+        )

@@ -1,0 +1,36 @@
+"""A Wi-Fi interface without access points.
+
+## What it finds
+An entry below `wifis:` that has no `access-points` once the files up to its own are merged.
+
+## Why it matters on a robot
+Netplan stops: no interface is configured, the wired ones neither.
+
+## Bad
+```yaml
+wifis:
+  wlan0: {dhcp4: true}
+```
+
+## Good
+```yaml
+wifis:
+  wlan0:
+    dhcp4: true
+    access-points: {depot: {password: "${PSK}"}}
+```
+
+## References
+- netplan YAML reference, "access-points"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["No access points defined"])
+def wifi_no_ap(robot: Robot):
+    for problem in robot.netplan.problems("no-access-point"):
+        message = f"{problem.where} has no access points: netplan generates nothing"
+        yield finding(problem.where, message, advice="add access-points")

@@ -1,0 +1,49 @@
+"""A Wi-Fi passphrase is too short or too long.
+
+## What it finds
+A WPA passphrase with fewer than 8 or more than 63 characters that is no key of 64 hexadecimal digits.
+
+## Why it matters on a robot
+With networkd netplan stops and configures nothing; NetworkManager refuses the connection. The robot is not
+on the Wi-Fi.
+
+## Bad
+```yaml
+access-points:
+  depot: {password: depot7}
+```
+
+## Good
+```yaml
+access-points:
+  depot: {password: warehouse-7}
+```
+
+## References
+- IEEE 802.11, passphrase of 8 to 63 ASCII characters
+- wpa_supplicant.conf(5)
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import is_stand_in
+from bringup_lint.api import rule
+
+
+@rule(
+    "error",
+    symptoms=[
+        "ASCII passphrase must be between 8 and 63 characters",
+        "PSK length of 64 is only supported for hex-digit",
+    ],
+)
+def wifi_passphrase_length(robot: Robot):
+    for _, where, detail in robot.netplan.problems("passphrase"):
+        if is_stand_in(where):
+            continue
+        yield finding(
+            where,
+            f"WPA passphrases have 8 to 63 characters, this one is wrong ({detail}): netplan stops",
+            advice="correct the passphrase",
+            secrets=[where],
+        )
