@@ -1,0 +1,257 @@
+"""What a launch file says before it runs: values that may still depend on arguments, the environment or packages.
+
+Every value knows its span. ``Unknown`` says why the evaluator gave up; rules stay silent about it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Union
+from typing import get_args
+
+from bringup_lint.source import Located
+from bringup_lint.source import Span
+
+Scalar = Union[str, int, float, bool, None]
+
+
+@dataclass(eq=False, slots=True)
+class Literal:
+    """A value that stands in the file. A string value is a ``Located``."""
+
+    value: Scalar
+    span: Span
+
+    @property
+    def text(self) -> Located:
+        """The value as launch would print it, with its place."""
+        if isinstance(self.value, Located):
+            return self.value
+        return Located(str(self.value), self.span)
+
+
+@dataclass(eq=False, slots=True)
+class Concat:
+    """Text made of parts that follow each other."""
+
+    parts: tuple[Value, ...]
+    span: Span
+
+
+@dataclass(eq=False, slots=True)
+class PathJoin:
+    """Path components; an absolute component forgets what stands before it."""
+
+    parts: tuple[Value, ...]
+    span: Span
+
+
+@dataclass(eq=False, slots=True)
+class Argument:
+    """A launch configuration, read by name."""
+
+    name: Located
+    default: Value | None
+    span: Span
+    performed: bool = False
+    """Already text, as ``perform(context)`` gives it, and not a substitution object."""
+
+
+@dataclass(eq=False, slots=True)
+class Env:
+    """An environment variable of the launch process, or of the launch context when ``scoped``."""
+
+    name: Located
+    default: Value | None
+    span: Span
+    scoped: bool = False
+
+
+@dataclass(eq=False, slots=True)
+class PackageShare:
+    """The share folder of an installed package."""
+
+    package: Value
+    span: Span
+
+
+@dataclass(eq=False, slots=True)
+class PackagePrefix:
+    """The folder a package is installed in."""
+
+    package: Value
+    span: Span
+
+
+@dataclass(eq=False, slots=True)
+class FileDir:
+    """The folder of the launch file that the span lies in; the file itself when ``itself``."""
+
+    span: Span
+    itself: bool = False
+
+
+@dataclass(eq=False, slots=True)
+class ListValue:
+    items: tuple[Value, ...]
+    span: Span
+    open: bool = False
+    """More items may exist than are known."""
+
+
+@dataclass(eq=False, slots=True)
+class DictValue:
+    items: tuple[tuple[Value, Value], ...]
+    span: Span
+    open: bool = False
+
+    def get(self, key: str) -> Value | None:
+        """The last value under a literal key."""
+        for name, value in reversed(self.items):
+            if isinstance(name, Literal) and name.value == key:
+                return value
+        return None
+
+
+@dataclass(eq=False, slots=True)
+class Operation:
+    """A computed value: ``==``, ``!=``, ``in``, ``and``, ``or``, ``not``, ``if`` (condition, then, else), ``as-bool``,
+    ``lower``, ``upper``, ``strip``, ``exists``, ``python`` (one text: an expression)."""
+
+    name: str
+    operands: tuple[Value, ...]
+    span: Span
+
+
+@dataclass(eq=False, slots=True)
+class Choice:
+    """One of several, by conditions that only the run decides."""
+
+    options: tuple[tuple[tuple[Condition, ...], Value], ...]
+    span: Span
+
+
+@dataclass(eq=False, slots=True)
+class DerivedFile:
+    """A parameter file that a helper writes from another one (``RewrittenYaml``, ``ReplaceString``)."""
+
+    base: Value
+    helper: str
+    rewrites: Value | None
+    root_key: Value | None
+    span: Span
+
+
+@dataclass(eq=False, slots=True)
+class ParameterFile:
+    file: Value
+    allow_substs: Value | None
+    span: Span
+
+
+@dataclass(eq=False, slots=True)
+class TypedValue:
+    """A parameter value with a forced type (``str``, ``bool``, ...; empty when it is not literal)."""
+
+    value: Value
+    type: str
+    span: Span
+
+
+@dataclass(eq=False, slots=True)
+class Command:
+    """The output of a command, such as xacro."""
+
+    command: Value
+    span: Span
+
+
+@dataclass(eq=False, slots=True)
+class Unknown:
+    """Not understood; ``why`` in a few words."""
+
+    why: str
+    span: Span
+
+
+Value = Union[
+    Literal,
+    Concat,
+    PathJoin,
+    Argument,
+    Env,
+    PackageShare,
+    PackagePrefix,
+    FileDir,
+    ListValue,
+    DictValue,
+    Operation,
+    Choice,
+    DerivedFile,
+    ParameterFile,
+    TypedValue,
+    Command,
+    Unknown,
+]
+VALUE_TYPES = get_args(Value)
+
+
+@dataclass(eq=False, slots=True)
+class Condition:
+    """A predicate and the outcome for which the action happens."""
+
+    predicate: Value
+    wanted: bool
+    kind: str
+    """``if`` and ``unless`` (checked by launch), ``python`` (a branch of the file's own code), ``loop`` (any number of
+    times)."""
+    span: Span
+
+
+def children(value: Value) -> tuple[Value, ...]:
+    """The values directly inside."""
+    if isinstance(value, (Concat, PathJoin)):
+        return value.parts
+    if isinstance(value, ListValue):
+        return value.items
+    if isinstance(value, DictValue):
+        return tuple(inner for pair in value.items for inner in pair)
+    if isinstance(value, Operation):
+        return value.operands
+    if isinstance(value, Choice):
+        return tuple(option for _, option in value.options)
+    if isinstance(value, (Argument, Env)):
+        return (value.default,) if value.default is not None else ()
+    if isinstance(value, (PackageShare, PackagePrefix)):
+        return (value.package,)
+    if isinstance(value, DerivedFile):
+        return tuple(inner for inner in (value.base, value.rewrites, value.root_key) if inner is not None)
+    if isinstance(value, ParameterFile):
+        return (value.file,) if value.allow_substs is None else (value.file, value.allow_substs)
+    if isinstance(value, TypedValue):
+        return (value.value,)
+    if isinstance(value, Command):
+        return (value.command,)
+    return ()
+
+
+def walk(value: Value) -> Iterator[Value]:
+    """The value and everything inside it."""
+    todo = [value]
+    while todo:
+        value = todo.pop()
+        yield value
+        todo.extend(reversed(children(value)))
+
+
+def understood(value: Value | None) -> bool:
+    """True when nothing inside is Unknown."""
+    return value is None or not any(isinstance(inner, Unknown) for inner in walk(value))
+
+
+def literal(value: Value | None) -> Located | None:
+    """The text of a string literal, else None."""
+    if isinstance(value, Literal) and isinstance(value.value, str):
+        return value.text
+    return None

@@ -1,0 +1,97 @@
+"""Python launch files, read by a static evaluator over the syntax tree; nothing of them is ever executed."""
+
+from __future__ import annotations
+
+import ast
+import warnings
+
+from bringup_lint.model.launch import LaunchFile
+from bringup_lint.model.launch import Other
+from bringup_lint.parsers.launch_python import budget
+from bringup_lint.parsers.launch_python import freeze
+from bringup_lint.parsers.launch_python.calls import call
+from bringup_lint.parsers.launch_python.expressions import evaluate
+from bringup_lint.parsers.launch_python.objects import Frame
+from bringup_lint.parsers.launch_python.objects import Function
+from bringup_lint.parsers.launch_python.positions import Positions
+from bringup_lint.parsers.launch_python.state import State
+from bringup_lint.parsers.launch_python.statements import run
+from bringup_lint.source import Problem
+from bringup_lint.source import Source
+from bringup_lint.source import Span
+
+ENTRIES = ("generate_launch_description", "generate_test_description")
+
+
+def parse(source: Source) -> LaunchFile:
+    """The launch file's actions in order; ``problems`` hold what is not Python."""
+    file = LaunchFile(source, "python")
+    if len(source.text) > budget.TEXT:
+        file.problems.append(Problem("too-large", source.whole))
+        return file
+    shift = 1 if source.text.startswith("\ufeff") else 0
+    tree = _tree(file, source.text[shift:], shift)
+    if tree is None:
+        return file
+    positions = Positions(source, shift)
+    state = State(file, positions, Frame({}))
+    state.evaluate = lambda node: evaluate(state, node)
+    state.call = lambda *arguments: call(state, *arguments)
+    state.run = lambda body: run(state, body)
+    try:
+        _describe(state, tree)
+    except budget.Exhausted:
+        file.actions += (Other(span=source.whole, why="the file is too long to follow"),)
+    except RecursionError:
+        file.actions += (Other(span=source.whole, why="nested too deeply"),)
+    return file
+
+
+def _tree(file: LaunchFile, text: str, shift: int) -> ast.Module | None:
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            return ast.parse(text)
+    except SyntaxError as error:
+        file.problems.append(Problem("syntax", _place(file.source, error, shift), error.msg or ""))
+    except (ValueError, RecursionError, MemoryError) as error:
+        file.problems.append(Problem("syntax", file.source.whole, str(error)))
+    return None
+
+
+def _place(source: Source, error: SyntaxError, shift: int) -> Span:
+    """Where Python stopped reading; to the end of that line."""
+    starts = source.line_starts
+    line = min(max(error.lineno or 1, 1), len(starts))
+    width = len(source.line_text(line))
+    column = min(max((error.offset or 1) - 1 + (shift if line == 1 else 0), 0), width)
+    start = starts[line - 1] + column
+    return Span(source, start, max(start, starts[line - 1] + width))
+
+
+def _describe(state: State, tree: ast.Module) -> None:
+    run(state, tree.body)
+    for name in ENTRIES:
+        function = state.frame.names.get(name)
+        if isinstance(function, Function):
+            state.file.entry = _name_span(state, function)
+            break
+    else:
+        return
+    state.guards = ()
+    result = call(state, function, [], {}, False, state.file.entry)
+    if isinstance(result, freeze.Sequence) and name == ENTRIES[1] and not hasattr(result, "add_action"):
+        result = _without_context(result)
+    state.file.actions = (*state.effects, *freeze.actions(state, result))
+
+
+def _without_context(result):
+    """A test description may come with a dictionary for the tests."""
+    items = result.plain()
+    return items[0] if items and len(items) == 2 and isinstance(items[1], freeze.Mapping) else result
+
+
+def _name_span(state: State, function: Function) -> Span:
+    span = state.positions.span(function.node)
+    at = state.file.source.text.find(function.name, span.start, span.end)
+    return Span(span.source, at, at + len(function.name)) if at >= 0 else span

@@ -1,0 +1,109 @@
+"""Calls: of the library, of methods, and of the file's own functions."""
+
+from __future__ import annotations
+
+import ast
+from typing import Any
+
+from bringup_lint.model.launch_values import Literal
+from bringup_lint.model.launch_values import Unknown
+from bringup_lint.parsers.launch_python import budget
+from bringup_lint.parsers.launch_python.arguments import Arguments
+from bringup_lint.parsers.launch_python.library import LIBRARY
+from bringup_lint.parsers.launch_python.library import key
+from bringup_lint.parsers.launch_python.methods import method
+from bringup_lint.parsers.launch_python.objects import Bound
+from bringup_lint.parsers.launch_python.objects import Context
+from bringup_lint.parsers.launch_python.objects import Frame
+from bringup_lint.parsers.launch_python.objects import Function
+from bringup_lint.parsers.launch_python.objects import Mapping
+from bringup_lint.parsers.launch_python.objects import Options
+from bringup_lint.parsers.launch_python.objects import Sequence
+from bringup_lint.parsers.launch_python.objects import Symbol
+from bringup_lint.parsers.launch_python.state import State
+from bringup_lint.parsers.launch_python.state import relative
+from bringup_lint.source import Span
+
+
+def call(
+    state: State, function: Any, positional: list[Any], keywords: dict[str, Any], more: bool, span: Span
+) -> Any:
+    """Call whatever ``function`` stands for; ``more``: further arguments may be passed than are known."""
+    arguments = Arguments(positional, keywords, more, span)
+    if type(function) is Symbol:
+        builder = LIBRARY.get(key(function.name))
+        if builder is not None:
+            return builder(state, arguments)
+        why = f"call of {function.name}"
+    elif type(function) is Bound:
+        return method(state, function, arguments)
+    elif type(function) is Function:
+        return _invoke(state, function, arguments)
+    else:
+        why = function.why if isinstance(function, Unknown) else "call"
+    opened(state, arguments)
+    return Unknown(why, span)
+
+
+def opened(state: State, arguments: Arguments) -> None:
+    """Code that is not followed may add to the lists and dictionaries it gets."""
+    for thing in (*arguments.positional, *arguments.keywords.values()):
+        if isinstance(thing, (Sequence, Mapping)) and not isinstance(thing, tuple):
+            thing.open = True
+        elif isinstance(thing, Context):
+            state.file.reads_all = True
+
+
+def _invoke(state: State, function: Function, arguments: Arguments) -> Any:
+    if state.calls >= budget.CALLS:
+        return Unknown("calls nested too deeply", arguments.span)
+    frame = Frame(_bind(state, function, arguments), function.frame)
+    outer, guards = state.frame, state.guards
+    state.frame = frame
+    state.calls += 1
+    try:
+        if type(function.node) is ast.Lambda:
+            return state.evaluate(function.node.body)
+        if _is_generator(function.node):
+            return Sequence([], arguments.span, guards, open=True)
+        state.run(function.node.body)
+    finally:
+        state.calls -= 1
+        state.frame, state.guards = outer, guards
+    return _result(frame, guards, arguments.span)
+
+
+def _is_generator(node: ast.FunctionDef | ast.AsyncFunctionDef) -> bool:
+    return any(isinstance(inner, (ast.Yield, ast.YieldFrom)) for inner in ast.walk(node))
+
+
+def _result(frame: Frame, guards: tuple, span: Span) -> Any:
+    returns = [(relative(own, guards), value) for own, value in frame.returns]
+    none = Literal(None, span)
+    if not returns:
+        return none
+    if len(returns) == 1 and not returns[0][0]:
+        return none if returns[0][1] is None else returns[0][1]
+    return Options([(own, none if value is None else value) for own, value in returns], span)
+
+
+def _bind(state: State, function: Function, arguments: Arguments) -> dict[str, Any]:
+    parameters = function.node.args
+    names = [arg.arg for arg in (*parameters.posonlyargs, *parameters.args)]
+    bound: dict[str, Any] = {}
+    if function.defaults:
+        bound.update(zip(names[-len(function.defaults) :], function.defaults))
+    bound.update(function.keyword_defaults)
+    bound.update(zip(names, arguments.positional))
+    known = {*names, *(arg.arg for arg in parameters.kwonlyargs)}
+    bound.update((name, value) for name, value in arguments.keywords.items() if name in known)
+    if parameters.vararg is not None:
+        rest = [((), item) for item in arguments.positional[len(names) :]]
+        bound[parameters.vararg.arg] = Sequence(rest, arguments.span, state.guards, arguments.more)
+    if parameters.kwarg is not None:
+        rest = {name: value for name, value in arguments.keywords.items() if name not in known}
+        entries = {name: (Literal(name, arguments.span), value) for name, value in rest.items()}
+        bound[parameters.kwarg.arg] = Mapping(arguments.span, entries, [], arguments.more)
+    for name in known - bound.keys():
+        bound[name] = Unknown(f"parameter {name}", arguments.span)
+    return bound

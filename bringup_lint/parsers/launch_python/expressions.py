@@ -1,0 +1,281 @@
+"""Expressions of a launch file's own code."""
+
+from __future__ import annotations
+
+import ast
+from typing import Any
+
+from bringup_lint.model.launch_values import Literal
+from bringup_lint.model.launch_values import Operation
+from bringup_lint.model.launch_values import Unknown
+from bringup_lint.parsers.launch_python import budget
+from bringup_lint.parsers.launch_python import freeze
+from bringup_lint.parsers.launch_python.attributes import attribute
+from bringup_lint.parsers.launch_python.comprehensions import comprehension
+from bringup_lint.parsers.launch_python.containers import extend
+from bringup_lint.parsers.launch_python.containers import merge
+from bringup_lint.parsers.launch_python.containers import put
+from bringup_lint.parsers.launch_python.objects import Frame
+from bringup_lint.parsers.launch_python.objects import Function
+from bringup_lint.parsers.launch_python.objects import Mapping
+from bringup_lint.parsers.launch_python.objects import Options
+from bringup_lint.parsers.launch_python.objects import Sequence
+from bringup_lint.parsers.launch_python.objects import Symbol
+from bringup_lint.parsers.launch_python.operators import binary
+from bringup_lint.parsers.launch_python.operators import compare
+from bringup_lint.parsers.launch_python.operators import performed
+from bringup_lint.parsers.launch_python.operators import subscript
+from bringup_lint.parsers.launch_python.operators import unary
+from bringup_lint.parsers.launch_python.state import State
+from bringup_lint.parsers.launch_python.truth import branch
+from bringup_lint.parsers.launch_python.truth import negated
+from bringup_lint.source import Located
+from bringup_lint.source import Span
+
+BUILTINS = frozenset(
+    "str int float bool len range enumerate zip list tuple dict set sorted reversed print open map filter any all min max"
+    " isinstance getattr hasattr repr type abs round sum next iter super object vars id eval exec input globals locals"
+    " frozenset format callable".split()
+)
+
+
+def evaluate(state: State, node: ast.expr) -> Any:
+    state.steps -= 1
+    if state.steps < 0:
+        raise budget.Exhausted
+    handler = _HANDLERS.get(type(node))
+    if handler is None:
+        return state.unknown("expression", node)
+    return handler(state, node)
+
+
+def _constant(state: State, node: ast.Constant) -> Any:
+    value = node.value
+    span = state.positions.span(node)
+    if isinstance(value, str):
+        return Literal(located(value, span), span)
+    if value is None or isinstance(value, (bool, int, float)):
+        return Literal(value, span)
+    return Unknown("constant", span)
+
+
+def located(value: str, span: Span) -> Located:
+    """A string constant with its place: between the quotes when what stands there is the value itself."""
+    text = span.source.text
+    start, end = span.start, span.end
+    size = end - start - len(value)
+    if size == 2 and text.startswith(value, start + 1):
+        return Located(value, Span(span.source, start + 1, end - 1))
+    if size == 3 and text[start] in "rRuUbBfF" and text.startswith(value, start + 2):
+        return Located(value, Span(span.source, start + 2, end - 1))
+    if size == 6 and text.startswith(value, start + 3):
+        return Located(value, Span(span.source, start + 3, end - 3))
+    return Located(value, span)
+
+
+def located_name(state: State, alias: ast.alias, statement: ast.ImportFrom) -> Located:
+    """The imported name with its place; the statement's when the place is not told."""
+    lineno = getattr(alias, "lineno", None)
+    if lineno is None:
+        return Located(alias.name, state.positions.span(statement))
+    start = state.positions.offset(lineno, alias.col_offset)
+    return Located(alias.name, Span(state.file.source, start, start + len(alias.name)))
+
+
+def _name(state: State, node: ast.Name) -> Any:
+    frame: Frame | None = state.frame
+    name = node.id
+    while frame is not None:
+        if name in frame.names:
+            return frame.names[name]
+        frame = frame.outer.get(name) or frame.parent
+    span = state.positions.span(node)
+    if name in BUILTINS:
+        return Symbol(f"builtins.{name}", span)
+    if name == "__file__":
+        return Symbol("__file__", span)
+    if name == "__name__":
+        return Literal("launch_file", span)
+    return Unknown(f"name {name}", span)
+
+
+def _attribute(state: State, node: ast.Attribute) -> Any:
+    return attribute(state, evaluate(state, node.value), node.attr, state.positions.span(node))
+
+
+def _call(state: State, node: ast.Call) -> Any:
+    function = evaluate(state, node.func)
+    positional: list[Any] = []
+    keywords: dict[str, Any] = {}
+    more = False
+    for argument in node.args:
+        if type(argument) is ast.Starred:
+            inner = evaluate(state, argument.value)
+            plain = inner.plain() if isinstance(inner, Sequence) else None
+            more = more or plain is None
+            positional += plain or ()
+        else:
+            positional.append(evaluate(state, argument))
+    for keyword in node.keywords:
+        value = evaluate(state, keyword.value)
+        if keyword.arg is not None:
+            keywords[keyword.arg] = value
+        elif isinstance(value, Mapping):
+            more = more or value.open or bool(value.others)
+            keywords.update((str(key), item) for key, (_, item) in value.entries.items())
+        else:
+            more = True
+    return state.call(function, positional, keywords, more, state.positions.span(node))
+
+
+def _sequence(state: State, node: ast.List | ast.Tuple | ast.Set) -> Sequence:
+    result = Sequence([], state.positions.span(node), state.guards)
+    for element in node.elts:
+        if type(element) is ast.Starred:
+            extend(state, result, evaluate(state, element.value), ())
+        else:
+            result.items.append(((), evaluate(state, element)))
+    return result
+
+
+def _dict(state: State, node: ast.Dict) -> Mapping:
+    result = Mapping(state.positions.span(node))
+    for key, value in zip(node.keys, node.values):
+        if key is None:
+            merge(state, result, evaluate(state, value))
+        else:
+            put(state, result, evaluate(state, key), evaluate(state, value))
+    return result
+
+
+def _joined(state: State, node: ast.JoinedStr) -> Any:
+    span = state.positions.span(node)
+    parts = []
+    for part in node.values:
+        if type(part) is ast.FormattedValue:
+            inner = evaluate(state, part.value)
+            if part.format_spec is not None:
+                inner = Unknown("number format", span)
+            parts.append(performed(state, inner, span))
+        elif type(part) is ast.Constant and isinstance(part.value, str):
+            at = span.source.text.find(part.value, span.start, span.end) if part.value else -1
+            where = span if at < 0 else Span(span.source, at, at + len(part.value))
+            parts.append(Literal(Located(part.value, where), where))
+    if not parts:
+        return Literal(Located("", span), span)
+    if all(type(part) is Literal for part in parts):
+        text = "".join(str(part.value) for part in parts)
+        return Literal(Located(text, span), span)
+    return budget.concat(parts, span)
+
+
+def _ternary(state: State, node: ast.IfExp) -> Any:
+    span = state.positions.span(node)
+    outcome = branch(state, evaluate(state, node.test), state.positions.span(node.test))
+    if outcome is True:
+        return evaluate(state, node.body)
+    if outcome is False:
+        return evaluate(state, node.orelse)
+    options = [((outcome,), evaluate(state, node.body)), ((negated(outcome),), evaluate(state, node.orelse))]
+    return Options(options, span)
+
+
+def _bool(state: State, node: ast.BoolOp) -> Any:
+    """``and`` and ``or``, decided as far as the operands are known from the left."""
+    wanted = isinstance(node.op, ast.Or)
+    left: list[Any] = []
+    for operand in node.values:
+        value = evaluate(state, operand)
+        outcome = branch(state, value, state.positions.span(operand))
+        last = operand is node.values[-1]
+        if not left and (outcome is wanted or last):
+            return value
+        if outcome is wanted or last or not isinstance(outcome, bool):
+            left.append(value)
+        if outcome is wanted:
+            break
+    span = state.positions.span(node)
+    operands = []
+    for value in left:
+        known = branch(state, value, span)
+        operands.append(Literal(known, span) if isinstance(known, bool) else known.predicate)
+    return budget.bounded(_operation("or" if wanted else "and", operands, span))
+
+
+def _operation(name: str, operands: list[Any], span: Span) -> Any:
+    return Operation(name, tuple(operands), span)
+
+
+def _compare(state: State, node: ast.Compare) -> Any:
+    span = state.positions.span(node)
+    left = evaluate(state, node.left)
+    outcomes = []
+    for operator, right_node in zip(node.ops, node.comparators):
+        right = evaluate(state, right_node)
+        outcomes.append(compare(state, operator, left, right, span))
+        left = right
+    if len(outcomes) == 1:
+        return outcomes[0]
+    if all(isinstance(outcome, Literal) for outcome in outcomes):
+        return Literal(all(outcome.value for outcome in outcomes), span)
+    return budget.bounded(_operation("and", [freeze.value(state, outcome) for outcome in outcomes], span))
+
+
+def _binary(state: State, node: ast.BinOp) -> Any:
+    left = evaluate(state, node.left)
+    right = evaluate(state, node.right)
+    return binary(state, node.op, left, right, state.positions.span(node))
+
+
+def _unary(state: State, node: ast.UnaryOp) -> Any:
+    return unary(state, node.op, evaluate(state, node.operand), state.positions.span(node))
+
+
+def _subscript(state: State, node: ast.Subscript) -> Any:
+    owner = evaluate(state, node.value)
+    if type(node.slice) is ast.Slice:
+        parts = (node.slice.lower, node.slice.upper, node.slice.step)
+        bounds = [None if part is None else evaluate(state, part) for part in parts]
+        return subscript(state, owner, bounds, state.positions.span(node))
+    return subscript(state, owner, evaluate(state, node.slice), state.positions.span(node))
+
+
+def _lambda(state: State, node: ast.Lambda) -> Function:
+    defaults = tuple(evaluate(state, default) for default in node.args.defaults)
+    return Function(node, state.frame, "lambda", defaults)
+
+
+def _walrus(state: State, node: ast.NamedExpr) -> Any:
+    value = evaluate(state, node.value)
+    state.frame.names[node.target.id] = value
+    return value
+
+
+def _await(state: State, node: ast.Await) -> Any:
+    return evaluate(state, node.value)
+
+
+_HANDLERS = {
+    ast.Constant: _constant,
+    ast.Name: _name,
+    ast.Attribute: _attribute,
+    ast.Call: _call,
+    ast.List: _sequence,
+    ast.Tuple: _sequence,
+    ast.Set: _sequence,
+    ast.Dict: _dict,
+    ast.JoinedStr: _joined,
+    ast.IfExp: _ternary,
+    ast.BoolOp: _bool,
+    ast.Compare: _compare,
+    ast.BinOp: _binary,
+    ast.UnaryOp: _unary,
+    ast.Subscript: _subscript,
+    ast.Lambda: _lambda,
+    ast.NamedExpr: _walrus,
+    ast.Await: _await,
+    ast.ListComp: comprehension,
+    ast.SetComp: comprehension,
+    ast.GeneratorExp: comprehension,
+    ast.DictComp: comprehension,
+}

@@ -1,0 +1,179 @@
+"""Processes, nodes and components."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from bringup_lint.model.launch import Action
+from bringup_lint.model.launch import ComposableNode
+from bringup_lint.model.launch import LoadComponents
+from bringup_lint.model.launch import Node
+from bringup_lint.model.launch import Process
+from bringup_lint.model.launch_values import Value
+from bringup_lint.parsers.launch_python import freeze
+from bringup_lint.parsers.launch_python.actions import conditions
+from bringup_lint.parsers.launch_python.arguments import Arguments
+from bringup_lint.parsers.launch_python.objects import Function
+from bringup_lint.parsers.launch_python.objects import Mapping
+from bringup_lint.parsers.launch_python.objects import Options
+from bringup_lint.parsers.launch_python.objects import Sequence
+from bringup_lint.parsers.launch_python.state import State
+from bringup_lint.parsers.launch_python.substitutions import parameter
+
+_OPTIONS = (
+    "respawn respawn_delay respawn_max_retries output output_format prefix cwd shell emulate_tty exec_name cached_output"
+    " sigterm_timeout sigkill_timeout log_cmd arguments_file"
+).split()
+
+
+def _common(state: State, args: Arguments) -> dict[str, Any]:
+    """What every process may have."""
+    additional, more = freeze.pairs(state, args.get("additional_env"))
+    env = args.get("env")
+    on_exit = args.get("on_exit")
+    return {
+        "span": args.span,
+        "conditions": conditions(args),
+        "name": freeze.optional_text(state, args.get("name")),
+        "env": None if env is None or freeze.is_none(env) else freeze.pairs(state, env)[0],
+        "additional_env": additional,
+        "options": {
+            name: freeze.text(state, args.keywords[name])
+            for name in _OPTIONS
+            if name in args.keywords and not freeze.is_none(args.keywords[name])
+        },
+        "on_exit": handler_actions(state, on_exit, args),
+        "open": args.more or more,
+    }
+
+
+def handler_actions(state: State, thing: Any, args: Arguments) -> tuple[Action, ...]:
+    """Actions of a handler: given as such, or by a function of event and context."""
+    if thing is None or freeze.is_none(thing):
+        return ()
+    if isinstance(thing, Function):
+        state.deferred += 1
+        try:
+            thing = state.call(thing, [], {}, False, args.span)
+        finally:
+            state.deferred -= 1
+    return freeze.actions(state, thing)
+
+
+def parameters(state: State, thing: Any) -> tuple[Value, ...]:
+    """A ``parameters=`` list: dictionaries, ``ParameterFile``, everything else names a file."""
+    if isinstance(thing, Mapping):
+        return (dictionary(state, thing),)
+    if isinstance(thing, Sequence) and not thing.open:
+        return tuple(freeze.conditional(state, guards, _source(state, item)) for guards, item in thing.items)
+    return freeze.sources(state, thing)
+
+
+def _source(state: State, item: Any) -> Value:
+    if isinstance(item, Mapping):
+        return dictionary(state, item)
+    if isinstance(item, Options):
+        options = [(guards, dictionary(state, one) if isinstance(one, Mapping) else one) for guards, one in item.options]
+        return freeze.value(state, Options(options, item.span))
+    return freeze.text(state, item)
+
+
+def dictionary(state: State, mapping: Mapping) -> Value:
+    """A dictionary of parameters; nested dictionaries stay nested."""
+    shaped = Mapping(mapping.span, open=mapping.open)
+    for key, item in mapping.pairs():
+        state.tick()
+        value = dictionary(state, item) if isinstance(item, Mapping) else parameter(state, item)
+        shaped.others.append((freeze.text(state, key), value))
+    return freeze.value(state, shaped)
+
+
+def _process(state: State, args: Arguments) -> Any:
+    return Process(cmd=freeze.values(state, args.need("cmd", 0)), **_common(state, args))
+
+
+def _local(state: State, args: Arguments) -> Any:
+    description = args.get("process_description", 0)
+    if isinstance(description, Process):
+        return description
+    return Process(**_common(state, args))
+
+
+def _node_fields(state: State, args: Arguments) -> dict[str, Any]:
+    fields = _common(state, args)
+    remappings, more = freeze.pairs(state, args.get("remappings"))
+    old_name = args.get("node_name")
+    if fields["name"] is None and old_name is not None:
+        fields["name"] = freeze.optional_text(state, old_name)
+    namespace = args.get("namespace") or args.get("node_namespace")
+    return fields | {
+        "package": freeze.optional_text(state, args.get("package", 1)),
+        "executable": freeze.optional_text(state, args.get("executable", 0) or args.get("node_executable")),
+        "namespace": freeze.optional_text(state, namespace),
+        "parameters": parameters(state, args.get("parameters")),
+        "remappings": remappings,
+        "arguments": freeze.values(state, args.get("arguments")),
+        "ros_arguments": freeze.values(state, args.get("ros_arguments")),
+        "open": fields["open"] or more,
+    }
+
+
+def _node(state: State, args: Arguments) -> Any:
+    return Node(**_node_fields(state, args))
+
+
+def _lifecycle_node(state: State, args: Arguments) -> Any:
+    autostart = freeze.optional_text(state, args.get("autostart"))
+    return Node(lifecycle=True, autostart=autostart, **_node_fields(state, args))
+
+
+def _container(state: State, args: Arguments) -> Any:
+    fields = _node_fields(state, args)
+    components = freeze.actions(state, args.get("composable_node_descriptions"))
+    return Node(container=True, components=components, **fields)
+
+
+def _load(state: State, args: Arguments) -> Any:
+    target = args.get("target_container", 1)
+    named = not isinstance(target, Action)
+    return LoadComponents(
+        span=args.span,
+        conditions=conditions(args),
+        target=freeze.optional_text(state, target) if named else None,
+        target_key=None if named else target.key,
+        components=freeze.actions(state, args.get("composable_node_descriptions", 0)),
+    )
+
+
+def _component(lifecycle: bool):
+    def builder(state: State, args: Arguments) -> Any:
+        remappings, more = freeze.pairs(state, args.get("remappings"))
+        return ComposableNode(
+            span=args.span,
+            conditions=conditions(args),
+            package=freeze.optional_text(state, args.get("package")),
+            plugin=freeze.optional_text(state, args.get("plugin") or args.get("node_plugin")),
+            name=freeze.optional_text(state, args.get("name") or args.get("node_name")),
+            namespace=freeze.optional_text(state, args.get("namespace") or args.get("node_namespace")),
+            parameters=parameters(state, args.get("parameters")),
+            remappings=remappings,
+            extra_arguments=parameters(state, args.get("extra_arguments")),
+            lifecycle=lifecycle,
+            autostart=freeze.optional_text(state, args.get("autostart")),
+            open=args.more or more,
+        )
+
+    return builder
+
+
+NODES = {
+    "launch.ExecuteProcess": _process,
+    "launch.ExecuteLocal": _local,
+    "launch.Executable": _process,
+    "launch.Node": _node,
+    "launch.LifecycleNode": _lifecycle_node,
+    "launch.ComposableNodeContainer": _container,
+    "launch.ComposableLifecycleNode": _component(True),
+    "launch.ComposableNode": _component(False),
+    "launch.LoadComposableNodes": _load,
+}

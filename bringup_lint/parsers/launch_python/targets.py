@@ -1,0 +1,76 @@
+"""Assignment to names, tuples, items and attributes."""
+
+from __future__ import annotations
+
+import ast
+from typing import Any
+
+from bringup_lint.model.launch import SetArgument
+from bringup_lint.model.launch import SetEnv
+from bringup_lint.model.launch_values import Literal
+from bringup_lint.model.launch_values import Unknown
+from bringup_lint.parsers.launch_python import freeze
+from bringup_lint.parsers.launch_python.containers import put
+from bringup_lint.parsers.launch_python.objects import Bound
+from bringup_lint.parsers.launch_python.objects import Mapping
+from bringup_lint.parsers.launch_python.objects import Options
+from bringup_lint.parsers.launch_python.objects import Sequence
+from bringup_lint.parsers.launch_python.objects import Symbol
+from bringup_lint.parsers.launch_python.state import State
+from bringup_lint.parsers.launch_python.state import relative
+
+
+def assign(state: State, target: ast.expr, value: Any) -> None:
+    kind = type(target)
+    if kind is ast.Name:
+        frame = state.frame.outer.get(target.id, state.frame)
+        frame.names[target.id] = value
+    elif kind in (ast.Tuple, ast.List):
+        _unpack(state, target, value)
+    elif kind is ast.Subscript:
+        _set_item(state, target, value)
+    elif kind is ast.Starred:
+        assign(state, target.value, value)
+
+
+def _unpack(state: State, target: ast.Tuple | ast.List, value: Any) -> None:
+    items = value.plain() if isinstance(value, Sequence) else None
+    starred = any(type(element) is ast.Starred for element in target.elts)
+    if items is None or starred or len(items) != len(target.elts):
+        why = value.why if isinstance(value, Unknown) else "unpacking"
+        items = [Unknown(why, state.positions.span(element)) for element in target.elts]
+    for element, item in zip(target.elts, items):
+        assign(state, element, item)
+
+
+def _set_item(state: State, target: ast.Subscript, value: Any) -> None:
+    owner = state.evaluate(target.value)
+    if type(target.slice) is ast.Slice:
+        if isinstance(owner, Sequence):
+            owner.open = True
+        return
+    key = state.evaluate(target.slice)
+    if isinstance(owner, Mapping):
+        if state.guards and isinstance(key, Literal):
+            before = owner.entries.get(key.value)
+            if before is not None:
+                value = Options([((), before[1]), (relative(state.guards, ()), value)], state.positions.span(target))
+        put(state, owner, key, value)
+    elif isinstance(owner, Sequence):
+        _replace(owner, key, value)
+    elif isinstance(owner, Bound) and owner.name == "launch_configurations":
+        span = state.positions.span(target)
+        action = SetArgument(span=span, name=freeze.value(state, key), value=freeze.value(state, value))
+        state.effects.append(freeze.under(action, state.guards))
+    elif isinstance(owner, Symbol) and owner.name == "os.environ":
+        span = state.positions.span(target)
+        action = SetEnv(span=span, name=freeze.value(state, key), value=freeze.value(state, value))
+        state.effects.append(freeze.under(action, state.guards))
+
+
+def _replace(owner: Sequence, key: Any, value: Any) -> None:
+    index = key.value if isinstance(key, Literal) else None
+    if type(index) is int and -len(owner.items) <= index < len(owner.items):
+        owner.items[index] = (owner.items[index][0], value)
+    else:
+        owner.open = True
