@@ -19,6 +19,7 @@ from bringup_lint.source import Source
 if TYPE_CHECKING:
     from bringup_lint.discover.tree import Tree
     from bringup_lint.graph.udev import Udev
+    from bringup_lint.graph.launch import Launch
     from bringup_lint.graph.units import Units
     from bringup_lint.model.netplan import Netplan
 
@@ -96,3 +97,9 @@ class Robot:
         from bringup_lint.graph.network_online import waiting_for_network
 
         return waiting_for_network(self.units)
+
+    @cached_property
+    def launch(self) -> Launch:
+        from bringup_lint.graph.launch import load_launch
+
+        return load_launch(self)

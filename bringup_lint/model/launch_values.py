@@ -116,8 +116,9 @@ class DictValue:
 
 @dataclass(eq=False, slots=True)
 class Operation:
-    """A computed value: ``==``, ``!=``, ``in``, ``and``, ``or``, ``not``, ``if`` (condition, then, else), ``as-bool``,
-    ``lower``, ``upper``, ``strip``, ``exists``, ``python`` (one text: an expression)."""
+    """A computed value: ``==`` and ``!=`` as Python compares, ``equals`` and ``not-equals`` as launch does, ``and``,
+    ``or``, ``not``, ``if`` (condition, then, else), ``as-bool``, ``lower``, ``upper``, ``strip``, ``exists``, and
+    ``python`` (one text: an expression)."""
 
     name: str
     operands: tuple[Value, ...]
@@ -126,7 +127,7 @@ class Operation:
 
 @dataclass(eq=False, slots=True)
 class Choice:
-    """One of several, by conditions that only the run decides."""
+    """One of several: the last one whose conditions hold."""
 
     options: tuple[tuple[tuple[Condition, ...], Value], ...]
     span: Span
@@ -255,3 +256,23 @@ def literal(value: Value | None) -> Located | None:
     if isinstance(value, Literal) and isinstance(value.value, str):
         return value.text
     return None
+
+
+def same(first: Value | None, second: Value | None) -> bool:
+    """Whether two values are written alike, wherever they stand."""
+    if first is second:
+        return True
+    if first is None or second is None or type(first) is not type(second):
+        return False
+    if isinstance(first, Literal):
+        return first.value == second.value and type(first.value) is type(second.value)
+    if isinstance(first, Unknown):
+        return False
+    if isinstance(first, (Argument, Env)):
+        return str(first.name) == str(second.name)
+    if isinstance(first, Operation) and first.name != second.name:
+        return False
+    if isinstance(first, Choice) or (isinstance(first, FileDir) and first.span.source is not second.span.source):
+        return False
+    ours, theirs = children(first), children(second)
+    return len(ours) == len(theirs) and all(map(same, ours, theirs))

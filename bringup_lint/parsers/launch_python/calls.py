@@ -57,6 +57,7 @@ def opened(state: State, arguments: Arguments) -> None:
 def _invoke(state: State, function: Function, arguments: Arguments) -> Any:
     if state.calls >= budget.CALLS:
         return Unknown("calls nested too deeply", arguments.span)
+    state.tick(20)
     frame = Frame(_bind(state, function, arguments), function.frame)
     outer, guards = state.frame, state.guards
     state.frame = frame

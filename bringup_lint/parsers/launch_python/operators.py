@@ -95,7 +95,7 @@ def _added(state: State, left: Any, right: Any, span: Span) -> Any:
 
 def _literals(kind: type, left: Literal, right: Literal, span: Span) -> Any:
     a, b = left.value, right.value
-    if isinstance(a, str) and isinstance(b, str):
+    if kind is not ast.Mod and isinstance(a, str) and isinstance(b, str):
         if kind is ast.Add and len(a) + len(b) <= budget.LENGTH:
             return Literal(Located(str(a) + str(b), span), span)
         return Unknown("operator", span)

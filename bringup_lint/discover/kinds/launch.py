@@ -1,0 +1,63 @@
+"""Launch files of ROS 2, and the build files that say what a package installs."""
+
+from __future__ import annotations
+
+import re
+
+from bringup_lint.discover.kinds import Head
+from bringup_lint.discover.kinds import Kind
+
+_PYTHON = re.compile(r"(?:[._-]launch\.py|/launch/(?:[^/]+/)*[^/]+\.py)$")
+_XML = re.compile(r"[._-]launch\.xml$|/launch/[^/]+\.xml$")
+_YAML = re.compile(r"[._-]launch\.ya?ml$|/launch/[^/]+\.ya?ml$")
+_ENTRY = re.compile(r"^\s*(?:async\s+)?def generate_(?:launch|test)_description\b", re.M)
+_LAUNCH_IMPORT = re.compile(r"^\s*(?:from|import)\s+launch(?:_ros)?\b", re.M)
+_ROOT = re.compile(r"^\s*(?:<\?xml.*?\?>\s*)?(?:<!--.*?-->\s*|<!DOCTYPE[^>]*>\s*)*<launch\b", re.S)
+_ROS1 = re.compile(
+    r"\$\((?:arg|find|optenv)\s|<rosparam\b|<machine\b|<node\b[^>]*\stype\s*=|<include\b[^>]*\sns\s*=|<test\b"
+)
+_ROS2 = re.compile(
+    r"\$\((?:var|find-pkg-share|find-pkg-prefix|dirname|exec-in-pkg)\b|<node\b[^>]*\sexec\s*=|<let\b|<executable\b"
+    r"|<push[-_]ros[-_]namespace\b|<node_container\b|<set_parameter\b|<load_composable_node\b"
+)
+_YAML_ROOT = re.compile(r"^launch\s*:", re.M)
+_PACKAGE = re.compile(r"<package\b")
+_SETUP = re.compile(r"\bsetup\s*\(")
+
+
+def _is_python(path: str, head: Head) -> bool:
+    path = f"/{path}"
+    if not _PYTHON.search(path) or path.endswith(("/__init__.py", "/conftest.py")):
+        return False
+    text = head()
+    if path.endswith(".launch.py"):
+        return True
+    return bool(_ENTRY.search(text) or _LAUNCH_IMPORT.search(text))
+
+
+def _is_xml(path: str, head: Head) -> bool:
+    path = f"/{path}"
+    if path.endswith(".launch"):
+        text = head()
+        return bool(_ROOT.match(text) and _ROS2.search(text)) and not _ROS1.search(text)
+    return bool(_XML.search(path)) and bool(_ROOT.match(head()) or path.endswith(".launch.xml"))
+
+
+def _is_ros1(path: str, head: Head) -> bool:
+    return path.endswith(".launch") and bool(_ROOT.match(head()))
+
+
+def _is_yaml(path: str, head: Head) -> bool:
+    return bool(_YAML.search(f"/{path}")) and bool(_YAML_ROOT.search(head()))
+
+
+KINDS = (
+    Kind("launch-python", _is_python),
+    Kind("launch-xml", _is_xml),
+    Kind("launch-ros1", _is_ros1),
+    Kind("launch-yaml", _is_yaml),
+    Kind("ros-package", lambda path, head: f"/{path}".endswith("/package.xml") and bool(_PACKAGE.search(head()))),
+    Kind("setup-py", lambda path, head: f"/{path}".endswith("/setup.py") and bool(_SETUP.search(head()))),
+    Kind("setup-cfg", lambda path, head: f"/{path}".endswith("/setup.cfg")),
+    Kind("cmake", lambda path, head: f"/{path}".endswith("/CMakeLists.txt")),
+)

@@ -1,0 +1,132 @@
+"""The launch layer: all launch files of the tree, what each leads to, and the nodes that really start."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from collections.abc import Iterator
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from bringup_lint.graph.launch_expand import Expander
+from bringup_lint.graph.launch_expand import Expansion
+from bringup_lint.graph.launch_resolve import Resolver
+from bringup_lint.graph.launch_scope import Scope
+from bringup_lint.graph.launch_started import Started
+from bringup_lint.graph.workspace import Found
+from bringup_lint.graph.workspace import Place
+from bringup_lint.graph.workspace import Workspace
+from bringup_lint.graph.workspace import load_workspace
+from bringup_lint.graph.workspace import place
+from bringup_lint.model.launch import Action
+from bringup_lint.model.launch import Include
+from bringup_lint.model.launch import LaunchFile
+from bringup_lint.model.launch import walk_actions
+from bringup_lint.model.launch_values import Value
+from bringup_lint.source import Source
+
+if TYPE_CHECKING:
+    from bringup_lint.robot import Robot
+
+KINDS = ("launch-python", "launch-xml", "launch-yaml")
+EXPANSIONS = 2_000
+"""Entries that are expanded in one run."""
+
+
+class Launch:
+    """``files`` are the tree's launch files of ROS 2; ``expansions`` has one item for every entry."""
+
+    def __init__(self, robot: Robot, files: list[LaunchFile]) -> None:
+        self.robot = robot
+        self.files = files
+        self._by_path = {os.path.abspath(file.source.name): file for file in files}
+
+    @cached_property
+    def workspace(self) -> Workspace:
+        return load_workspace(self.robot)
+
+    @property
+    def judged(self) -> list[LaunchFile]:
+        """Those that findings may be about: not context, not templates."""
+        return [file for file in self.files if file.source.judged and not file.source.template]
+
+    def place(self, value: Value) -> Place | None:
+        """A resolved value as a path, in terms of the package or folder it stands on."""
+        return place(value)
+
+    def find(self, value: Value) -> Found | None:
+        """The file that a resolved value names; None when the tree cannot tell."""
+        return self.workspace.find(place(value))
+
+    def locate(self, value: Value) -> LaunchFile | None:
+        """The launch file that a resolved value names, if it is in the tree."""
+        found = self.find(value)
+        if found is None or found.file is None:
+            return None
+        return self._by_path.get(found.file) or self._by_path.get(os.path.realpath(found.file))
+
+    @cached_property
+    def included(self) -> set[int]:
+        """Files (by ``id``) that another file of the tree includes by a name that is known without running."""
+        found = set()
+        resolver = Resolver(Scope())
+        for file in self.files:
+            for action in walk_actions(file.actions):
+                if isinstance(action, Include):
+                    target = self.locate(resolver.value(action.file))
+                    if target is not None and target is not file:
+                        found.add(id(target))
+        return found
+
+    @cached_property
+    def _all(self) -> dict[int, Expansion]:
+        return {id(file): self.expand(file) for file in self.files[:EXPANSIONS]}
+
+    @property
+    def expansions(self) -> Iterator[Expansion]:
+        """Every launch file as an entry of its own, started without arguments."""
+        return iter(self._all.values())
+
+    @property
+    def entries(self) -> Iterator[Expansion]:
+        """Only the files that no other file includes."""
+        return (self._all[id(file)] for file in self.files[:EXPANSIONS] if id(file) not in self.included)
+
+    def expansion(self, file: LaunchFile) -> Expansion:
+        return self._all.get(id(file)) or self.expand(file)
+
+    def expand(self, file: LaunchFile, arguments: dict[str, Value] | None = None) -> Expansion:
+        """What a file leads to when it is launched with these arguments."""
+        return Expander(file, self.locate).run(arguments or {})
+
+    @property
+    def nodes(self) -> Iterator[Started]:
+        """Every node of every file once, as its own file starts it when it is launched directly."""
+        for expansion in self.expansions:
+            yield from (node for node in expansion.nodes if node.file is expansion.entry)
+
+    def actions(self, kind: type[Action]) -> Iterator[tuple[LaunchFile, Action]]:
+        """All actions of a kind in the judged files, with their file."""
+        for file in self.judged:
+            for action in walk_actions(file.actions):
+                if isinstance(action, kind):
+                    yield file, action
+
+
+def load_launch(robot: Robot) -> Launch:
+    return Launch(robot, list(_files(robot, robot.of_kind(*KINDS))))
+
+
+def _files(robot: Robot, sources: Iterable[Source]) -> Iterator[LaunchFile]:
+    for source in sources:
+        yield from robot.parsed(_parser(source.kind), [source])
+
+
+def _parser(kind: str):
+    if kind == "launch-python":
+        from bringup_lint.parsers.launch_python import parse
+    elif kind == "launch-xml":
+        from bringup_lint.parsers.launch_xml import parse
+    else:
+        from bringup_lint.parsers.launch_yaml import parse
+    return parse

@@ -1,0 +1,239 @@
+"""The packages of a workspace in source, and where their installed files come from."""
+
+from __future__ import annotations
+
+import os
+import posixpath
+from collections.abc import Iterator
+from dataclasses import dataclass
+from dataclasses import field
+from fnmatch import fnmatchcase
+from functools import cached_property
+from typing import TYPE_CHECKING
+from typing import NamedTuple
+
+from bringup_lint.model.launch_values import Concat
+from bringup_lint.model.launch_values import FileDir
+from bringup_lint.model.launch_values import Literal
+from bringup_lint.model.launch_values import PackagePrefix
+from bringup_lint.model.launch_values import PackageShare
+from bringup_lint.model.launch_values import PathJoin
+from bringup_lint.model.launch_values import Value
+from bringup_lint.model.package import Build
+from bringup_lint.model.package import Manifest
+from bringup_lint.parsers import cmake
+from bringup_lint.parsers import package_xml
+from bringup_lint.parsers import setup_py
+from bringup_lint.source import Located
+from bringup_lint.source import Source
+
+if TYPE_CHECKING:
+    from bringup_lint.robot import Robot
+
+SUBFOLDERS = 40
+"""CMake folders of one package that are followed."""
+
+
+class Place(NamedTuple):
+    """A path in terms of what it stands on: ``share`` or ``prefix`` of a package, or ``""`` for a path as it is."""
+
+    base: str
+    package: str
+    path: str
+
+
+class Found(NamedTuple):
+    """What a path leads to: the file in the source tree, and whether the build installs it (None: not known)."""
+
+    file: str | None
+    installed: bool | None
+    package: Package | None
+
+
+@dataclass(eq=False)
+class Package:
+    manifest: Manifest
+    folder: str
+    """Absolute."""
+    builds: list[Build] = field(default_factory=list)
+    complete: bool = True
+    """Every build description of the package was found and read."""
+
+    @property
+    def name(self) -> str:
+        return str(self.manifest.name)
+
+    @property
+    def installs_known(self) -> bool:
+        return self.complete and all(build.installs_known for build in self.builds)
+
+    @property
+    def executables_known(self) -> bool:
+        return self.complete and all(build.executables_known for build in self.builds)
+
+    @property
+    def plugins_known(self) -> bool:
+        return self.complete and all(build.plugins_known for build in self.builds)
+
+    @cached_property
+    def executables(self) -> dict[str, Located]:
+        return {name: place for build in self.builds for name, place in build.executables.items()}
+
+    @cached_property
+    def plugins(self) -> list[Located]:
+        return [plugin for build in self.builds for plugin in build.plugins]
+
+    def depends_on(self, package: str) -> bool:
+        return any(name == package for _, name in self.manifest.depends)
+
+    def origins(self, path: str) -> Iterator[str]:
+        """The source files, there or not, that the build would install at a path below the prefix."""
+        for build in self.builds:
+            folder = os.path.dirname(os.path.abspath(build.source.name))
+            for install in build.installs:
+                origin = _origin(install, path)
+                if origin is not None:
+                    yield os.path.normpath(os.path.join(folder, origin))
+
+
+def _origin(install, path: str) -> str | None:
+    destination = posixpath.normpath(install.destination)
+    source = posixpath.normpath(install.source)
+    if not install.tree:
+        folder, name = posixpath.split(path)
+        if posixpath.normpath(folder) == destination and fnmatchcase(name, posixpath.basename(source)):
+            return posixpath.join(posixpath.dirname(source), name)
+        return None
+    if not install.source.endswith("/"):
+        destination = posixpath.join(destination, posixpath.basename(source))
+    if path == destination or path.startswith(destination + "/"):
+        return posixpath.join(source, path[len(destination) + 1 :])
+    return None
+
+
+class Workspace:
+    def __init__(self, packages: dict[str, Package], ambiguous: set[str]) -> None:
+        self.packages = packages
+        self.ambiguous = ambiguous
+        """Names that several packages of the tree have."""
+
+    @cached_property
+    def _folders(self) -> dict[str, Package]:
+        return {package.folder: package for package in self.packages.values()}
+
+    def owner(self, source: Source) -> Package | None:
+        """The package that a file lies in."""
+        folder = os.path.dirname(os.path.abspath(source.name))
+        while True:
+            if folder in self._folders:
+                return self._folders[folder]
+            above = os.path.dirname(folder)
+            if above == folder:
+                return None
+            folder = above
+
+    def find(self, place: Place | None) -> Found | None:
+        """The source of a file; None when the tree cannot tell."""
+        if place is None:
+            return None
+        if not place.base:
+            if not place.path.startswith("/"):
+                return None
+            path = os.path.normpath(place.path)
+            return Found(path, None, None) if os.path.lexists(path) and self._inside(path) else None
+        package = self.packages.get(place.package)
+        if package is None or place.base != "share":
+            return None
+        return self._share(package, posixpath.normpath(place.path))
+
+    def _inside(self, path: str) -> bool:
+        return any(path.startswith(folder + "/") for folder in self._folders)
+
+    def _share(self, package: Package, path: str) -> Found | None:
+        if path.startswith("../"):
+            return None
+        target = posixpath.normpath(f"share/{package.name}/{path}")
+        origins = list(package.origins(target))
+        for origin in origins:
+            if os.path.lexists(origin):
+                return Found(origin, True, package)
+        direct = os.path.join(package.folder, path)
+        there = os.path.lexists(direct)
+        if there:
+            return Found(direct, False if package.installs_known else None, package)
+        if package.installs_known:
+            return Found(None, False, package)
+        return None
+
+
+def place(value: Value) -> Place | None:
+    """A resolved value as a path; None when part of it is not known."""
+    if isinstance(value, Literal) and isinstance(value.value, str):
+        return Place("", "", str(value.value))
+    if isinstance(value, FileDir):
+        path = os.path.abspath(value.span.source.name)
+        return Place("", "", path if value.itself else os.path.dirname(path))
+    if isinstance(value, (PackageShare, PackagePrefix)):
+        name = value.package
+        if isinstance(name, Literal) and isinstance(name.value, str):
+            return Place("share" if isinstance(value, PackageShare) else "prefix", str(name.value), "")
+        return None
+    if isinstance(value, (PathJoin, Concat)):
+        return _compound(value)
+    return None
+
+
+def _compound(value: PathJoin | Concat) -> Place | None:
+    first = place(value.parts[0])
+    texts = [part.value if isinstance(part, Literal) else None for part in value.parts[1:]]
+    if first is None or not all(isinstance(text, str) for text in texts):
+        return None
+    if isinstance(value, PathJoin):
+        return first._replace(path=posixpath.join(first.path, *texts))
+    path = first.path + "".join(texts)
+    return first._replace(path=path.lstrip("/") if first.base else path)
+
+
+def load_workspace(robot: Robot) -> Workspace:
+    packages: dict[str, Package] = {}
+    ambiguous: set[str] = set()
+    builds = {os.path.abspath(source.name): source for source in robot.of_kind("cmake", "setup-py", "setup-cfg")}
+    for manifest in robot.parsed(package_xml.parse, robot.of_kind("ros-package")):
+        if not manifest.name:
+            continue
+        name = str(manifest.name)
+        if name in packages or name in ambiguous:
+            ambiguous.add(name)
+            packages.pop(name, None)
+            continue
+        package = Package(manifest, os.path.dirname(os.path.abspath(manifest.source.name)))
+        _read_builds(robot, package, builds)
+        packages[name] = package
+    return Workspace(packages, ambiguous)
+
+
+def _read_builds(robot: Robot, package: Package, sources: dict[str, Source]) -> None:
+    python = sources.get(os.path.join(package.folder, "setup.py"))
+    settings = sources.get(os.path.join(package.folder, "setup.cfg"))
+    lists = os.path.join(package.folder, "CMakeLists.txt")
+    if package.manifest.build_type == "ament_python":
+        if python is not None:
+            package.builds += robot.parsed(setup_py.parse, [python])
+        if settings is not None:
+            package.builds += robot.parsed(setup_py.parse_cfg, [settings])
+    else:
+        _read_cmake(robot, package, lists, sources)
+    package.complete = bool(package.builds) and package.complete
+
+
+def _read_cmake(robot: Robot, package: Package, path: str, sources: dict[str, Source]) -> None:
+    source = sources.get(path)
+    if source is None or len(package.builds) >= SUBFOLDERS:
+        package.complete = False
+        return
+    for build in robot.parsed(lambda one: cmake.parse(one, package.name), [source]):
+        package.builds.append(build)
+        for folder in build.subdirectories:
+            inner = os.path.normpath(os.path.join(os.path.dirname(path), folder, "CMakeLists.txt"))
+            if inner != path:
+                _read_cmake(robot, package, inner, sources)

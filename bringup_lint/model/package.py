@@ -1,0 +1,60 @@
+"""A ROS package in source: what package.xml, setup.py, setup.cfg and CMakeLists.txt say about it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from dataclasses import field
+from typing import NamedTuple
+
+from bringup_lint.source import Located
+from bringup_lint.source import Problem
+from bringup_lint.source import Source
+from bringup_lint.source import Span
+
+
+@dataclass(eq=False, slots=True)
+class Manifest:
+    """A package.xml."""
+
+    source: Source
+    name: Located | None = None
+    build_type: str = ""
+    """``ament_cmake``, ``ament_python``, ``catkin``, ... as exported or guessed from the build tool."""
+    depends: list[tuple[str, Located]] = field(default_factory=list)
+    """Tag (``depend``, ``exec_depend``, ...) and package."""
+    end: Span | None = None
+    """Behind the last dependency: where another one can be added."""
+    problems: list[Problem] = field(default_factory=list)
+
+    @property
+    def is_ros1(self) -> bool:
+        return self.build_type in ("catkin", "cmake-catkin")
+
+
+class Install(NamedTuple):
+    """Files that the build installs."""
+
+    destination: str
+    """Below the install prefix, e.g. ``share/my_robot/launch``."""
+    source: str
+    """Relative to the package; a glob for files; a folder when ``tree`` (its content when it ends with ``/``)."""
+    tree: bool
+    where: Span
+    filtered: bool = False
+    """Patterns decide what of a folder is installed."""
+
+
+@dataclass(eq=False, slots=True)
+class Build:
+    """What a build description installs. ``..._known``: everything of it was understood."""
+
+    source: Source
+    installs: list[Install] = field(default_factory=list)
+    installs_known: bool = True
+    executables: dict[str, Located] = field(default_factory=dict)
+    """What ``ros2 run`` finds, by name."""
+    executables_known: bool = True
+    plugins: list[Located] = field(default_factory=list)
+    """Component classes that are registered."""
+    plugins_known: bool = True
+    subdirectories: list[str] = field(default_factory=list)

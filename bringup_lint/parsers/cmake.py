@@ -1,0 +1,289 @@
+"""CMakeLists.txt of a ROS package: what it installs, builds and registers. A reader of commands, not a CMake."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from bringup_lint.model.package import Build
+from bringup_lint.model.package import Install
+from bringup_lint.source import Located
+from bringup_lint.source import Source
+from bringup_lint.source import Span
+
+_COMMAND = re.compile(r"([A-Za-z_]\w*)[ \t]*\(")
+_TOKEN = re.compile(
+    r"(?P<skip>\s+|\#\[(?P<hash>=*)\[.*?\](?P=hash)\]|\#[^\n]*)"
+    r"|\[(?P<eq>=*)\[(?P<bracket>.*?)\](?P=eq)\]"
+    r'|"(?P<quoted>(?:[^"\\]|\\.)*)"'
+    r"|(?P<paren>[()])"
+    r'|(?P<plain>(?:[^\s()\#"\\]|\\.)+)',
+    re.S,
+)
+_SKIP = re.compile(r"(?:\s+|\#\[(?P<hash>=*)\[.*?\](?P=hash)\]|\#[^\n]*)+", re.S)
+_VARIABLE = re.compile(r"\$\{(\w+)\}")
+_KEYWORDS = frozenset(
+    "DESTINATION RUNTIME LIBRARY ARCHIVE INCLUDES TYPE COMPONENT OPTIONAL PERMISSIONS CONFIGURATIONS RENAME EXPORT"
+    " FILES_MATCHING PATTERN REGEX EXCLUDE USE_SOURCE_PERMISSIONS DIRECTORY_PERMISSIONS FILE_PERMISSIONS OBJECTS"
+    " BUNDLE PUBLIC_HEADER PRIVATE_HEADER RESOURCE EXCLUDE_FROM_ALL MESSAGE_NEVER NAMELINK_SKIP".split()
+)
+HARMLESS = frozenset(
+    "cmake_minimum_required project set find_package find_library find_path add_library add_executable option unset"
+    " target_link_libraries target_include_directories target_compile_features target_compile_definitions"
+    " target_compile_options set_target_properties ament_target_dependencies include_directories add_compile_options"
+    " add_definitions message if elseif else endif ament_export_dependencies ament_export_targets"
+    " ament_export_libraries ament_export_include_directories ament_package ament_lint_auto_find_test_dependencies"
+    " rosidl_generate_interfaces rosidl_get_typesupport_target pluginlib_export_plugin_description_file install"
+    " rclcpp_components_register_node rclcpp_components_register_nodes ament_python_install_package"
+    " find_package_handle_standard_args link_directories set_property list string ament_environment_hooks"
+    " ament_add_gtest ament_add_gmock ament_add_pytest_test target_sources enable_testing add_test include"
+    " ament_auto_find_build_dependencies ament_auto_add_library ament_auto_add_executable ament_auto_package"
+    " generate_parameter_library add_dependencies execute_process get_filename_component file configure_file"
+    " add_custom_command add_custom_target find_dependency include_guard mark_as_advanced return"
+    " ament_add_gtest_test ament_add_gtest_executable ament_add_ros_isolated_gtest ament_uncrustify"
+    " ament_generate_version_header add_subdirectory nav2_package generate_export_header add_compile_definitions"
+    " cmake_policy link_libraries separate_arguments get_target_property cmake_parse_arguments math".split()
+)
+
+
+class Command(NamedTuple):
+    name: str
+    arguments: list[Located]
+    conditional: bool
+
+
+def commands(source: Source) -> Iterator[Command]:
+    """The commands in order; inside ``if``, loops and functions they are conditional."""
+    text = source.text
+    at = depth = 0
+    while True:
+        skipped = _SKIP.match(text, at)
+        at = skipped.end() if skipped else at
+        match = _COMMAND.match(text, at)
+        if match is None:
+            next_line = text.find("\n", at)
+            if next_line < 0:
+                return
+            at = next_line + 1
+            continue
+        arguments, at = _arguments(source, match.end())
+        name = match[1].lower()
+        if name in ("endif", "endforeach", "endfunction", "endmacro", "endwhile"):
+            depth -= 1
+        yield Command(name, arguments, depth > 0)
+        if name in ("if", "foreach", "function", "macro", "while"):
+            depth += 1
+
+
+def _arguments(source: Source, at: int) -> tuple[list[Located], int]:
+    arguments: list[Located] = []
+    level = 1
+    text = source.text
+    while at < len(text):
+        match = _TOKEN.match(text, at)
+        if match is None:
+            at += 1
+            continue
+        at = match.end()
+        if match["paren"]:
+            level += 1 if match["paren"] == "(" else -1
+            if level == 0:
+                break
+        for group in ("quoted", "bracket", "plain"):
+            if match[group] is not None:
+                arguments.append(Located(match[group], Span(source, *match.span(group))))
+    return arguments, at
+
+
+class Reader:
+    def __init__(self, build: Build, variables: dict[str, str]) -> None:
+        self.build = build
+        self.variables = variables
+        self.programs: dict[str, Located] = {}
+
+    def expand(self, text: Located) -> Located | None:
+        """The text with known variables filled in; None when one is not known."""
+        missing = False
+
+        def known(match: re.Match) -> str:
+            nonlocal missing
+            missing = missing or match[1] not in self.variables
+            return self.variables.get(match[1], "")
+
+        expanded = _VARIABLE.sub(known, text)
+        return None if missing or "$" in expanded else Located(expanded, text.span)
+
+    def words(self, arguments: list[Located]) -> list[Located | None]:
+        """The arguments with variables filled in, lists taken apart."""
+        result: list[Located | None] = []
+        for argument in arguments:
+            expanded = self.expand(argument)
+            if expanded is None:
+                result.append(None)
+            else:
+                result.extend(Located(part, argument.span) for part in expanded.split(";") if part)
+        return result
+
+    def read(self) -> None:
+        for command in commands(self.build.source):
+            handler = getattr(self, f"do_{command.name}", None)
+            if handler is not None:
+                handler(command)
+            if command.name in ("foreach", "function", "macro", "while") or command.name not in HARMLESS | _ENDS:
+                self.build.installs_known = self.build.executables_known = self.build.plugins_known = False
+
+    def do_project(self, command: Command) -> None:
+        if command.arguments:
+            name = str(self.expand(command.arguments[0]) or "")
+            self.variables["PROJECT_NAME"] = self.variables["CMAKE_PROJECT_NAME"] = name
+
+    def do_set(self, command: Command) -> None:
+        if not command.arguments:
+            return
+        words = self.words([word for word in command.arguments[1:] if word not in ("PARENT_SCOPE", "CACHE", "FORCE")])
+        name = str(command.arguments[0])
+        if command.conditional or None in words:
+            self.variables.pop(name, None)
+        else:
+            self.variables[name] = ";".join(words)
+
+    def do_list(self, command: Command) -> None:
+        if len(command.arguments) > 1:
+            name = str(command.arguments[1])
+            words = self.words(command.arguments[2:])
+            if str(command.arguments[0]).upper() == "APPEND" and None not in words and not command.conditional:
+                before = self.variables.get(name)
+                self.variables[name] = ";".join(([before] if before else []) + [str(word) for word in words])
+            else:
+                self.variables.pop(name, None)
+
+    def do_file(self, command: Command) -> None:
+        if len(command.arguments) > 1 and str(command.arguments[0]).upper() in ("GLOB", "GLOB_RECURSE"):
+            self.variables.pop(str(command.arguments[1]), None)
+
+    def do_add_subdirectory(self, command: Command) -> None:
+        words = self.words(command.arguments[:1])
+        if words and words[0] is not None:
+            self.build.subdirectories.append(str(words[0]))
+        else:
+            self.build.installs_known = self.build.executables_known = self.build.plugins_known = False
+
+    def do_ament_auto_add_executable(self, command: Command) -> None:
+        self.executable(command.arguments[:1])
+
+    def do_rclcpp_components_register_node(self, command: Command) -> None:
+        words = command.arguments
+        for key, value in zip(words, words[1:]):
+            if key == "PLUGIN":
+                self.plugin(value)
+            elif key == "EXECUTABLE":
+                self.executable([value])
+
+    def do_rclcpp_components_register_nodes(self, command: Command) -> None:
+        for value in command.arguments[1:]:
+            self.plugin(value)
+
+    def plugin(self, value: Located) -> None:
+        for word in self.words([value]):
+            if word is None:
+                self.build.plugins_known = False
+            else:
+                self.build.plugins.append(word)
+
+    def executable(self, arguments: list[Located]) -> None:
+        for word in self.words(arguments):
+            if word is None:
+                self.build.executables_known = False
+            else:
+                self.build.executables[str(word)] = word
+
+    def do_ament_auto_package(self, command: Command) -> None:
+        shared = False
+        for argument in command.arguments:
+            if argument.isupper():
+                shared = argument == "INSTALL_TO_SHARE"
+            elif shared:
+                self.install(f"share/{self.variables.get('PROJECT_NAME', '')}", argument, True)
+
+    def do_ament_python_install_package(self, command: Command) -> None:
+        self.build.executables_known = False
+
+    def do_install(self, command: Command) -> None:
+        if not command.arguments:
+            return
+        kind = str(command.arguments[0]).upper()
+        sources: list[Located] = []
+        options: list[Located] = []
+        for argument in command.arguments[1:]:
+            (options if options or argument in _KEYWORDS else sources).append(argument)
+        destination = self.destination(options)
+        if kind in ("TARGETS", "PROGRAMS", "FILES", "DIRECTORY") and destination is None:
+            runtime = kind != "TARGETS" or any(option == "RUNTIME" for option in options) or not options
+            self.build.installs_known = False
+            if runtime:
+                self.build.executables_known = self.build.executables_known and kind == "TARGETS" and not options
+            return
+        if kind == "TARGETS":
+            if destination.startswith("lib/"):
+                self.executable(sources)
+        elif kind in ("PROGRAMS", "FILES"):
+            self.files(kind, destination, sources, options)
+        elif kind == "DIRECTORY":
+            filtered = any(option in ("FILES_MATCHING", "PATTERN", "REGEX", "EXCLUDE") for option in options)
+            for source in sources:
+                self.install(destination, source, True, filtered)
+            if destination.startswith("lib/"):
+                self.build.executables_known = False
+        elif kind in ("SCRIPT", "CODE"):
+            self.build.installs_known = False
+
+    def files(self, kind: str, destination: str, sources: list[Located], options: list[Located]) -> None:
+        renamed = [after for before, after in zip(options, options[1:]) if before == "RENAME"]
+        for source in sources:
+            self.install(destination, source, False, bool(renamed))
+        if destination.startswith("lib/") and kind in ("PROGRAMS", "FILES"):
+            for word in self.words(renamed or sources):
+                if word is None:
+                    self.build.executables_known = False
+                else:
+                    name = word.rpartition("/")[2]
+                    self.build.executables[name] = Located(name, word.span)
+
+    def destination(self, options: list[Located]) -> str | None:
+        """The destination of programs, else the only one."""
+        found: dict[str, Located] = {}
+        current = ""
+        for before, after in zip([Located("", self.build.source.whole), *options], options):
+            if before in ("RUNTIME", "LIBRARY", "ARCHIVE", "INCLUDES"):
+                current = str(before)
+            if before == "DESTINATION":
+                found[current] = after
+        chosen = found.get("RUNTIME") or found.get("") or (next(iter(found.values())) if found else None)
+        expanded = None if chosen is None else self.expand(chosen)
+        if expanded is None:
+            return None
+        text = expanded.strip("/")
+        return "" if text.startswith("..") else text
+
+    def install(self, destination: str, source: Located, tree: bool, filtered: bool = False) -> None:
+        for word in self.words([source]):
+            if word is None:
+                self.build.installs_known = False
+            else:
+                self.build.installs.append(Install(destination, str(word), tree, source.span, filtered))
+
+
+_ENDS = frozenset("endif endforeach endfunction endmacro endwhile foreach function macro while".split())
+
+
+def parse(source: Source, name: str | None = None, variables: dict[str, str] | None = None) -> Build:
+    """What the file installs; ``variables`` are those of the folder above."""
+    build = Build(source)
+    known = {"CMAKE_CURRENT_SOURCE_DIR": ".", "CMAKE_SOURCE_DIR": ".", "PROJECT_SOURCE_DIR": "."}
+    known |= {"CMAKE_INSTALL_LIBDIR": "lib", "CMAKE_INSTALL_DATADIR": "share", "CMAKE_INSTALL_PREFIX": ""}
+    reader = Reader(build, known | (variables or {}))
+    if name:
+        reader.variables["PROJECT_NAME"] = name
+    reader.read()
+    return build

@@ -1,0 +1,38 @@
+"""package.xml, the manifest of a ROS package (REP 149)."""
+
+from __future__ import annotations
+
+from bringup_lint.model.package import Manifest
+from bringup_lint.parsers import xml
+from bringup_lint.source import Problem
+from bringup_lint.source import Source
+
+DEPENDENCIES = frozenset(
+    "depend exec_depend build_depend build_export_depend buildtool_depend test_depend run_depend group_depend".split()
+)
+
+
+def parse(source: Source) -> Manifest:
+    """The manifest; a file that is not a package's has no name."""
+    document = xml.parse(source)
+    manifest = Manifest(source, problems=list(document.problems))
+    root = document.root
+    if root is None or root.local != "package":
+        manifest.problems.append(Problem("no-package-root", source.whole))
+        return manifest
+    tools = set()
+    for element in root.children:
+        tag = str(element.local)
+        if tag == "name":
+            manifest.name = element.text
+        elif tag in DEPENDENCIES:
+            manifest.depends.append((tag, element.text))
+            manifest.end = element.span
+            if tag == "buildtool_depend":
+                tools.add(str(element.text))
+        elif tag == "export":
+            for exported in element.find_all("build_type"):
+                manifest.build_type = str(exported.text)
+    if not manifest.build_type:
+        manifest.build_type = "catkin" if "catkin" in tools else ("ament_cmake" if tools else "")
+    return manifest

@@ -1,0 +1,155 @@
+"""setup.py and setup.cfg of a Python package: data files and console scripts, read without running anything."""
+
+from __future__ import annotations
+
+import ast
+import configparser
+import re
+import warnings
+from typing import Any
+
+from bringup_lint.model.launch import LaunchFile
+from bringup_lint.model.launch_values import FileDir
+from bringup_lint.model.launch_values import Literal
+from bringup_lint.model.launch_values import Operation
+from bringup_lint.model.launch_values import PathJoin
+from bringup_lint.model.package import Build
+from bringup_lint.model.package import Install
+from bringup_lint.parsers.launch_python import budget
+from bringup_lint.parsers.launch_python.calls import call
+from bringup_lint.parsers.launch_python.expressions import evaluate
+from bringup_lint.parsers.launch_python.objects import Frame
+from bringup_lint.parsers.launch_python.objects import Mapping
+from bringup_lint.parsers.launch_python.objects import Sequence
+from bringup_lint.parsers.launch_python.objects import Symbol
+from bringup_lint.parsers.launch_python.positions import Positions
+from bringup_lint.parsers.launch_python.state import State
+from bringup_lint.parsers.launch_python.statements import run
+from bringup_lint.source import Located
+from bringup_lint.source import Source
+
+_SETUP = ("setuptools.setup", "distutils.core.setup", "setup")
+_GLOB = ("glob.glob", "glob.iglob", "glob")
+_SCRIPT = re.compile(r"^\s*([\w.-]+)\s*=", re.M)
+
+
+def parse(source: Source) -> Build:
+    """What ``setup()`` is called with; unknown parts make the build not fully known."""
+    build = Build(source)
+    text = source.text
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            tree = ast.parse(text)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return _unknown(build)
+    state = State(LaunchFile(source, "python"), Positions(source, 0), Frame({}))
+    found: list[dict[str, Any]] = []
+
+    def called(function: Any, positional: list[Any], keywords: dict[str, Any], more: bool, span: Any) -> Any:
+        if isinstance(function, Symbol) and function.name in _SETUP:
+            found.append(keywords)
+        if isinstance(function, Symbol) and function.name in _GLOB and positional:
+            return Operation("glob", (positional[0],), span)
+        return call(state, function, positional, keywords, more, span)
+
+    state.evaluate = lambda node: evaluate(state, node)
+    state.call = called
+    state.run = lambda body: run(state, body)
+    try:
+        run(state, tree.body)
+    except (budget.Exhausted, RecursionError):
+        return _unknown(build)
+    if len(found) != 1:
+        return _unknown(build)
+    _data_files(build, found[0].get("data_files"))
+    _scripts(build, found[0].get("entry_points"))
+    if "scripts" in found[0]:
+        build.executables_known = False
+    return build
+
+
+def _unknown(build: Build) -> Build:
+    build.installs_known = build.executables_known = False
+    return build
+
+
+def _data_files(build: Build, thing: Any) -> None:
+    if thing is None:
+        return
+    entries = thing.plain() if isinstance(thing, Sequence) else None
+    for entry in entries or ():
+        pair = entry.plain() if isinstance(entry, Sequence) else None
+        destination = path_text(pair[0]) if pair and len(pair) == 2 else None
+        if destination is None:
+            build.installs_known = False
+        else:
+            _install(build, destination, pair[1])
+    if entries is None:
+        build.installs_known = False
+
+
+def _install(build: Build, destination: str, files: Any) -> None:
+    if isinstance(files, Operation) and files.name == "glob":
+        patterns = [files.operands[0]]
+    elif isinstance(files, Sequence) and not files.open:
+        patterns = [item.operands[0] if isinstance(item, Operation) and item.operands else item for _, item in files.items]
+    else:
+        build.installs_known = False
+        return
+    for pattern in patterns:
+        source = path_text(pattern)
+        if source is None:
+            build.installs_known = False
+        else:
+            build.installs.append(Install(destination, source, False, pattern.span))
+
+
+def path_text(value: Any) -> str | None:
+    """A path of literals; relative to this file."""
+    if isinstance(value, Literal) and isinstance(value.value, str):
+        return str(value.value)
+    if isinstance(value, FileDir):
+        return ""
+    if isinstance(value, PathJoin):
+        parts = [path_text(part) for part in value.parts]
+        return None if None in parts else "/".join(part.strip("/") for part in parts if part)
+    return None
+
+
+def _scripts(build: Build, thing: Any) -> None:
+    if thing is None:
+        return
+    if not isinstance(thing, Mapping) or thing.open:
+        build.executables_known = False
+        return
+    scripts = thing.entries.get("console_scripts")
+    if scripts is None:
+        return
+    items = scripts[1].plain() if isinstance(scripts[1], Sequence) else None
+    for item in items or ():
+        if isinstance(item, Literal) and isinstance(item.value, Located):
+            name = item.value.part(0, max(item.value.find("="), 0)).strip_located()
+            build.executables[str(name)] = name
+        else:
+            build.executables_known = False
+    if items is None:
+        build.executables_known = False
+
+
+def parse_cfg(source: Source) -> Build:
+    """The ``console_scripts`` and ``data_files`` of a setup.cfg, with the place of the file only."""
+    build = Build(source)
+    parser = configparser.RawConfigParser(strict=False, interpolation=None)
+    try:
+        parser.read_string(source.text)
+    except (configparser.Error, ValueError):
+        return _unknown(build)
+    scripts = parser.get("options.entry_points", "console_scripts", fallback="")
+    for match in _SCRIPT.finditer(scripts):
+        build.executables[match[1]] = Located(match[1], source.whole)
+    if parser.has_section("options.data_files"):
+        for destination, files in parser.items("options.data_files"):
+            for file in files.split():
+                build.installs.append(Install(destination, file, False, source.whole))
+    return build
