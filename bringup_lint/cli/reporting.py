@@ -23,8 +23,8 @@ if TYPE_CHECKING:
     from bringup_lint.registry import Rule
     from bringup_lint.robot import Robot
 
-DOCS = "https://github.com/bringup-lint/bringup-lint/blob/main/docs/rules/{}.md"
-"""Where a built-in rule is documented on the web."""
+DOCS = "https://github.com/bringup-lint/bringup-lint/blob/main/rules/{}.py"
+"""Where a built-in rule is documented on the web: its file, which begins with its documentation."""
 
 
 def save_baseline(outcome: Outcome, robot: Robot, path: Path) -> None:
@@ -93,7 +93,7 @@ def doc_of(rule: Rule) -> RuleDoc:
         meta.symptoms,
         meta.tags,
         meta.aliases,
-        DOCS.format(rule.id) if rule.builtin else "",
+        DOCS.format(rule.id.replace("-", "_")) if rule.builtin else "",
     )
 
 

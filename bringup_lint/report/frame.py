@@ -98,11 +98,11 @@ def draw(frame: Frame, gutter: int, width: int, paint: Paint) -> Iterator[str]:
     """The lines of a frame below its heading; ``gutter`` is the width of the line numbers."""
     edge = paint("frame", f"{'':{gutter}} |")
     room = max(width - gutter - 3 - 2 * bool(frame.bars), 20)
-    labels = [mark.label for mark in frame.marks if is_whole_file(mark.span) and mark.label]
-    if frame.lines or labels:
+    for mark in frame.marks:
+        if is_whole_file(mark.span) and mark.label:
+            yield from (f"{edge} {paint('label', line)}" for line in wrap(printable(mark.label), room))
+    if frame.lines:
         yield edge
-    for label in labels:
-        yield from (f"{edge} {paint('label', line)}" for line in wrap(printable(label), room))
     previous = frame.lines[0] if frame.lines else 0
     for number in frame.lines:
         if number > previous + 1:

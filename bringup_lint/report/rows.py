@@ -68,21 +68,24 @@ def _window(cells, start: int, end: int, room: int) -> tuple[int, int]:
 
 
 def underlined(marks: list[Underline], room: int, paint: Paint) -> Iterator[str]:
-    """The lines below a line of code: carets or dashes, and what they mean."""
-    drawn, at = "", 0
-    for mark in sorted(marks):
-        if mark.start < at or (drawn and mark.start == at):
-            yield drawn
-            drawn, at = "", 0
-        sign = "-" if mark.style == "mark" else "^"
-        width = max(mark.end - mark.start, 1)
-        drawn += " " * (mark.start - at) + paint(mark.style, sign * width)
-        at = mark.start + width
-        if mark.label:
-            yield from _labelled(drawn, at, mark, room, paint)
-            drawn, at = "", 0
-    if drawn:
-        yield drawn
+    """The lines below a line of code: carets or dashes, and what they mean. The label of the last mark stands
+    beside it where there is room, the others below their marks, from right to left."""
+    pending = sorted(marks)
+    while pending:
+        row, at, drawn = [], 0, ""
+        for mark in pending:
+            if mark.start < at or (row and mark.start == at and mark.style == row[-1].style):
+                continue
+            width = max(mark.end - mark.start, 1)
+            drawn += " " * (mark.start - at) + paint(
+                mark.style, ("-" if mark.style == "mark" else "^") * width
+            )
+            at = mark.start + width
+            row.append(mark)
+        yield from _labelled(drawn, at, row[-1], room, paint)
+        for mark in reversed(row[:-1]):
+            yield from _below(mark, room, paint)
+        pending = [mark for mark in pending if not any(mark is shown for shown in row)]
 
 
 def closing(line: str, bar: Bar, room: int, paint: Paint) -> Iterator[str]:
@@ -91,22 +94,27 @@ def closing(line: str, bar: Bar, room: int, paint: Paint) -> Iterator[str]:
     at = min(cells[min(max(bar.end - 1, 0), len(cells) - 1)], room - 1)
     sign = "-" if bar.style == "mark" else "^"
     drawn = paint(bar.style, f"|_{'_' * at}{sign}")
-    if not bar.label:
-        yield drawn
-        return
     yield from _labelled(drawn, at + 3, Underline(at + 2, at + 3, bar.style, bar.label), room + 2, paint)
 
 
 def _labelled(drawn: str, at: int, mark: Underline, room: int, paint: Paint) -> Iterator[str]:
-    label = printable(" ".join(mark.label.split()))
-    style = "label" if mark.style == "mark" else mark.style
+    """The drawn marks with the label of the last one, which ends at cell ``at``."""
     beside = room - at - 1
-    if len(label) <= beside or beside >= LABEL:
-        first, *more = wrap(label, beside)
-        yield f"{drawn} {paint(style, first)}"
-        indent = at + 1
-    else:
+    if not mark.label or (len(mark.label) > beside and beside < LABEL):
         yield drawn
-        indent = max(0, min(mark.start, room - LABEL))
-        more = wrap(label, room - indent)
-    yield from (" " * indent + paint(style, line) for line in more)
+        yield from _below(mark, room, paint)
+        return
+    first, *more = _set(mark, beside, paint)
+    yield f"{drawn} {first}"
+    yield from (" " * (at + 1) + line for line in more)
+
+
+def _below(mark: Underline, room: int, paint: Paint) -> Iterator[str]:
+    if mark.label:
+        indent = max(0, min(mark.start, room - min(len(mark.label), LABEL)))
+        yield from (" " * indent + line for line in _set(mark, room - indent, paint))
+
+
+def _set(mark: Underline, width: int, paint: Paint) -> Iterator[str]:
+    style = "label" if mark.style == "mark" else mark.style
+    return (paint(style, line) for line in wrap(printable(" ".join(mark.label.split())), width))

@@ -38,12 +38,10 @@ def block(finding: Finding, width: int, paint: Paint) -> Iterator[str]:
     gutter = max(len(str(frame.lines[-1])) if frame.lines else 1 for frame in shown)
     edge = paint("frame", f"{'':{gutter}} |")
     for number, frame in enumerate(shown):
-        if number:
-            yield edge
         yield f"{'':{gutter}}{paint('frame', ':::' if number else '-->')} {frame.heading}"
         yield from draw(frame, gutter, width, paint)
-    if any(frame.lines for frame in shown):
-        yield edge
+        if frame.lines:
+            yield edge
     for name, text in _notes(finding):
         yield from _note(name, text, gutter, min(width, WIDE), paint)
     edge = f"{'':{gutter}} {paint('frame', '=')}"

@@ -55,8 +55,8 @@ CASES = {
         """
        |
      1 | one two three
-       | ^^^ --- second
-       |         ----- third
+       | ^^^ --- ----- third
+       |     second
 """,
     ),
     "same place twice": (
@@ -173,7 +173,7 @@ CASES = {
        | ^
      1 | ….................................B
        |                                   -
-       | end
+       |                                 end
 """,
     ),
     "windows line ends": (
