@@ -1,0 +1,83 @@
+"""The examples in the README and in ``docs/`` are what the command really prints.
+
+``--update-expected`` rewrites them. An example is a code block below a comment that says how it was made:
+``<!-- example: bringup-lint --select x . -->``, with ``in FOLDER`` before the colon when the command runs elsewhere
+than in the project, and ``| /runs/0`` (a JSON pointer) behind it when only a part of the output is shown.
+``<!-- picture NAME: bringup-lint ... -->`` draws the output instead.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import shlex
+from pathlib import Path
+
+import pytest
+
+from tests.conftest import PROJECT
+from tests.lint import lint
+from tests.picture import picture
+
+PAGES = [*PROJECT.glob("*.md"), *(PROJECT / "docs").rglob("*.md")]
+EXAMPLE = re.compile(
+    r"<!-- example(?: in (?P<folder>\S+))?: bringup-lint (?P<arguments>[^|>]*?)(?: \| (?P<pointer>\S+))? -->"
+    r"\n```\w+\n(?P<output>.*?)```\n",
+    re.DOTALL,
+)
+PICTURE = re.compile(
+    r"<!-- picture (?P<name>\S+)(?: in (?P<folder>\S+))?: bringup-lint (?P<arguments>.*?) -->\n"
+)
+LINK = re.compile(r"\]\((?!https?:|#|mailto:)([^)#\s]+)")
+
+
+@pytest.fixture(autouse=True)
+def eighty_columns(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("COLUMNS", "80")
+
+
+def output(example: re.Match[str], *options: str) -> str:
+    """What the command of an example prints."""
+    folder = PROJECT / (example["folder"] or "")
+    run = lint(*options, *shlex.split(example["arguments"]), cwd=folder)
+    assert run.code in (0, 1), run.stderr
+    return run.stdout
+
+
+def shown(example: re.Match[str]) -> str:
+    text = output(example)
+    if not example["pointer"]:
+        return text
+    data = json.loads(text)
+    for key in example["pointer"].strip("/").split("/"):
+        data = data[int(key) if isinstance(data, list) else key]
+    return json.dumps(data, indent=2, ensure_ascii=False) + "\n"
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_examples_are_true(page: Path, update_expected: bool) -> None:
+    text = page.read_text("utf-8")
+    for example in reversed(list(EXAMPLE.finditer(text))):
+        start, end = example.span("output")
+        if update_expected:
+            text = text[:start] + shown(example) + text[end:]
+            page.write_text(text, "utf-8")
+        assert text[start:].startswith(shown(example) + "```"), example["arguments"]
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_pictures_are_true(page: Path, update_expected: bool) -> None:
+    for example in PICTURE.finditer(page.read_text("utf-8")):
+        drawn = picture(output(example, "--colour"), f"bringup-lint {example['arguments']}")
+        file = page.parent / example["name"]
+        if update_expected:
+            file.parent.mkdir(exist_ok=True)
+            file.write_text(drawn, "utf-8")
+        assert file.read_text("utf-8") == drawn
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_links_lead_somewhere(page: Path) -> None:
+    prose = re.sub(r"```.*?```", "", page.read_text("utf-8"), flags=re.DOTALL)
+    for target in LINK.findall(prose):
+        assert (page.parent / target).exists(), target
