@@ -18,6 +18,7 @@ from bringup_lint.source import Source
 
 if TYPE_CHECKING:
     from bringup_lint.discover.tree import Tree
+    from bringup_lint.graph.accounts import Accounts
     from bringup_lint.graph.udev import Udev
     from bringup_lint.graph.launch import Launch
     from bringup_lint.graph.units import Units
@@ -103,3 +104,9 @@ class Robot:
         from bringup_lint.graph.launch import load_launch
 
         return load_launch(self)
+
+    @cached_property
+    def accounts(self) -> Accounts:
+        from bringup_lint.graph.accounts import load_accounts
+
+        return load_accounts(self)

@@ -122,6 +122,12 @@ class Tree:
             return os.path.lexists(os.path.join(self.root, robot_path.lstrip("/")))
         return True if self.find(robot_path) is not None else None
 
+    @property
+    def paths(self) -> Iterator[str]:
+        """All walked paths, also of files that no kind claims."""
+        for paths in self._paths.values():
+            yield from paths
+
     def named(self, basename: str) -> Iterator[str]:
         """All walked paths with this last component."""
         yield from self._paths.get(basename, ())

@@ -9,8 +9,15 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from bringup_lint.facts import table
 from bringup_lint.graph.udev_conditions import all_conditions
 from bringup_lint.graph.udev_devices import subsystem_of_name
+from bringup_lint.graph.udev_order import TooEarly
+from bringup_lint.graph.udev_order import assignments_overruled
+from bringup_lint.graph.udev_order import packaged_files
+from bringup_lint.graph.udev_order import properties_not_set_yet
+from bringup_lint.graph.udev_overlap import fires_whenever
+from bringup_lint.graph.udev_overlap import may_both_fire
 from bringup_lint.graph.udev_patterns import matches
 from bringup_lint.graph.udev_rule import Link
 from bringup_lint.graph.udev_rule import UdevRule
@@ -32,6 +39,8 @@ DIRECTORIES = (
 )
 """Highest precedence first (udev(7))."""
 
+_MOST_RIVALS = 50
+
 
 @dataclass(frozen=True, eq=False)
 class RuleSet:
@@ -52,6 +61,35 @@ class RuleSet:
     @cached_property
     def links(self) -> tuple[Link, ...]:
         return tuple(link for rule in self.rules if not rule.line.dropped for link in rule.links)
+
+    @cached_property
+    def same_links(self) -> list[tuple[Link, Link]]:
+        """Pairs of one link from two rules that can take it from one another, in effective order."""
+        by_path: dict[str, list[Link]] = defaultdict(list)
+        for link in self.links:
+            if link.is_fixed and not link.rule.is_unreachable:
+                by_path[link.path].append(link)
+        return [
+            (one, other)
+            for links in by_path.values()
+            for index, other in enumerate(links[:_MOST_RIVALS])
+            for one in links[:index]
+            if self._compete(one.rule, other.rule)
+        ]
+
+    def _compete(self, one: UdevRule, other: UdevRule) -> bool:
+        if one.line is other.line or one.has_priority or other.has_priority:
+            return False
+        if one.file is not other.file and not self.is_installed:
+            return False
+        if fires_whenever(one, other) and fires_whenever(other, one):
+            return False
+        return may_both_fire(one, other, self.assigned_properties)
+
+    @property
+    def is_installed(self) -> bool:
+        """Whether the files lie in folders that udev reads, so that they certainly work together."""
+        return all(_directory(file.source) in DIRECTORIES for file in self.files)
 
     @cached_property
     def assigned_properties(self) -> frozenset[str]:
@@ -89,6 +127,40 @@ class Udev:
     @cached_property
     def links(self) -> tuple[Link, ...]:
         return tuple(link for one in self.sets for link in one.links)
+
+    def survives_change(self, link: Link) -> bool:
+        """Whether another rule makes the same link at a change event."""
+        return any(
+            "change" in other.rule.actions for other in self._fixed_links.get(link.path, ()) if other != link
+        )
+
+    @staticmethod
+    def is_factory_serial(serial: str) -> bool:
+        """Whether many adapters have this serial number."""
+        return any(row["serial"] == serial for row in table("factory_serials"))
+
+    @property
+    def too_early(self) -> Iterator[tuple[UdevRule, TooEarly]]:
+        """Tokens whose file sorts before the packaged one that they depend on, or that overrules them."""
+        importing: RulesFile | None = None
+        for rule in self.judged:
+            if rule.line.first("IMPORT") is not None:
+                importing = rule.file
+            if importing is not rule.file:
+                yield from ((rule, found) for found in properties_not_set_yet(rule))
+            yield from ((rule, found) for found in assignments_overruled(rule))
+
+    @property
+    def replacing(self) -> Iterator[tuple[RulesFile, Source | None, str]]:
+        """Files that replace one of the distribution by their name, with that file or the package that brings it."""
+        for one in self.sets:
+            hidden = {winner.source.name: loser.source for loser, winner in one.shadowed}
+            for file in one.files:
+                loser = hidden.get(file.source.name)
+                package = packaged_files().get(file.source.basename, "")
+                own = _directory(file.source) in DIRECTORIES[:3] or not file.source.robot_path
+                if file.rules and own and (loser is not None or package):
+                    yield file, loser, package
 
     @cached_property
     def _fixed_links(self) -> dict[str, list[Link]]:

@@ -36,5 +36,6 @@ def _jumped_over(one: UdevRule, other: UdevRule) -> bool:
 
 
 def fires_whenever(one: UdevRule, other: UdevRule) -> bool:
-    """Whether ``one`` fires for every device for which ``other`` fires, as far as the matches tell."""
-    return all(implies(other.conditions.positive, condition) for condition in one.conditions.positive)
+    """Whether ``one`` fires for every device for which ``other`` fires, at whatever event."""
+    wanted = [condition for condition in one.conditions.positive if condition.key != "ACTION"]
+    return all(implies(other.conditions.positive, condition) for condition in wanted)

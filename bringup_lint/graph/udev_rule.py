@@ -163,11 +163,33 @@ class UdevRule:
         return usb_ids().get(self.usb_ids[0]) if len(self.usb_ids) == 1 else None
 
     @property
+    def generic_products(self) -> list[str]:
+        """Names of those devices whose id says nothing of what is behind it: bridge chips, boards with example ids."""
+        known = ((one, usb_ids().get(one)) for one in self.usb_ids)
+        return [
+            row["product"]
+            for one, row in known
+            if row and (row["generic"] == "yes" or one.startswith("2341:"))
+        ]
+
+    @property
     def is_serial(self) -> bool:
         """Whether the rule is about serial ports, by its subsystem, kernel name or USB id."""
         if self.subsystems:
             return self.is_for("tty")
         return bool(self.usb_device and self.usb_device["device"] in ("ttyUSB", "ttyACM"))
+
+    @property
+    def has_priority(self) -> bool:
+        """Whether the rule says who wins when several devices have its link."""
+        return any(option.value.startswith("link_priority=") for option in self.line.assignments("OPTIONS"))
+
+    @property
+    def serials(self) -> tuple[Condition, ...]:
+        """The conditions on the serial number of a USB parent."""
+        return tuple(
+            one for one in self.conditions.positive if one.subject == ("ATTRS", "serial") and one.equal
+        )
 
     @property
     def is_open_by_design(self) -> bool:

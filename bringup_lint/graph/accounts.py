@@ -1,0 +1,89 @@
+"""Users and groups: which ones the robot has, as far as its files tell."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from bringup_lint import facts
+
+if TYPE_CHECKING:
+    from bringup_lint.robot import Robot
+
+_CREATES = re.compile(
+    r"\b(?:groupadd|addgroup|useradd|adduser|newusers|dscl|ansible\.builtin\.(?:group|user))\b[^\n]*"
+)
+_MODULE = re.compile(
+    r"^[ \t]*(?:group|user):[ \t]*(?:name=(\S+))?[ \t]*$(?:\n[ \t]+name:[ \t]*[\"']?([\w-]+))?", re.M
+)
+_SCRIPT = re.compile(
+    r"\.(?:sh|bash|mk|ya?ml|md|rst|txt|cmake|service|conf|in)$|^(?:pre|post)(?:inst|rm)|^(?:Docker|Make|Contain)file"
+    r"|^[^.]+$"
+)
+_MOST_SCRIPTS = 2000
+
+
+@dataclass(frozen=True, eq=False)
+class Accounts:
+    """What is known of users and groups."""
+
+    robot: Robot
+
+    def has_group(self, name: str) -> bool | None:
+        """Whether the group exists; None when the tree cannot tell."""
+        return self._has(name, self._database("/etc/group"), self._declared("gu"))
+
+    def has_user(self, name: str) -> bool | None:
+        """Whether the user exists; None when the tree cannot tell."""
+        return self._has(name, self._database("/etc/passwd"), self._declared("u"))
+
+    def _has(self, name: str, database: frozenset[str], declared: frozenset[str]) -> bool | None:
+        if name in database or name in declared:
+            return True
+        if database and self.robot.tree.complete:
+            return False
+        return True if name in self._usual or name in self._created else None
+
+    def _database(self, path: str) -> frozenset[str]:
+        source = self.robot.tree.find(path) if self.robot.tree.root is not None else None
+        return (
+            frozenset(line.partition(":")[0] for line in source.text.splitlines()) if source else frozenset()
+        )
+
+    def _declared(self, kinds: str) -> frozenset[str]:
+        """Names that sysusers.d(5) lines of these types create; a user line creates a group of its name too."""
+        lines = (
+            line.split() for source in self.robot.of_kind("sysusers") for line in source.text.splitlines()
+        )
+        return frozenset(word[1] for word in lines if len(word) > 1 and word[0].rstrip("!") in kinds)
+
+    @cached_property
+    def _usual(self) -> frozenset[str]:
+        return frozenset(row["name"] for row in facts.table("known_accounts"))
+
+    @cached_property
+    def _created(self) -> frozenset[str]:
+        """Every word of a command in the tree's scripts and documents that creates users or groups."""
+        found: set[str] = set()
+        for text in self._texts():
+            for command in _CREATES.finditer(text):
+                found.update(re.findall(r"[\w-]+", command[0]))
+            for module in _MODULE.finditer(text):
+                found.update(name for name in module.groups() if name)
+        return frozenset(found)
+
+    def _texts(self) -> Iterator[str]:
+        yield from (source.text for source in self.robot.sources)
+        tree = self.robot.tree
+        scripts = [path for path in tree.paths if _SCRIPT.search(path.rpartition("/")[2])]
+        for path in scripts[:_MOST_SCRIPTS]:
+            source = tree.read(path, judged=False)
+            if source is not None:
+                yield source.text
+
+
+def load_accounts(robot: Robot) -> Accounts:
+    return Accounts(robot)

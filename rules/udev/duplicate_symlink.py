@@ -1,0 +1,46 @@
+"""Two rules give the same link to devices that can both be there.
+
+## What it finds
+One link name in two rules whose matches do not exclude each other. Rules for different vendors, products,
+serial numbers, ports or indexes are alternatives and pass; so do rules that a `GOTO` keeps apart, and those
+with `link_priority`.
+
+## Why it matters on a robot
+Which device gets the link depends on the order in which they are found: after a reboot the driver talks to
+the other one.
+
+## Bad
+```udev
+SUBSYSTEM=="tty", ATTRS{serial}=="A5XK3RJT", SYMLINK+="robot/imu"
+SUBSYSTEM=="tty", KERNELS=="1-1.2", SYMLINK+="robot/imu"
+```
+
+## Good
+```udev
+SUBSYSTEM=="tty", ATTRS{serial}=="A5XK3RJT", SYMLINK+="robot/imu"
+SUBSYSTEM=="tty", ATTRS{serial}=="FTHK9L2M", SYMLINK+="robot/base"
+```
+
+## References
+- udev(7), SYMLINK and OPTIONS "link_priority="
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error")
+def duplicate_symlink(robot: Robot):
+    for rules in robot.udev.sets:
+        seen = set()
+        for first, second in rules.same_links:
+            if second.rule.judged and second not in seen:
+                seen.add(second)
+                yield finding(
+                    second.name,
+                    f"Two rules make {second.path} and can match two devices: which one gets it is left to chance",
+                    advice='tell the devices apart in both rules, or give one of them OPTIONS+="link_priority="',
+                    related=[note(first.name, "the other rule")],
+                )

@@ -1,0 +1,46 @@
+"""A rule knows its device by a number that changes.
+
+## What it finds
+`KERNEL=="ttyUSB0"`, `KERNELS=="ttyACM1"` or `KERNEL=="video2"` in a rule that makes a link, sets a property
+or starts something.
+
+## Why it matters on a robot
+The number follows the order in which devices are found. After a reboot or a reconnection the rule speaks of
+another device, or of none.
+
+## Bad
+```udev
+KERNEL=="ttyUSB0", SYMLINK+="robot/imu"
+```
+
+## Good
+```udev
+SUBSYSTEM=="tty", ATTRS{idVendor}=="0403", ATTRS{serial}=="A5XK3RJT", SYMLINK+="robot/imu"
+```
+
+## References
+- udev(7), ATTRS
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+_NUMBERED = re.compile(r"ttyUSB\d+|ttyACM\d+|video\d")
+_IDENTIFIED = ("SYMLINK", "NAME", "ENV", "RUN", "ATTR")
+
+
+@rule("warning")
+def kernel_hardcoded(robot: Robot):
+    for line in robot.udev.judged:
+        if not any(line.line.assignments(key) for key in _IDENTIFIED):
+            continue
+        for token in (*line.line.matches("KERNEL"), *line.line.matches("KERNELS")):
+            if token.operator == "==" and _NUMBERED.fullmatch(token.value):
+                yield finding(
+                    token.value,
+                    f"{token.value} is a number by order of discovery: after a reboot it is another device",
+                    advice="match the device with ATTRS{idVendor}, ATTRS{idProduct} and ATTRS{serial}, or its port with KERNELS",
+                )

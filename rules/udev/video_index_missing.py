@@ -1,0 +1,59 @@
+"""A camera link may point to the node without pictures.
+
+## What it finds
+A link for a USB camera (`SUBSYSTEM=="video4linux"`) without `ATTR{index}` or `ENV{ID_V4L_CAPABILITIES}`.
+
+## Why it matters on a robot
+Since Linux 4.16 one UVC camera makes at least two nodes, the second for metadata. Both match and the last one
+keeps the link: the driver opens a node that gives no pictures.
+
+## Bad
+```udev
+SUBSYSTEM=="video4linux", ATTRS{idVendor}=="0c45", ATTRS{serial}=="C1", SYMLINK+="robot/camera"
+```
+
+## Good
+```udev
+SUBSYSTEM=="video4linux", ATTRS{idVendor}=="0c45", ATTRS{serial}=="C1", ATTR{index}=="0", SYMLINK+="robot/camera"
+```
+
+## References
+- Linux media documentation, V4L2_META_FMT_UVC
+- udev(7), ATTR
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+_USB = {
+    ("ATTRS", "idVendor"),
+    ("ATTRS", "idProduct"),
+    ("ATTRS", "serial"),
+    ("SUBSYSTEMS", ""),
+    ("KERNELS", ""),
+}
+_TELLING = {("ATTR", "index"), ("ATTRS", "index"), ("ENV", "ID_V4L_CAPABILITIES"), ("ENV", "ID_V4L_PRODUCT")}
+_DECIDING = ("PROGRAM", "IMPORT", "RESULT", "TEST", "GOTO")
+
+
+@rule(
+    "warning",
+    fix="safe",
+    symptoms=["VIDIOC_G_FMT: Inappropriate ioctl for device", "not a video capture device"],
+)
+def video_index_missing(robot: Robot):
+    for line in robot.udev.judged:
+        if not line.is_for("video4linux") or not line.subjects & _USB or line.subjects & _TELLING:
+            continue
+        if any(line.line.first(key) for key in _DECIDING) or not all(map(line.is_any_number, line.kernels)):
+            continue
+        for link in line.links:
+            if link.is_fixed:
+                yield finding(
+                    link.name,
+                    f"A USB camera has two nodes or more: {link.path} may point to the one for metadata",
+                    advice='add ATTR{index}=="0"',
+                    fix=fix("ask for the first node", line.before(link.token, 'ATTR{index}=="0"')),
+                )
