@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from bringup_lint.facts import directives
 from bringup_lint.finding import Applicability
 from bringup_lint.finding import Confidence
 from bringup_lint.finding import Edit
@@ -15,6 +16,9 @@ from bringup_lint.finding import Fix
 from bringup_lint.finding import Related
 from bringup_lint.finding import Severity
 from bringup_lint.finding import span_of
+from bringup_lint.graph.unit_edits import delete_lines
+from bringup_lint.graph.unit_edits import lift_comment
+from bringup_lint.graph.unit_edits import move_lines
 from bringup_lint.robot import Robot
 from bringup_lint.source import Located
 from bringup_lint.source import Source
@@ -30,10 +34,14 @@ __all__ = [
     "Robot",
     "Source",
     "Span",
+    "delete_lines",
+    "directives",
     "finding",
     "fix",
     "is_example",
     "is_stand_in",
+    "lift_comment",
+    "move_lines",
     "nearest",
     "note",
     "rule",

@@ -9,6 +9,8 @@ from bringup_lint import facts
 
 OLDEST = 245
 """The oldest release the tables tell apart."""
+NEWEST = 257
+"""The newest release the tables cover."""
 
 SECTION_OF_TYPE = {
     "service": "Service",

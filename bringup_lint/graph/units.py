@@ -17,6 +17,9 @@ from bringup_lint.graph.graph import Graph
 from bringup_lint.graph.process import Process
 from bringup_lint.graph.process import processes
 from bringup_lint.graph.unit import Unit
+from bringup_lint.graph.unit_lines import Line
+from bringup_lint.graph.unit_lines import lines
+from bringup_lint.facts.directives import NEWEST
 from bringup_lint.model.unit import UnitFile
 from bringup_lint.parsers.unit import parse
 from bringup_lint.source import Located
@@ -114,6 +117,12 @@ class Units:
     def judged(self) -> list[Unit]:
         """The units that rules about effective settings look at."""
         return [unit for unit in self.all if unit.judged and not unit.masked and unit.files]
+
+    @cached_property
+    def lines(self) -> list[Line]:
+        """Every judged line with a key that its section knows, and what systemd finds wrong with its value."""
+        target = self.robot.target
+        return list(lines(self.files, target.systemd if target.systemd_known else NEWEST))
 
     @property
     def services(self) -> list[Unit]:

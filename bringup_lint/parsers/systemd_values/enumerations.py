@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from collections.abc import Iterator
-from difflib import get_close_matches
 from functools import cache
 
 from bringup_lint import facts
@@ -11,6 +11,7 @@ from bringup_lint.parsers.systemd_values.numbers import parse_bool
 from bringup_lint.parsers.systemd_values.problems import LINE
 from bringup_lint.parsers.systemd_values.problems import ValueProblem
 from bringup_lint.source import Located
+from bringup_lint.spelling import nearest
 
 BOOLEAN = "<bool>"
 _ANY_CASE = ("socket-protocol",)
@@ -32,15 +33,10 @@ def choices(name: str, version: int) -> str:
     return ", ".join(shown[:-1]) + f" or {shown[-1]}" if len(shown) > 1 else "".join(shown)
 
 
-def closest(word: str, known: Iterator[str] | dict[str, int]) -> str | None:
-    """The known word that was probably meant: another case, ``_`` for ``-``, or a near miss."""
-    candidates = [name for name in known if name != BOOLEAN]
-    lowered = word.lower().replace("_", "-")
-    for name in candidates:
-        if name.lower().replace("_", "-") == lowered:
-            return name
-    near = get_close_matches(lowered, candidates, n=2, cutoff=0.8)
-    return near[0] if len(near) == 1 else None
+def closest(word: str, known: Iterable[str]) -> str | None:
+    """The one known word that was probably meant: another case, ``_`` for ``-``, or a near miss."""
+    meant = nearest(word.replace("_", "-"), [name for name in known if name != BOOLEAN])
+    return meant[0] if len(meant) == 1 else None
 
 
 def check_choice(name: str, value: Located, version: int, effect: str = LINE) -> Iterator[ValueProblem]:

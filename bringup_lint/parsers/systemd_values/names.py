@@ -198,7 +198,7 @@ def check_words_of(kind: str, value: Located, version: int, *, fold: bool = Fals
         since = known.get(word.upper() if fold else word)
         if since is None:
             yield ValueProblem(
-                "invalid", word, f"known words such as {next(iter(known))}", WORD, closest(word, known)
+                "invalid", word, f"words such as {next(iter(known))}", WORD, closest(word, known)
             )
         elif since > version:
             yield ValueProblem("too-new", word, "", WORD, since=since)

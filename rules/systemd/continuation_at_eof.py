@@ -1,0 +1,44 @@
+r"""A trailing backslash that joins nothing.
+
+## What it finds
+A backslash at the end of the last line of the file, or of a line that a blank line follows.
+
+## Why it matters on a robot
+The value ends there. As soon as somebody adds a line behind it, that line disappears into the value above.
+
+## Bad
+```ini
+[Service]
+ExecStart=/usr/bin/robot-drivers \
+
+User=robot
+```
+
+## Good
+```ini
+[Service]
+ExecStart=/usr/bin/robot-drivers
+User=robot
+```
+
+## References
+- systemd.syntax(7): a trailing backslash joins the next line
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule("warning", fix="safe")
+def continuation_at_eof(robot: Robot):
+    for file in robot.units.files:
+        for problem in file.problems:
+            if problem.code == "continuation-at-end":
+                yield finding(
+                    problem.where,
+                    "The trailing backslash joins nothing: the value ends here",
+                    advice="remove the backslash",
+                    fix=fix("remove the backslash", (problem.where, "")),
+                )

@@ -1,0 +1,69 @@
+"""A value that systemd cannot read: the line or word is ignored, or the unit does not load.
+
+## What it finds
+A value that does not follow the grammar of its key: sizes, time spans, percentages, signals, words out of a
+fixed set, paths, addresses, users, environment assignments and so on. Values with placeholders or unknown
+specifiers are not judged, and an empty value resets the key.
+
+## Why it matters on a robot
+systemd drops the line and the default applies: no memory limit, a restart after 100 ms, Type=simple. Only a
+message in the journal tells. For some keys, such as User= and WorkingDirectory=, the whole unit does not
+load.
+
+## Bad
+```ini
+[Service]
+ExecStart=/usr/bin/robot-drivers
+MemoryMax=2GB
+RestartSec=5sek
+KillSignal=sigint
+```
+
+## Good
+```ini
+[Service]
+ExecStart=/usr/bin/robot-drivers
+MemoryMax=2G
+RestartSec=5s
+KillSignal=SIGINT
+```
+
+## References
+- systemd.syntax(7), systemd.time(7), systemd.service(5), systemd.exec(5), systemd.resource-control(5)
+- journal: "Failed to parse", "Invalid memory limit", "path is not absolute, ignoring"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule("error", fix="safe", symptoms=["Failed to parse", "Invalid memory limit", "is not absolute", "ignoring:"])
+def invalid_value(robot: Robot):
+    for line in robot.units.lines:
+        for problem in line.problems:
+            if line.directive.type in ELSEWHERE or problem.code not in CODES:
+                continue
+            if problem.code == "odd-name" and not {",", " "} & set(problem.where):
+                continue
+            yield _finding(line, problem)
+
+
+ELSEWHERE = frozenset({"command", "units", "install-units", "aliases", "socket-units", "documentation"})
+"""Types that have rules of their own."""
+CODES = frozenset({"invalid", "out-of-range", "not-absolute", "not-relative", "not-normalized", "bad-unit-name", "odd-name"})
+
+
+def _finding(line, problem):
+    where = problem.where
+    shown = where if line.directive.type != "environment" else where.partition("=")[0]
+    shown = shown if len(shown) <= 60 else f"{shown[:57]}..."
+    message = f"{line.key}= takes {problem.expected}, not '{shown}': {line.consequence(problem)}"
+    if problem.code == "odd-name":
+        message = f"{line.key}= takes '{shown}' as one name, and the service fails to start"
+        return finding(where, message, advice="separate names with blanks, in lists; a single name has none")
+    if problem.suggestion is None:
+        return finding(where, message, advice=f"write {problem.expected}")
+    change = fix(f"write {problem.suggestion}", (where, problem.suggestion), safe=problem.safe)
+    return finding(where, message, advice=f"write {problem.suggestion}", fix=change)

@@ -1,0 +1,62 @@
+"""A key in the wrong section: systemd ignores the line.
+
+## What it finds
+A key that another section of the same unit has: StartLimitIntervalSec= or OnFailure= in [Service],
+WantedBy= in [Unit], ExecStart= in [Unit]. The five old names that [Service] still takes are the business of
+systemd/legacy-key.
+
+## Why it matters on a robot
+The line has no effect. A start limit in [Service] never limits anything, so a crashing driver restarts for
+ever; an OnFailure= there never calls the failure handler.
+
+## Bad
+```ini
+[Service]
+ExecStart=/usr/bin/robot-drivers
+Restart=always
+StartLimitIntervalSec=60
+```
+
+## Good
+```ini
+[Unit]
+StartLimitIntervalSec=60
+
+[Service]
+ExecStart=/usr/bin/robot-drivers
+Restart=always
+```
+
+## References
+- systemd.unit(5): StartLimitIntervalSec= stands in [Unit] since systemd 230
+- journal: "Unknown key name 'StartLimitIntervalSec' in section 'Service', ignoring."
+- https://github.com/systemd/systemd/issues/16644
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import directives
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import move_lines
+from bringup_lint.api import rule
+
+
+@rule("error", fix="safe", symptoms=["Unknown key name", "Unknown lvalue"])
+def key_in_wrong_section(robot: Robot):
+    for file in robot.units.files:
+        allowed = directives.sections_of_type(file.type)
+        for section in file.sections:
+            if section.name not in allowed:
+                continue
+            for assignment in section.assignments:
+                key = assignment.key
+                homes = [name for name in allowed if directives.directive(name, key)]
+                if not homes or section.name in homes:
+                    continue
+                change = fix(f"move it to [{homes[0]}]", *move_lines(file, assignment, homes[0]))
+                yield finding(
+                    key,
+                    f"{key}= belongs in [{homes[0]}]; in [{section.name}] systemd ignores the line",
+                    advice=f"move the line to [{homes[0]}]",
+                    fix=change if not file.source.template else None,
+                )

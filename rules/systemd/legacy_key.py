@@ -1,0 +1,76 @@
+"""An obsolete key or value that systemd will drop one day.
+
+## What it finds
+A name or value that systemd reads only for old unit files, one that it accepts without effect, and the five
+start limit keys that [Service] still takes although they belong in [Unit].
+
+## Why it matters on a robot
+The unit works on the release it was written for. After the upgrade of the robot's operating system the
+limit, the log destination or the dependency is gone, or has another scale.
+
+## Bad
+```ini
+[Service]
+ExecStart=/usr/bin/robot-drivers
+StandardOutput=syslog
+MemoryLimit=2G
+```
+
+## Good
+```ini
+[Service]
+ExecStart=/usr/bin/robot-drivers
+StandardOutput=journal
+MemoryMax=2G
+```
+
+## References
+- systemd.directives(7), the NEWS file of systemd
+- journal: "Unit uses MemoryLimit=; please use MemoryMax= instead"
+- journal: "Standard output type syslog is obsolete"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import delete_lines
+from bringup_lint.api import directives
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import move_lines
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning", fix="safe", symptoms=["is obsolete", "please use", "Support for option", "deprecated"])
+def legacy_key(robot: Robot):
+    table = directives.legacy()
+    for line in robot.units.lines:
+        section = str(line.assignment.section)
+        old = table.get((section, str(line.key), ""))
+        if old is not None:
+            yield _key(line, old)
+            continue
+        old = table.get((section, str(line.key), str(line.value)))
+        if old is not None:
+            change = fix(f"write {old.replacement}", (line.value, old.replacement), safe=old.fix == "safe")
+            message = f"{line.key}={line.value} is obsolete: {old.note}"
+            yield finding(line.value, message, advice=f"write {old.replacement}", fix=change)
+
+
+def _key(line, old):
+    key = line.key
+    if old.effect == "ignored":
+        advice = f"remove the line, {old.replacement}= does this today" if old.replacement else "remove the line"
+        removal = fix("remove the line", delete_lines(line.assignment), safe=old.fix == "safe")
+        return finding(key, f"{key}= was removed: systemd ignores the line", advice=advice, fix=removal)
+    if old.effect.startswith("moved:"):
+        home = old.effect.partition(":")[2]
+        text = f"{old.replacement}={line.value}"
+        changes = move_lines(line.file, line.assignment, home, text)
+        message = f"{key}= in [{line.assignment.section}] is an old spelling: it belongs in [{home}]"
+        name = f"as {old.replacement}=" if old.replacement != key else ""
+        advice = f"move it to [{home}] {name}".strip()
+        return finding(key, message, advice=advice, fix=fix(advice, *changes, safe=old.fix == "safe"))
+    if old.replacement:
+        change = fix(f"rename to {old.replacement}", (key, old.replacement), safe=old.fix == "safe")
+        return finding(key, f"{key}= is obsolete ({old.note})", advice=f"use {old.replacement}=", fix=change)
+    return finding(key, f"{key}= is obsolete", advice=old.note)

@@ -1,0 +1,43 @@
+"""An assignment above the first section header is ignored.
+
+## What it finds
+A line with a setting before any [Section] header.
+
+## Why it matters on a robot
+The setting has no effect, and nothing but a message in the journal says so.
+
+## Bad
+```ini
+After=network-online.target
+
+[Unit]
+Description=Drivers
+```
+
+## Good
+```ini
+[Unit]
+Description=Drivers
+After=network-online.target
+```
+
+## References
+- systemd.syntax(7)
+- journal: "Assignment outside of section. Ignoring."
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["Assignment outside of section"])
+def line_outside_section(robot: Robot):
+    for file in robot.units.files:
+        for problem in file.problems:
+            if problem.code == "line-outside-section" and not file.source.template:
+                yield finding(
+                    problem.where,
+                    "Assignment outside of a section: systemd ignores the line",
+                    advice="put it below the header it belongs to",
+                )

@@ -1,0 +1,53 @@
+"""A comment behind a value becomes part of the value.
+
+## What it finds
+A blank and # or ; behind a value. systemd knows comments only on lines of their own. Exec lines are not
+judged (a shell may read the comment), nor are descriptions and quoted values.
+
+## Why it matters on a robot
+The value is the whole rest of the line: User=robot # the robot's account names a user that does not exist,
+and the service fails with status 217/USER; RestartSec=5 # seconds is dropped.
+
+## Bad
+```ini
+[Service]
+User=robot  # the service account
+```
+
+## Good
+```ini
+[Service]
+# the service account
+User=robot
+```
+
+## References
+- systemd.syntax(7): comments are lines that start with # or ;
+- journal: "Failed to determine user credentials: No such process"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import lift_comment
+from bringup_lint.api import rule
+
+
+@rule("error", fix="safe", symptoms=["status=217/USER", "Failed to parse", "Failed to add dependency on #"])
+def trailing_comment(robot: Robot):
+    for line in robot.units.lines:
+        comment = line.comment
+        if comment is None:
+            continue
+        changes = lift_comment(line.assignment, comment)
+        on_one_line = line.value.pieces is None and line.assignment.span.text.count("\n") == 0
+        yield finding(
+            comment,
+            f"systemd has no trailing comments: {line.key}= takes '{_shortened(comment)}' as part of the value",
+            advice="put the comment on a line of its own above",
+            fix=fix("move the comment above", *changes) if on_one_line else None,
+        )
+
+
+def _shortened(text):
+    return text if len(text) <= 40 else f"{text[:37]}..."

@@ -1,0 +1,63 @@
+"""A key that systemd does not know: the line is ignored.
+
+## What it finds
+A key that no section of this unit type has: a misspelt name, another case, or a setting of another unit
+type. Keys that start with X- are meant for other programs and are fine.
+
+## Why it matters on a robot
+systemd drops the line with one message in the journal and starts the unit all the same. The watchdog that
+should restart a hung driver, or the memory limit that should protect the rest of the robot, is simply not
+there.
+
+## Bad
+```ini
+[Service]
+ExecStart=/usr/bin/robot-drivers
+WatchDogSec=30
+```
+
+## Good
+```ini
+[Service]
+ExecStart=/usr/bin/robot-drivers
+WatchdogSec=30
+```
+
+## References
+- systemd.directives(7)
+- journal: "Unknown key name 'WatchDogSec' in section 'Service', ignoring."
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import directives
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import nearest
+from bringup_lint.api import rule
+
+
+@rule("error", fix="safe", symptoms=["Unknown key name", "Unknown lvalue"])
+def unknown_key(robot: Robot):
+    for file in robot.units.files:
+        allowed = directives.sections_of_type(file.type)
+        for section in file.sections:
+            if section.name not in allowed or section.name == "Install":
+                continue
+            for assignment in section.assignments:
+                key = assignment.key
+                if not key or key.startswith("X-") or file.source.template:
+                    continue
+                if not any(directives.directive(name, key) for name in allowed):
+                    yield _unknown(key, section.name)
+
+
+def _unknown(key, section):
+    message = f"Unknown key '{key}' in [{section}]: systemd ignores the line"
+    homes = directives.sections_with(key)
+    meant = nearest(key, directives.sections()[section])
+    if homes:
+        return finding(key, message, advice=f"{key}= belongs to [{'] or ['.join(homes)}] of another type of unit")
+    if not meant:
+        return finding(key, message, advice="remove the line, or see systemd.directives(7) for the right name")
+    change = fix(f"rename to {meant[0]}", (key, meant[0]), safe=meant[0].lower() == key.lower())
+    return finding(key, message, advice=f"did you mean {meant[0]}?", fix=change if len(meant) == 1 else None)

@@ -1,0 +1,62 @@
+"""A section that systemd does not know is skipped with everything in it.
+
+## What it finds
+A section header that no unit of this type has: a misspelt name, another case, or a header without its
+closing bracket. Sections that start with X- are meant for other programs and are fine.
+
+## Why it matters on a robot
+Everything below the header is ignored, so the service loses its restart policy or is never enabled, while
+systemctl reports it as loaded. With a broken header the unit does not load at all.
+
+## Bad
+```ini
+[service]
+ExecStart=/usr/bin/robot-drivers
+```
+
+## Good
+```ini
+[Service]
+ExecStart=/usr/bin/robot-drivers
+```
+
+## References
+- systemd.unit(5), systemd.syntax(7)
+- journal: "Unknown section 'service'. Ignoring."
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import directives
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import nearest
+from bringup_lint.api import rule
+
+
+@rule("error", fix="safe", symptoms=["Unknown section", "Invalid section header"])
+def unknown_section(robot: Robot):
+    for file in robot.units.files:
+        allowed = directives.sections_of_type(file.type)
+        for section in file.sections:
+            name = section.name
+            if name in directives.sections() or name.startswith("X-") or file.source.template:
+                continue
+            meant = nearest(name, allowed)
+            yield finding(
+                name,
+                f"Unknown section [{name}]: systemd ignores everything in it",
+                advice=f"did you mean [{meant[0]}]?" if meant else f"use {_listed(allowed)}",
+                fix=fix(f"rename to [{meant[0]}]", (name, meant[0])) if len(meant) == 1 else None,
+            )
+        for problem in file.problems:
+            if problem.code == "bad-section-header" and not file.source.template:
+                yield finding(
+                    problem.where,
+                    "The section header is not closed: the unit does not load",
+                    advice="end the header with ]",
+                )
+
+
+def _listed(sections: tuple[str, ...]) -> str:
+    *first, last = (f"[{name}]" for name in sections)
+    return f"{', '.join(first)} or {last}"

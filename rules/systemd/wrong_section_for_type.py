@@ -1,0 +1,45 @@
+"""A section of another unit type has no effect.
+
+## What it finds
+A section that belongs to another type of unit, such as [Service] in a .target or [Timer] in a .service.
+
+## Why it matters on a robot
+systemd skips the section: the process is never started, the timer never runs, and the unit still loads
+without an error.
+
+## Bad
+```ini
+# robot-bringup.target
+[Service]
+ExecStart=/usr/bin/robot-bringup
+```
+
+## Good
+```ini
+# robot-bringup.service
+[Service]
+ExecStart=/usr/bin/robot-bringup
+```
+
+## References
+- systemd.unit(5): each type of unit has a section of its own
+- journal: "Unknown section 'Service'. Ignoring."
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import directives
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["Unknown section"])
+def wrong_section_for_type(robot: Robot):
+    homes = {section: kind for kind, section in directives.SECTION_OF_TYPE.items()}
+    for file in robot.units.files:
+        for section in file.sections:
+            if section.name in homes and section.name not in directives.sections_of_type(file.type):
+                yield finding(
+                    section.name,
+                    f"[{section.name}] has no meaning in a .{file.type}: nothing in it applies",
+                    advice=f"move the settings to a .{homes[section.name]} unit",
+                )
