@@ -1,0 +1,64 @@
+"""Shell text: commands in order, words with their places."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import settings
+from hypothesis import strategies as st
+
+from bringup_lint.parsers.shell import commands
+from bringup_lint.source import Source
+
+TOKENS = st.sampled_from(
+    ["ros2", "launch", "'a b'", '"$X"', "$(", "${", ")", "}", "`", "'", '"', "\\", "\n", ";", "&&", "|", "&", "<<E", "E", "#", " ", "if", "fi"]
+)
+
+
+def words(text: str) -> list[list[str]]:
+    return [[str(word) for word in command.words] for command in commands(Source("x.sh", text).located(0, len(text)))]
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("source a && exec ros2 launch p f", [["source", "a"], ["exec", "ros2", "launch", "p", "f"]]),
+        ("a 'b c' \"d $e\" f\\ g", [["a", "b c", "d $e", "f g"]]),
+        ("a # b\nc", [["a"], ["c"]]),
+        ("a#b", [["a#b"]]),
+        ("if [ -e x ]; then a; else b; fi", [["[", "-e", "x", "]"], ["a"], ["b"]]),
+        ("echo $(date +%F; ls) x", [["echo", "$(date +%F; ls)", "x"]]),
+        ("cat <<EOF\nros2 launch no\nEOF\na", [["cat"], ["a"]]),
+        ("cat <<-'E'\n\tno\n\tE\na", [["cat"], ["a"]]),
+        ("a > /tmp/x 2>&1 < y", [["a"]]),
+        ("a 2>&1 b", [["a", "b"]]),
+        ("f() { a; }", [["a"]]),
+        ("(a; b)", [["a"], ["b"]]),
+        ("a \\\n b", [["a", "b"]]),
+    ],
+)
+def test_commands(text: str, expected: list[list[str]]) -> None:
+    assert words(text) == expected
+
+
+def test_background_and_assignments() -> None:
+    text = "A=1 B='x y' ros2 run a b &\nC=2"
+    first, second = commands(Source("x.sh", text).located(0, len(text)))
+    assert first.background
+    assert [str(word) for word in first.assignments] == ["A=1", "B=x y"]
+    assert [str(word) for word in second.assignments] == ["C=2"]
+    assert not second.words
+
+
+def test_words_know_their_places() -> None:
+    text = "a\n  'b c'"
+    _, second = commands(Source("x.sh", text).located(0, len(text)))
+    assert (second.words[0].span.line, second.words[0].span.column) == (2, 3)
+
+
+@settings(deadline=None)
+@given(st.one_of(st.text(max_size=200), st.lists(TOKENS, max_size=40).map(" ".join), st.lists(TOKENS, max_size=40).map("".join)))
+def test_never_raises_and_every_span_lies_in_the_text(text: str) -> None:
+    for command in commands(Source("x.sh", text).located(0, len(text))):
+        for word in (*command.words, *command.assignments):
+            assert 0 <= word.span.start <= word.span.end <= len(text)
