@@ -1,7 +1,7 @@
 """The examples in the README and in ``docs/`` are what the command really prints.
 
 ``--update-expected`` rewrites them. An example is a code block below a comment that says how it was made:
-``<!-- example: bringup-lint --select x . -->``, with ``in FOLDER`` before the colon when the command runs elsewhere
+``<!-- example: bringup-lint --select x . -->``, with ``in FOLDER`` before the colon when it runs elsewhere
 than in the project, and ``| /runs/0`` (a JSON pointer) behind it when only a part of the output is shown.
 ``<!-- picture NAME: bringup-lint ... -->`` draws the output instead.
 """
