@@ -8,9 +8,11 @@ from collections.abc import Iterable
 def nearest(word: str, known: Iterable[str], farthest: int = 2) -> list[str]:
     """The known words with the fewest edits (a swap of neighbours is one), in the order given.
 
-    Short words allow fewer edits: no more than a third of their length, but always one.
+    Short words allow fewer edits: no more than a third of their length.
     """
-    limit = max(1, min(farthest, len(word) // 3))
+    limit = min(farthest, len(word) // 3)
+    if not limit:
+        return []
     best: list[str] = []
     for other in known:
         distance = edits(word.lower(), other.lower(), limit)

@@ -16,8 +16,10 @@ from bringup_lint.source import Located
 from bringup_lint.source import Problem
 
 WIREGUARD_KEY = re.compile(r"[A-Za-z0-9+/]{42}[A-Za-z0-9+/]=\Z")
+NUMBER_OR_QUAD = re.compile(r"\d{1,10}\Z|\d{1,3}(?:\.\d{1,3}){3}\Z")
 HEX_KEY = re.compile(r"[0-9a-fA-F]{64}\Z")
 IP6_TUNNELS = frozenset(("ipip6", "ip6ip6", "ip6gre", "ip6gretap", "vti6"))
+KEYED_TUNNELS = frozenset(("gre", "ip6gre", "gretap", "ip6gretap", "vti", "vti6", "wireguard"))
 OVERRIDES = (
     "use-dns",
     "use-domains",
@@ -56,7 +58,8 @@ def _set_name(interface: Interface) -> Iterator[Problem]:
 def _routes(interface: Interface) -> Iterator[Problem]:
     for route in interface.routes:
         if reason := _route(route):
-            yield Problem("route", route.where, reason)
+            where = route.value("via") if "mixes" in reason else None
+            yield Problem("route", where or route.where, reason)
     for policy in interface.items("routing-policy"):
         if isinstance(policy, Mapping) and policy.get("from") is None and policy.get("to") is None:
             yield Problem("route", policy.span, "a routing policy needs from or to")
@@ -83,6 +86,8 @@ def _route(route: Route) -> str:
         return "the route mixes IPv4 and IPv6"
     if to is None:
         return "the route has no destination (to)"
+    if to == "default" and not families:
+        return "a default route needs a gateway (via), or from, to tell IPv4 from IPv6"
     if kind == "unicast" and scope == "global" and via is None:
         return "a global unicast route needs a gateway (via)"
     return ""
@@ -142,6 +147,7 @@ def _tunnel(interface: Interface) -> Iterator[Problem]:
                 "incomplete", interface.value("id") or interface.name, "a VXLAN needs an id in 1..16777215"
             )
     else:
+        yield from _tunnel_numbers(interface)
         remote = interface.value("remote")
         if remote is None:
             yield Problem("incomplete", interface.name, "a tunnel needs remote")
@@ -149,6 +155,14 @@ def _tunnel(interface: Interface) -> Iterator[Problem]:
             if (":" in end) != (mode in IP6_TUNNELS):
                 family = "IPv6" if mode in IP6_TUNNELS else "IPv4"
                 yield Problem("incomplete", end, f"a tunnel of mode {mode} needs {family} ends")
+
+
+def _tunnel_numbers(interface: Interface) -> Iterator[Problem]:
+    """The keys of a tunnel are numbers or dotted quads."""
+    for path in (("key",), ("keys",), ("keys", "input"), ("keys", "output")):
+        key = interface.value(*path)
+        if key is not None and not NUMBER_OR_QUAD.match(key):
+            yield Problem("incomplete", key, "the key of a tunnel is a number or a dotted quad")
 
 
 def _wireguard(interface: Interface) -> Iterator[Problem]:
@@ -165,6 +179,9 @@ def _wireguard(interface: Interface) -> Iterator[Problem]:
             yield Problem("incomplete", peer.span, "a WireGuard peer needs a public key")
         elif not WIREGUARD_KEY.match(public.value):
             yield Problem("incomplete", public.value, "this is no WireGuard public key")
+        shared = keys.scalar("shared") if keys else None
+        if shared is not None and not shared.value.startswith("/") and not WIREGUARD_KEY.match(shared.value):
+            yield Problem("secret", shared.value)
 
 
 def _memberships(plan: Plan) -> Iterator[Problem]:
@@ -188,6 +205,9 @@ def _networkd(interface: Interface) -> Iterator[Problem]:
             if point.mode == "ap":
                 yield Problem("unsupported", point.mode, "networkd cannot open an access point")
             yield from _passphrase(point.password, point.key_management, point.auth)
+    yield from _tunnel_keys(interface, KEYED_TUNNELS)
+    if interface.value("mode") == "isatap" and interface.kind == "tunnels":
+        yield Problem("unsupported", interface.value("mode"), "networkd has no ISATAP tunnels")
     if interface.dhcp4 and interface.dhcp6:
         for key in OVERRIDES:
             one, other = interface.value("dhcp4-overrides", key), interface.value("dhcp6-overrides", key)
@@ -195,6 +215,19 @@ def _networkd(interface: Interface) -> Iterator[Problem]:
                 yield Problem(
                     "unsupported", one or other, f"networkd needs the same {key} for DHCPv4 and DHCPv6"
                 )
+
+
+def _tunnel_keys(interface: Interface, keyed: frozenset[str]) -> Iterator[Problem]:
+    mode = str(interface.value("mode") or "")
+    if interface.kind != "tunnels" or not mode or mode in keyed:
+        return
+    for key in ("key", "keys"):
+        where = interface.key(key)
+        paths = ((key,), (key, "input"), (key, "output"))
+        if where is not None and any(interface.value(*path) is not None for path in paths):
+            yield Problem(
+                "unsupported", where, f"{interface.backend} takes no key for a tunnel of mode {mode}"
+            )
 
 
 def _setting(text: Located | None, key: str) -> object:
@@ -227,6 +260,7 @@ def _network_manager(interface: Interface) -> Iterator[Problem]:
     driver = interface.key("match", "driver")
     if driver is not None and interface.set_name is None:
         yield Problem("unsupported", driver, "NetworkManager cannot match by driver")
+    yield from _tunnel_keys(interface, KEYED_TUNNELS - {"vti", "vti6"})
     off = interface.value("activation-mode")
     if off is not None and off != "manual":
         yield Problem("unsupported", off, f"NetworkManager has no activation-mode {off}")

@@ -43,7 +43,7 @@ def wifi_password_plaintext(robot: Robot):
             key = len(password) == 64 and all(char in "0123456789abcdefABCDEF" for char in password)
             yield finding(
                 password,
-                f"The Wi-Fi {'key' if key else 'password'} of {interface.name} stands in the file",
+                f"The {'key' if key else 'password'} of {interface.name} stands in the file",
                 advice="keep it out of version control: write it on the robot, into a file with mode 0600",
                 severity="info" if key or is_example(source.name) else None,
                 secrets=[password],
