@@ -6,6 +6,7 @@ from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Any
 
 from bringup_lint.facts import directives
 from bringup_lint.finding import Applicability
@@ -136,3 +137,12 @@ def finding(
         hidden=tuple(span_of(place) for place in hidden),
         secrets=tuple(span_of(place) for place in secrets),
     )
+
+
+def __getattr__(name: str) -> Any:
+    """``launch``: the words of the launch model, loaded only by the rules that speak of launch files."""
+    if name == "launch":
+        import bringup_lint.graph.launch_words
+
+        return bringup_lint.graph.launch_words
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterable
 from collections.abc import Iterator
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from bringup_lint.facts import launch_api
 from bringup_lint.graph.launch_expand import Expander
 from bringup_lint.graph.launch_expand import Expansion
 from bringup_lint.graph.launch_resolve import Resolver
+from bringup_lint.graph.launch_resolve import text_of
 from bringup_lint.graph.launch_scope import Scope
 from bringup_lint.graph.launch_started import Started
 from bringup_lint.graph.workspace import Found
@@ -22,6 +25,7 @@ from bringup_lint.model.launch import Action
 from bringup_lint.model.launch import Include
 from bringup_lint.model.launch import LaunchFile
 from bringup_lint.model.launch import walk_actions
+from bringup_lint.model.launch_values import Condition
 from bringup_lint.model.launch_values import Value
 from bringup_lint.source import Source
 
@@ -92,6 +96,18 @@ class Launch:
         """Only the files that no other file includes."""
         return (self._all[id(file)] for file in self.files[:EXPANSIONS] if id(file) not in self.included)
 
+    def leading_to(self, file: LaunchFile) -> Iterator[Expansion]:
+        """The expansions in which a file is read."""
+        return iter(self._leading.get(id(file), ()))
+
+    @cached_property
+    def _leading(self) -> dict[int, list[Expansion]]:
+        found: dict[int, list[Expansion]] = {}
+        for expansion in self.expansions:
+            for file in expansion.files:
+                found.setdefault(id(file), []).append(expansion)
+        return found
+
     def expansion(self, file: LaunchFile) -> Expansion:
         return self._all.get(id(file)) or self.expand(file)
 
@@ -104,6 +120,23 @@ class Launch:
         """Every node of every file once, as its own file starts it when it is launched directly."""
         for expansion in self.expansions:
             yield from (node for node in expansion.nodes if node.file is expansion.entry)
+
+    def conditions(self, file: LaunchFile) -> Iterator[Condition]:
+        """Every condition in a file, of actions and components."""
+        for action in walk_actions(file.actions):
+            yield from action.conditions
+
+    def mentions(self, file: LaunchFile, name: str) -> int:
+        """How often a name stands in a file's text as a word of its own."""
+        return len(re.findall(rf"(?<![\w]){re.escape(name)}(?![\w])", file.source.text))
+
+    def text(self, value: Value, file: LaunchFile) -> str | None:
+        """A value as text when the file is launched without arguments; None when that is not known."""
+        return text_of(Resolver(Scope(self.expansion(file).arguments)).value(value))
+
+    def names_of(self, module: str) -> frozenset[str] | None:
+        """The public names of a module of launch or launch_ros; None when the module is not one of theirs."""
+        return launch_api.names(module, self.robot.target.ros)
 
     def actions(self, kind: type[Action]) -> Iterator[tuple[LaunchFile, Action]]:
         """All actions of a kind in the judged files, with their file."""

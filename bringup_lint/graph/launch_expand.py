@@ -89,6 +89,8 @@ class Used(NamedTuple):
     file: LaunchFile
     chain: tuple[Span, ...]
     conditions: tuple[Condition, ...]
+    certain: bool
+    """Nothing before it could have set the configuration unseen."""
 
 
 @dataclass(eq=False)
@@ -177,7 +179,7 @@ class Expander:
             value = todo.pop()
             if isinstance(value, Argument):
                 if value.default is None and str(value.name) not in self.scope.arguments:
-                    self.result.unbound.append(Used(value, self.file, self.chain, self.conditions))
+                    self.result.unbound.append(Used(value, self.file, self.chain, self.conditions, not self.result.open))
                 continue
             todo.extend(children(value))
 

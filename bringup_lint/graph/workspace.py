@@ -35,7 +35,8 @@ SUBFOLDERS = 40
 
 
 class Place(NamedTuple):
-    """A path in terms of what it stands on: ``share`` or ``prefix`` of a package, or ``""`` for a path as it is."""
+    """A path in terms of what it stands on: ``share`` or ``prefix`` of a package, ``file`` for an absolute path beside a
+    file of the tree, or ``""`` for a path as it is written."""
 
     base: str
     package: str
@@ -136,18 +137,21 @@ class Workspace:
         """The source of a file; None when the tree cannot tell."""
         if place is None:
             return None
-        if not place.base:
-            if not place.path.startswith("/"):
-                return None
-            path = os.path.normpath(place.path)
-            return Found(path, None, None) if os.path.lexists(path) and self._inside(path) else None
+        if place.base == "file":
+            return self._beside(os.path.normpath(place.path))
         package = self.packages.get(place.package)
         if package is None or place.base != "share":
             return None
         return self._share(package, posixpath.normpath(place.path))
 
-    def _inside(self, path: str) -> bool:
-        return any(path.startswith(folder + "/") for folder in self._folders)
+    def _beside(self, path: str) -> Found | None:
+        if os.path.lexists(path):
+            return Found(path, None, None)
+        for folder, package in self._folders.items():
+            if path.startswith(folder + "/"):
+                found = self._share(package, os.path.relpath(path, folder))
+                return found if found and found.file else None
+        return None
 
     def _share(self, package: Package, path: str) -> Found | None:
         if path.startswith("../"):
@@ -172,7 +176,7 @@ def place(value: Value) -> Place | None:
         return Place("", "", str(value.value))
     if isinstance(value, FileDir):
         path = os.path.abspath(value.span.source.name)
-        return Place("", "", path if value.itself else os.path.dirname(path))
+        return Place("file", "", path if value.itself else os.path.dirname(path))
     if isinstance(value, (PackageShare, PackagePrefix)):
         name = value.package
         if isinstance(name, Literal) and isinstance(name.value, str):

@@ -13,6 +13,7 @@ from bringup_lint.parsers.launch_python.calls import call
 from bringup_lint.parsers.launch_python.expressions import evaluate
 from bringup_lint.parsers.launch_python.objects import Frame
 from bringup_lint.parsers.launch_python.objects import Function
+from bringup_lint.parsers.launch_python.objects import Options
 from bringup_lint.parsers.launch_python.positions import Positions
 from bringup_lint.parsers.launch_python.state import State
 from bringup_lint.parsers.launch_python.statements import run
@@ -72,10 +73,14 @@ def _place(source: Source, error: SyntaxError, shift: int) -> Span:
 def _describe(state: State, tree: ast.Module) -> None:
     run(state, tree.body)
     for name in ENTRIES:
-        function = state.frame.names.get(name)
+        function = _function(state.frame.names.get(name))
         if isinstance(function, Function):
             state.file.entry = _name_span(state, function)
             break
+        if function is not None:
+            state.file.entry = state.file.source.whole
+            state.file.actions = (Other(span=state.file.entry, why="entry function from elsewhere"),)
+            return
     else:
         return
     state.guards = ()
@@ -83,6 +88,13 @@ def _describe(state: State, tree: ast.Module) -> None:
     if isinstance(result, freeze.Sequence) and name == ENTRIES[1] and not hasattr(result, "add_action"):
         result = _without_context(result)
     state.file.actions = (*state.effects, *freeze.actions(state, result))
+
+
+def _function(thing):
+    """The entry function, also when the file defines it under a condition."""
+    if isinstance(thing, Options):
+        return next((option for _, option in thing.options if isinstance(option, Function)), thing)
+    return thing
 
 
 def _without_context(result):

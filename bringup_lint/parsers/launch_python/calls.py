@@ -9,11 +9,11 @@ from bringup_lint.model.launch_values import Literal
 from bringup_lint.model.launch_values import Unknown
 from bringup_lint.parsers.launch_python import budget
 from bringup_lint.parsers.launch_python.arguments import Arguments
+from bringup_lint.parsers.launch_python.containers import note_read_all
 from bringup_lint.parsers.launch_python.library import LIBRARY
 from bringup_lint.parsers.launch_python.library import key
 from bringup_lint.parsers.launch_python.methods import method
 from bringup_lint.parsers.launch_python.objects import Bound
-from bringup_lint.parsers.launch_python.objects import Context
 from bringup_lint.parsers.launch_python.objects import Frame
 from bringup_lint.parsers.launch_python.objects import Function
 from bringup_lint.parsers.launch_python.objects import Mapping
@@ -48,10 +48,10 @@ def call(
 def opened(state: State, arguments: Arguments) -> None:
     """Code that is not followed may add to the lists and dictionaries it gets."""
     for thing in (*arguments.positional, *arguments.keywords.values()):
-        if isinstance(thing, (Sequence, Mapping)) and not isinstance(thing, tuple):
+        if isinstance(thing, (Sequence, Mapping)):
             thing.open = True
-        elif isinstance(thing, Context):
-            state.file.reads_all = True
+        else:
+            note_read_all(state, thing)
 
 
 def _invoke(state: State, function: Function, arguments: Arguments) -> Any:

@@ -7,6 +7,8 @@ from typing import Any
 from bringup_lint.model.launch_values import Condition
 from bringup_lint.model.launch_values import Literal
 from bringup_lint.parsers.launch_python import budget
+from bringup_lint.parsers.launch_python.objects import Bound
+from bringup_lint.parsers.launch_python.objects import Context
 from bringup_lint.parsers.launch_python.objects import Mapping
 from bringup_lint.parsers.launch_python.objects import Options
 from bringup_lint.parsers.launch_python.objects import Sequence
@@ -38,6 +40,7 @@ def extend(state: State, target: Sequence, more: Any, guards: tuple[Condition, .
         for own, option in more.options:
             extend(state, target, option, guards + own)
     else:
+        note_read_all(state, more)
         target.open = True
 
 
@@ -72,4 +75,11 @@ def iterate(state: State, thing: Any) -> list[tuple[tuple[Condition, ...], Any]]
                 return None
             result += [(guards + own, item) for own, item in items]
         return result
+    note_read_all(state, thing)
     return None
+
+
+def note_read_all(state: State, thing: Any) -> None:
+    """All launch configurations are looked at, when the thing is their dictionary or the context."""
+    if isinstance(thing, Context) or (isinstance(thing, Bound) and thing.name == "launch_configurations"):
+        state.file.reads_all = True

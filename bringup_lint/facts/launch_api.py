@@ -1,0 +1,36 @@
+"""Which names launch and launch_ros have, in which distribution."""
+
+from __future__ import annotations
+
+from functools import cache
+
+from bringup_lint.facts import table
+
+DISTRIBUTIONS = ("foxy", "galactic", "humble", "iron", "jazzy", "kilted", "rolling")
+MODULES = frozenset(
+    "launch.actions launch.substitutions launch.conditions launch.event_handlers launch.descriptions"
+    " launch.launch_description_sources launch_ros.actions launch_ros.substitutions launch_ros.descriptions"
+    " launch_ros.event_handlers launch_ros.parameter_descriptions".split()
+)
+"""Modules whose public names the table holds in full."""
+
+
+@cache
+def _rows() -> dict[str, list[tuple[str, str, str]]]:
+    rows: dict[str, list[tuple[str, str, str]]] = {}
+    for row in table("launch_api"):
+        rows.setdefault(row["import_from"], []).append((row["name"], row["since_distro"], row["last_seen"]))
+    return rows
+
+
+@cache
+def names(module: str, distribution: str | None) -> frozenset[str] | None:
+    """The names that can be imported from a module; of every distribution when it is not known which one runs."""
+    if module not in MODULES:
+        return None
+    at = DISTRIBUTIONS.index(distribution) if distribution in DISTRIBUTIONS else None
+    found = set()
+    for name, since, last in _rows().get(module, ()):
+        if at is None or DISTRIBUTIONS.index(since) <= at <= DISTRIBUTIONS.index(last):
+            found.add(name)
+    return frozenset(found)

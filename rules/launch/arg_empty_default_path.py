@@ -1,0 +1,75 @@
+"""A path argument is empty unless somebody passes it.
+
+## What it finds
+Arguments with the default `''` that are used as a parameter file or as the file of an include, or passed on as
+`params_file`, without a condition that looks at them.
+
+## Why it matters on a robot
+Started without the argument, the node comes up with the defaults of its code instead of the robot's parameters, or the
+include fails.
+
+## Bad
+```python
+DeclareLaunchArgument('params_file', default_value=''),
+Node(package='demo', executable='planner', parameters=[LaunchConfiguration('params_file')]),
+```
+
+## Good
+```python
+DeclareLaunchArgument('params_file', default_value=PathJoinSubstitution([share, 'config', 'planner.yaml'])),
+Node(package='demo', executable='planner', parameters=[LaunchConfiguration('params_file')]),
+```
+
+## References
+- launch_ros, `Node`: "Parameter file path is not a file"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import launch
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning", symptoms=["Parameter file path is not a file"])
+def arg_empty_default_path(robot: Robot):
+    for file in robot.launch.judged:
+        expansion = robot.launch.expansion(file)
+        empty = {
+            each.name: each.action
+            for each in expansion.declared
+            if each.file is file and launch.literal(each.action.default) == ""
+        }
+        for action, owner in expansion.actions if empty else ():
+            if owner is not file:
+                continue
+            for value, what in paths(action):
+                name = str(value.name) if isinstance(value, launch.Argument) else ""
+                if name not in empty or any(name in names(condition.predicate) for condition in action.conditions):
+                    continue
+                yield finding(
+                    empty[name].default.span,
+                    f"the path '{name}' is empty unless it is passed: {what}",
+                    advice="give the argument a real default, or none, so that launch asks for it",
+                    related=[note(value.span, "used as a path here")],
+                )
+
+
+def paths(action):
+    """The values of an action that are used as a path, with what happens when they are empty."""
+    for source in getattr(action, "parameters", ()):
+        if isinstance(source, launch.ParameterFile):
+            source = source.file
+        if isinstance(source, launch.DerivedFile):
+            yield source.base, "the parameter file cannot be opened and the launch aborts"
+        else:
+            yield source, "the node starts without its parameter file"
+    if isinstance(action, launch.Include):
+        yield action.file, "the include fails"
+        for key, value in action.arguments:
+            if launch.literal(key) == "params_file":
+                yield value, "the included file gets no parameter file"
+
+
+def names(value):
+    return {str(each.name) for each in launch.walk(value) if isinstance(each, launch.Argument)}

@@ -1,0 +1,49 @@
+"""A launch configuration is used before it is declared.
+
+## What it finds
+Reads of a launch configuration that stand in the description before the `DeclareLaunchArgument` (`<arg>`) of it.
+
+## Why it matters on a robot
+launch visits the description in order: at that point the configuration does not exist, and the launch aborts.
+
+## Bad
+```python
+LaunchDescription([
+    Node(package='demo', executable='talker', namespace=LaunchConfiguration('robot_name')),
+    DeclareLaunchArgument('robot_name', default_value='robot'),
+])
+```
+
+## Good
+```python
+LaunchDescription([
+    DeclareLaunchArgument('robot_name', default_value='robot'),
+    Node(package='demo', executable='talker', namespace=LaunchConfiguration('robot_name')),
+])
+```
+
+## References
+- launch, `LaunchConfiguration.perform` and `DeclareLaunchArgument.execute`
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["launch configuration 'robot_name' does not exist"])
+def arg_used_before_declare(robot: Robot):
+    for expansion in robot.launch.entries:
+        declared = {each.name: each for each in expansion.declared if each.file is expansion.entry}
+        for used in expansion.unbound:
+            later = declared.get(str(used.argument.name))
+            if later is None or not used.certain or used.file is not expansion.entry:
+                continue
+            yield finding(
+                used.argument.name,
+                f"'{later.name}' is used before it is declared: launch aborts",
+                advice="put the declarations first in the description",
+                related=[note(later.action.span, "declared here, later in the description")],
+                severity="warning" if used.conditions else None,
+            )

@@ -1,0 +1,42 @@
+"""The default of an argument is not one of its choices.
+
+## What it finds
+`DeclareLaunchArgument(..., choices=[...])` (`<choice>`) with a literal default that is not in the list.
+
+## Why it matters on a robot
+launch refuses the declaration: the file cannot be launched without passing the argument, or not be loaded at all.
+
+## Bad
+```python
+DeclareLaunchArgument('lidar', default_value='a1', choices=['a2', 'a3'])
+```
+
+## Good
+```python
+DeclareLaunchArgument('lidar', default_value='a2', choices=['a2', 'a3'])
+```
+
+## References
+- launch, `DeclareLaunchArgument`
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import launch
+from bringup_lint.api import nearest
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["is not in provided choices"])
+def choices_default(robot: Robot):
+    for _, action in robot.launch.actions(launch.DeclareArgument):
+        default = launch.literal(action.default)
+        choices = [launch.literal(choice) for choice in action.choices or ()]
+        if default is None or not choices or None in choices or default in choices:
+            continue
+        near = nearest(default, choices)
+        yield finding(
+            default,
+            f"the default '{default}' is not one of the choices ({', '.join(choices)}): the file cannot be loaded",
+            advice=f"write '{near[0]}'" if near else "take one of the choices as the default",
+        )

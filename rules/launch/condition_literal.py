@@ -1,0 +1,60 @@
+"""A condition is neither true nor false.
+
+## What it finds
+`IfCondition` and `UnlessCondition` (`if=`, `unless=`) on a literal, or on an argument whose default is a literal, that is
+not one of `true`, `false`, `1`, `0`.
+
+## Why it matters on a robot
+launch accepts only these four words, in any case. `yes`, `on` or an empty text abort the launch.
+
+## Bad
+```xml
+<node pkg="demo" exec="talker" if="yes"/>
+```
+
+## Good
+```xml
+<node pkg="demo" exec="talker" if="true"/>
+```
+
+## References
+- launch, `evaluate_condition_expression`
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import launch
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+MEANT = {"yes": "true", "on": "true", "y": "true", "no": "false", "off": "false", "n": "false"}
+
+
+@rule("error", fix="safe", symptoms=["Caught exception in launch", "InvalidConditionExpressionError"])
+def condition_literal(robot: Robot):
+    for file in robot.launch.judged:
+        defaults = {
+            each.name: each.action.default
+            for each in robot.launch.expansion(file).declared
+            if each.file is file and each.action.default is not None
+        }
+        for condition in robot.launch.conditions(file):
+            if condition.kind not in ("if", "unless"):
+                continue
+            value = condition.predicate
+            argument = isinstance(value, launch.Argument)
+            if argument:
+                value = defaults.get(str(value.name))
+            word = launch.literal(value)
+            if word is None or launch.truth(value) is not None:
+                continue
+            meant = MEANT.get(word.strip().lower())
+            start = f"the default '{word}' of '{condition.predicate.name}'" if argument else f"'{word}'"
+            yield finding(
+                word,
+                f"{start} is neither true nor false: the condition aborts the launch",
+                advice=f"write {meant or 'true or false'}",
+                related=[note(condition.span, "this condition reads it")] if argument else [],
+                fix=fix(f"write {meant}", (word, meant)) if meant and word.span.text == word else None,
+            )

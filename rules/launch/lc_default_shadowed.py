@@ -1,0 +1,61 @@
+"""The default of a LaunchConfiguration never applies.
+
+## What it finds
+`LaunchConfiguration('x', default=D)` in a file that also declares `x` with another default.
+
+## Why it matters on a robot
+The declaration runs first and binds `x`, even to an empty text. The default that is written where the value is used looks
+like a fallback and never is one: nav2 gets `params_file:=''` instead of the file that stands there.
+
+## Bad
+```python
+params = LaunchConfiguration('params_file', default='/etc/robot/nav2.yaml')
+LaunchDescription([DeclareLaunchArgument('params_file', default_value=''), Node(parameters=[params], ...)])
+```
+
+## Good
+```python
+params = LaunchConfiguration('params_file')
+LaunchDescription([
+    DeclareLaunchArgument('params_file', default_value='/etc/robot/nav2.yaml'),
+    Node(parameters=[params], ...),
+])
+```
+
+## References
+- launch, `LaunchConfiguration.perform` and `DeclareLaunchArgument.execute`
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import launch
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning")
+def lc_default_shadowed(robot: Robot):
+    for file in robot.launch.judged:
+        declared = {
+            each.name: each.action
+            for each in robot.launch.expansion(file).declared
+            if each.file is file and not each.conditions and each.action.default is not None
+        }
+        for read in file.reads:
+            action = declared.get(str(read.name))
+            if action is None or read.default is None or launch.same(read.default, action.default):
+                continue
+            if any(isinstance(each, launch.Argument) and each.name == read.name for each in launch.walk(action.default)):
+                continue
+            if not (launch.understood(read.default) and launch.understood(action.default)):
+                continue
+            if robot.launch.text(action.default, file) == robot.launch.text(read.default, file) is not None:
+                continue
+            empty = launch.literal(action.default) == ""
+            declaration = "the declared default ''" if empty else "the default of the declaration"
+            yield finding(
+                read.default.span,
+                f"{declaration} wins: this default of '{read.name}' is never used",
+                advice="move the default into the declaration",
+                related=[note(action.span, "declared here")],
+            )

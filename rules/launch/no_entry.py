@@ -1,0 +1,40 @@
+"""A launch file has no entry function.
+
+## What it finds
+A `*.launch.py` without `generate_launch_description()`.
+
+## Why it matters on a robot
+`ros2 launch` imports the file, does not find the function and ends with an error; nothing starts.
+
+## Bad
+```python
+def generate_description():
+    return LaunchDescription([Node(package='demo', executable='talker')])
+```
+
+## Good
+```python
+def generate_launch_description():
+    return LaunchDescription([Node(package='demo', executable='talker')])
+```
+
+## References
+- launch, `get_launch_description_from_python_launch_file`
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["has no attribute 'generate_launch_description'"])
+def no_entry(robot: Robot):
+    for file in robot.launch.judged:
+        if file.format != "python" or file.entry is not None or file.problems:
+            continue
+        if file.source.name.endswith(".launch.py") and file.source.text.strip():
+            yield finding(
+                file.source,
+                "there is no generate_launch_description(): ros2 launch refuses the file",
+                advice="define generate_launch_description() and let it return a LaunchDescription",
+            )

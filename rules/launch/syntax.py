@@ -1,0 +1,44 @@
+"""A launch file cannot be parsed.
+
+## What it finds
+Python launch files with a syntax error, XML and YAML launch files that are not well-formed.
+
+## Why it matters on a robot
+`ros2 launch` stops before it starts a single node, and a unit around it fails at every boot.
+
+## Bad
+```xml
+<launch>
+  <node pkg="demo" exec="talker">
+</launch>
+```
+
+## Good
+```xml
+<launch>
+  <node pkg="demo" exec="talker"/>
+</launch>
+```
+
+## References
+- Launch file architecture of ROS 2, "Static launch description files"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+IGNORED = {"doctype", "control-character", "late-declaration", "bad-comment", "no-launch-root", "too-large", "alias-bomb"}
+
+
+@rule("error", symptoms=["Caught exception in launch", "invalid syntax", "mismatched tag"])
+def syntax(robot: Robot):
+    for file in robot.launch.judged:
+        for problem in file.problems[:1]:
+            if problem.code not in IGNORED:
+                detail = f" ({problem.detail})" if problem.detail else ""
+                yield finding(
+                    problem.where,
+                    f"the launch file has a syntax error{detail}: nothing starts",
+                    advice="repair the line",
+                )

@@ -1,0 +1,63 @@
+"""A launch configuration is read that nobody declares.
+
+## What it finds
+`LaunchConfiguration('x')` or `$(var x)` without a default, where neither the file nor a file that includes it declares or
+sets `x`. Files that read more than two such names are taken for parts of a larger launch file, and reported as info.
+
+## Why it matters on a robot
+launch stops with "launch configuration 'x' does not exist" unless somebody happens to pass `x:=…` by hand. A unit that
+starts the file without it fails at every boot.
+
+## Bad
+```python
+LaunchDescription([
+    Node(package='demo', executable='talker', namespace=LaunchConfiguration('robot_name')),
+])
+```
+
+## Good
+```python
+LaunchDescription([
+    DeclareLaunchArgument('robot_name', default_value='robot'),
+    Node(package='demo', executable='talker', namespace=LaunchConfiguration('robot_name')),
+])
+```
+
+## References
+- launch, `LaunchConfiguration.perform`
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import nearest
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["launch configuration 'robot_name' does not exist"])
+def undeclared_arg(robot: Robot):
+    for expansion in robot.launch.entries:
+        declared = {each.name: each for each in expansion.declared}
+        missing = {str(used.argument.name) for used in expansion.unbound} - declared.keys()
+        for used in expansion.unbound:
+            name = str(used.argument.name)
+            if not used.certain or name not in missing:
+                continue
+            near = nearest(name, declared)
+            related = [note(span, "included from here") for span in used.chain]
+            related += [note(declared[other].action.span, f"'{other}' is declared here") for other in near]
+            yield finding(
+                used.argument.name,
+                f"launch configuration '{name}' does not exist here: launch aborts unless {name}:= is passed",
+                advice=f"declare '{name}'" + (f", or read '{near[0]}'" if near else ""),
+                severity=None if near else grade(expansion, used, missing),
+                related=related,
+            )
+
+
+def grade(expansion, used, missing):
+    """A file that reads many configurations of others is meant to be included by a file that is not here."""
+    if len(missing) > 2:
+        return "info"
+    certain = used.file is expansion.entry and not used.conditions and used.file.format == "python"
+    return None if certain else "warning"

@@ -1,0 +1,46 @@
+"""A launch file imports a name that launch does not have.
+
+## What it finds
+`from launch… import X` and `from launch_ros… import X` where no ROS distribution has X in that package, or the
+robot's distribution does not have it.
+
+## Why it matters on a robot
+The import fails, and with it the whole launch file: nothing starts.
+
+## Bad
+```python
+from launch_ros.actions import LoadComposableNode
+```
+
+## Good
+```python
+from launch_ros.actions import LoadComposableNodes
+```
+
+## References
+- launch and launch_ros, public names of each distribution
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import nearest
+from bringup_lint.api import rule
+
+
+@rule("error", fix="unsafe", symptoms=["ImportError: cannot import name"])
+def unknown_import(robot: Robot):
+    for file in robot.launch.judged:
+        for imported in file.imports:
+            known = robot.launch.names_of(imported.module)
+            if known is None or imported.name in known or imported.name == "*":
+                continue
+            near = nearest(imported.name, known)
+            if len(near) != 1:
+                continue
+            yield finding(
+                imported.name,
+                f"{imported.module} has no '{imported.name}': the import fails and nothing starts",
+                advice=f"import {near[0]}",
+                fix=fix(f"import {near[0]}", (imported.name, near[0]), safe=False),
+            )
