@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.facts import table
 from bringup_lint.graph.udev_conditions import all_conditions
 from bringup_lint.graph.udev_devices import subsystem_of_name
+from bringup_lint.graph.udev_devices import usb_ids
 from bringup_lint.graph.udev_order import TooEarly
 from bringup_lint.graph.udev_order import assignments_overruled
 from bringup_lint.graph.udev_order import packaged_files
@@ -23,6 +24,7 @@ from bringup_lint.graph.udev_rule import Link
 from bringup_lint.graph.udev_rule import UdevRule
 from bringup_lint.model.udev import Rule
 from bringup_lint.model.udev import RulesFile
+from bringup_lint.model.udev import Token
 from bringup_lint.parsers.udev import parse
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
@@ -78,7 +80,7 @@ class RuleSet:
         ]
 
     def _compete(self, one: UdevRule, other: UdevRule) -> bool:
-        if one.line is other.line or one.has_priority or other.has_priority:
+        if one.line is other.line or one.has_priority or other.has_priority or "block" in one.subsystems:
             return False
         if one.file is not other.file and not self.is_installed:
             return False
@@ -90,6 +92,14 @@ class RuleSet:
     def is_installed(self) -> bool:
         """Whether the files lie in folders that udev reads, so that they certainly work together."""
         return all(_directory(file.source) in DIRECTORIES for file in self.files)
+
+    def sets_beside(self, rule: UdevRule, key: str, *names: str) -> bool:
+        """Whether a rule that may fire for the same device assigns the key, such as ENV{names...} or TAG="names"."""
+        return any(
+            _is_named(token, names) and may_both_fire(rule, other)
+            for other in self.rules
+            for token in other.line.assignments(key)
+        )
 
     @cached_property
     def assigned_properties(self) -> frozenset[str]:
@@ -139,6 +149,28 @@ class Udev:
         """Whether many adapters have this serial number."""
         return any(row["serial"] == serial for row in table("factory_serials"))
 
+    def brltty_claim(self, rule: UdevRule, usb_id: str) -> Rule | None:
+        """The line of brltty's rules that takes every device of this id."""
+        vendor, product = (number.lstrip("0") for number in usb_id.split(":"))
+        for other in self.set_of(rule).rules:
+            own = [token for token in other.line.tokens if token.is_match]
+            named = [token for token in own if token.name == "ENV{PRODUCT}" and token.operator == "=="]
+            plain = all(token.key in ("SUBSYSTEM", "ACTION", "ENV") for token in own)
+            claimed = [one for token in named[:1] for one in token.alternatives]
+            if "brltty" in other.source.basename and plain:
+                if any(matches(one, f"{vendor}/{product}/264") for one in claimed):
+                    return other.line
+        return None
+
+    @staticmethod
+    def is_claimed_on_jammy(usb_id: str) -> bool:
+        """Whether brltty of Ubuntu 22.04 takes every device of this id."""
+        return usb_ids().get(usb_id, {}).get("brltty") == "yes"
+
+    def set_of(self, rule: UdevRule) -> RuleSet:
+        """The rules files that udevd reads together with the rule's."""
+        return next(one for one in self.sets if rule.file in one.files)
+
     @property
     def too_early(self) -> Iterator[tuple[UdevRule, TooEarly]]:
         """Tokens whose file sorts before the packaged one that they depend on, or that overrules them."""
@@ -158,7 +190,7 @@ class Udev:
             for file in one.files:
                 loser = hidden.get(file.source.name)
                 package = packaged_files().get(file.source.basename, "")
-                own = _directory(file.source) in DIRECTORIES[:3] or not file.source.robot_path
+                own = _directory(file.source) in DIRECTORIES[:3]
                 if file.rules and own and (loser is not None or package):
                     yield file, loser, package
 
@@ -209,6 +241,10 @@ def _rule_set(files: list[RulesFile]) -> RuleSet:
         else:
             chosen[name] = file
     return RuleSet(tuple(chosen[name] for name in sorted(chosen)), tuple(shadowed))
+
+
+def _is_named(token: Token, names: tuple[str, ...]) -> bool:
+    return (token.value if token.attribute is None else token.attribute) in names
 
 
 def _directory(source: Source) -> str:

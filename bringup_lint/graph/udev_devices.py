@@ -83,13 +83,18 @@ def is_numbered_by_discovery(name: str) -> bool:
 
 
 def is_tagged_by_systemd(subsystem: str, kernels: Iterable[str], systemd: int) -> bool:
-    """Whether 99-systemd.rules makes a device unit of such a device, for sure or perhaps."""
-    names = tuple(kernels) or ("*",)
+    """Whether 99-systemd.rules of that release makes a device unit of such a device, for sure or perhaps."""
+    names = tuple(kernels)
     for row in facts.table("systemd_tagged"):
-        if row["subsystem"] == subsystem and (not row["since"] or systemd >= int(row["since"])):
-            pattern = row["kernel"].split("|")
-            if any(may_overlap(one, name) for one in pattern for name in names):
-                return True
+        if row["subsystem"] != subsystem or (row["since"] and systemd < int(row["since"])):
+            continue
+        tagged = row["kernel"].split("|")
+        if (
+            any(may_overlap(one, name) for one in tagged for name in names)
+            if names
+            else row["usual"] == "yes"
+        ):
+            return True
     return False
 
 

@@ -13,6 +13,7 @@ from bringup_lint.graph.udev_conditions import Conditions
 from bringup_lint.graph.udev_conditions import contradict
 from bringup_lint.graph.udev_devices import can_be_one
 from bringup_lint.graph.udev_devices import is_open_by_design
+from bringup_lint.graph.udev_devices import is_tagged_by_systemd
 from bringup_lint.graph.udev_devices import levels
 from bringup_lint.graph.udev_devices import subsystem_of_name
 from bringup_lint.graph.udev_devices import usb_ids
@@ -20,6 +21,8 @@ from bringup_lint.model.udev import PARENT_KEYS
 from bringup_lint.model.udev import Rule
 from bringup_lint.model.udev import RulesFile
 from bringup_lint.model.udev import Token
+from bringup_lint.parsers.udev_command import Command
+from bringup_lint.parsers.udev_command import read_command
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.source import Span
@@ -138,6 +141,14 @@ class UdevRule:
             f"{vendor}:{product}" for vendor in vendors for product in self._usb_numbers("idProduct")
         )
 
+    @property
+    def usb_number(self) -> Located:
+        """Where the rule names the product, or the first token when only a jump does."""
+        for condition in self.conditions.positive:
+            if condition.subject[1] == "idProduct" and not condition.inherited:
+                return condition.token.value
+        return self.line.tokens[0].value
+
     def _usb_numbers(self, attribute: str) -> tuple[str, ...]:
         for condition in self.conditions.positive:
             if condition.equal and condition.subject[1] == attribute:
@@ -202,6 +213,22 @@ class UdevRule:
         names = [*self.kernels, *(name.rpartition("/")[2] for name in static)]
         return bool(names) and all(is_open_by_design(name) for name in names)
 
+    def is_tagged_by_systemd(self, systemd: int) -> bool | None:
+        """Whether the devices become device units by 99-systemd.rules alone; None when the subsystem is unknown."""
+        if not self.subsystems:
+            return None
+        return any(is_tagged_by_systemd(one, self.kernels, systemd) for one in self.subsystems)
+
+    @property
+    def commands(self) -> list[Command]:
+        """The programs that the rule starts: RUN, PROGRAM and IMPORT{program}."""
+        tokens = (token for token in self.line.tokens if token.attribute in (None, "program"))
+        return [
+            read_command(token)
+            for token in tokens
+            if token.key in ("RUN", "PROGRAM", "IMPORT") and token.value
+        ]
+
     @cached_property
     def impossible_parents(self) -> tuple[Token, Token] | None:
         """Two parent keys that no one device of a chain fulfils, so that the rule never fires."""
@@ -227,6 +254,11 @@ class UdevRule:
         elif index and "\n" not in text[tokens[index - 1].span.end : start]:
             start = tokens[index - 1].span.end
         return [(Span(self.source, start, end), "")]
+
+    def after(self, text: str) -> tuple[Span, str]:
+        """The edit that puts a new token at the end of the line."""
+        end = self.line.tokens[-1].span.end
+        return Span(self.source, end, end), f", {text}"
 
     def before(self, token: Token, text: str) -> tuple[Span, str]:
         """The edit that puts a new token before one of the line."""

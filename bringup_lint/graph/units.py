@@ -90,10 +90,10 @@ def place_of(source: Source, folder: str | None = None) -> _Place:
     if path is not None:
         directory = (folder or path).rpartition("/")[0]
         if directory in SYSTEM_PATH:
-            return _Place(source.name.removesuffix(path), "system", SYSTEM_PATH.index(directory))
+            return _Place(source.name.removesuffix(path.lstrip("/")), "system", SYSTEM_PATH.index(directory))
         for rank, suffix in enumerate(USER_PATH):
             if directory == suffix or (suffix.startswith("/.") and directory.endswith(suffix)):
-                return _Place(source.name.removesuffix(path), "user", rank)
+                return _Place(source.name.removesuffix(path.lstrip("/")), "user", rank)
     directory = (source.name if folder is None else source.name.rpartition("/")[0]).rpartition("/")[0]
     manager = "user" if re.search(r"(?:^|/)systemd[/_-]user(?:/|$)", directory) else "system"
     return _Place(directory, manager, None)
@@ -211,6 +211,10 @@ class Units:
             return True
         stem, _, suffix = name.rpartition(".")
         return "@" in stem and f"{stem.partition('@')[0]}@.{suffix}" in self._distribution
+
+    def is_provided(self, name: str) -> bool | None:
+        """Whether the distribution has the unit; None for names that generators, the kernel or packages bring."""
+        return None if "%" in name or GENERATED.search(name) else self.is_distribution_unit(name)
 
     def wanted_by(self, unit: Unit) -> Iterator[tuple[str, str, Located]]:
         """Who pulls the unit in by installation: (unit name, ``Wants``/``Requires``/``Upholds``, the word that says so)."""

@@ -1,0 +1,54 @@
+"""The driver for braille displays takes a robot's adapter.
+
+## What it finds
+A rule for a USB serial adapter whose id the brltty rules of the tree claim without further conditions; in a
+repository for Ubuntu 22.04, the ids that its brltty claims, for information.
+
+## Why it matters on a robot
+brltty sees a braille display in every CH340 adapter: ttyUSB0 appears and vanishes a moment later, and the
+motor controller is gone.
+
+## Bad
+```udev
+SUBSYSTEM=="tty", ATTRS{idVendor}=="1a86", ATTRS{idProduct}=="7523", KERNELS=="1-1.4", SYMLINK+="robot/base"
+```
+
+## Good
+```udev
+# /etc/udev/rules.d/85-brltty.rules is a link to /dev/null
+SUBSYSTEM=="tty", ATTRS{idVendor}=="1a86", ATTRS{idProduct}=="7523", KERNELS=="1-1.4", SYMLINK+="robot/base"
+```
+
+## References
+- https://github.com/huggingface/lerobot/issues/497
+- https://github.com/ArduPilot/ardupilot/pull/20677
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning", symptoms=["brltty", "interface 0 claimed by ch341 while 'brltty' sets config #1"])
+def brltty_claims_device(robot: Robot):
+    jammy = robot.target.systemd_known and robot.target.systemd == 249 and not robot.tree.complete
+    for line in robot.udev.judged:
+        for usb_id in line.usb_ids if line.is_serial else ():
+            claim = robot.udev.brltty_claim(line, usb_id)
+            where = line.usb_number
+            if claim is not None:
+                yield finding(
+                    where,
+                    f"brltty takes the adapter {usb_id}: its ttyUSB appears and vanishes",
+                    advice=f"mask {claim.source.basename} with a link to /dev/null in /etc/udev/rules.d, or remove brltty",
+                    related=[note(claim.span, "claims the adapter")],
+                    severity="error",
+                )
+            elif jammy and robot.udev.is_claimed_on_jammy(usb_id):
+                yield finding(
+                    where,
+                    f"brltty of Ubuntu 22.04 takes the adapter {usb_id}: its ttyUSB appears and vanishes",
+                    advice="mask 85-brltty.rules with a link to /dev/null in /etc/udev/rules.d, or remove brltty",
+                    severity="info",
+                )

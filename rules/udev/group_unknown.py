@@ -1,0 +1,50 @@
+"""A rule names a group or user that nothing creates.
+
+## What it finds
+`GROUP` or `OWNER` with a name that no Debian or Ubuntu system has by itself and that no sysusers.d file,
+script or document of the tree creates. In a root file system /etc/group and /etc/passwd decide.
+
+## Why it matters on a robot
+udev says 'Unknown group, ignoring', and the node stays with root: the driver gets 'permission denied'.
+
+## Bad
+```udev
+SUBSYSTEM=="tty", ATTRS{serial}=="A5XK3RJT", GROUP="robots", MODE="0660"
+```
+
+## Good
+```udev
+SUBSYSTEM=="tty", ATTRS{serial}=="A5XK3RJT", GROUP="dialout", MODE="0660"
+```
+
+## References
+- udev(7), OWNER and GROUP
+- sysusers.d(5)
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("warning", symptoms=["Unknown group", "Unknown user", "Failed to resolve group"])
+def group_unknown(robot: Robot):
+    for line in robot.udev.judged:
+        for token in line.line.assignments("GROUP"):
+            if _is_name(token) and not robot.accounts.has_group(token.value):
+                yield _finding(token, "group", "dialout, or create the group with a sysusers.d file")
+        for token in line.line.assignments("OWNER"):
+            if _is_name(token) and not robot.accounts.has_user(token.value):
+                yield _finding(token, "user", "root, or create the user with a sysusers.d file")
+
+
+def _is_name(token) -> bool:
+    return bool(token.value) and not token.value.isdigit() and not token.has_substitution
+
+
+def _finding(token, what: str, instead: str):
+    return finding(
+        token.value,
+        f"Nothing creates the {what} '{token.value}': udev ignores it, and the node stays with root",
+        advice=f"use {instead}",
+    )

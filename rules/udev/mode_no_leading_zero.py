@@ -1,0 +1,41 @@
+"""MODE is written without its leading zero.
+
+## What it finds
+`MODE="660"`.
+
+## Why it matters on a robot
+udev reads it as octal all the same; people may not.
+
+## Bad
+```udev
+KERNEL=="ttyACM*", MODE="660"
+```
+
+## Good
+```udev
+KERNEL=="ttyACM*", MODE="0660"
+```
+
+## References
+- udev(7), MODE
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule("info", fix="safe")
+def mode_no_leading_zero(robot: Robot):
+    for line in robot.udev.judged:
+        for token in line.line.assignments("MODE"):
+            if re.fullmatch(r"[1-7][0-7]{2}", token.value):
+                yield finding(
+                    token.value,
+                    f"{token.value} is read as octal; with a leading zero everybody sees that",
+                    advice=f"write 0{token.value}",
+                    fix=fix("add the zero", (token.value, f"0{token.value}")),
+                )

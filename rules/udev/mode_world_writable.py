@@ -1,0 +1,50 @@
+"""A device node may be written by everybody.
+
+## What it finds
+`MODE` with write permission for others, such as `0666` or `0777`. Nodes that are so by design (null, fuse,
+kvm, graphics) pass.
+
+## Why it matters on a robot
+Any process of any user, a compromised web service included, can drive the motor controller. `GROUP=` beside
+it has no effect.
+
+## Bad
+```udev
+SUBSYSTEM=="tty", ATTRS{serial}=="A5XK3RJT", MODE="0666", GROUP="dialout"
+```
+
+## Good
+```udev
+SUBSYSTEM=="tty", ATTRS{serial}=="A5XK3RJT", MODE="0660", GROUP="dialout"
+```
+
+## References
+- udev(7), MODE
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule("warning", fix="safe", tags=["CWE-732"])
+def mode_world_writable(robot: Robot):
+    for line in robot.udev.judged:
+        if line.is_open_by_design:
+            continue
+        for token in line.line.assignments("MODE"):
+            if not re.fullmatch(r"0*[0-7]{1,4}", token.value) or not int(token.value, 8) & 0o002:
+                continue
+            grouped = line.line.first("GROUP") is not None
+            yield finding(
+                token.value,
+                f"With mode {token.value} every user and service may write to the device"
+                + ", so GROUP means nothing" * grouped,
+                advice="write 0660"
+                if grouped
+                else "write 0660 and name the group that needs the device with GROUP=",
+                fix=fix("let only owner and group write", (token.value, "0660"), safe=grouped),
+            )

@@ -1,0 +1,44 @@
+"""NAME= is used for something else than a network interface.
+
+## What it finds
+`NAME=` in a rule for tty, video, USB or other devices that are no network interfaces.
+
+## Why it matters on a robot
+Only network interfaces can be renamed: udev ignores the key, and /dev has no such name.
+
+## Bad
+```udev
+SUBSYSTEM=="tty", ATTRS{serial}=="A5XK3RJT", NAME="robot/imu"
+```
+
+## Good
+```udev
+SUBSYSTEM=="tty", ATTRS{serial}=="A5XK3RJT", SYMLINK+="robot/imu"
+```
+
+## References
+- udev(7), NAME
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule("error", fix="safe", symptoms=["Only network interfaces can be renamed, ignoring"])
+def name_not_net(robot: Robot):
+    for line in robot.udev.judged:
+        if not line.subsystems or "net" in line.subsystems:
+            continue
+        for token in line.line.assignments("NAME"):
+            subsystem = "/".join(sorted(line.subsystems))
+            yield finding(
+                token.span,
+                f"NAME= renames network interfaces only: a {subsystem} device does not get the name '{token.value}'",
+                advice=f'write SYMLINK+="{token.value}"',
+                fix=fix(
+                    "make a link",
+                    (line.source.span(token.key.span.start, token.operator.span.end), "SYMLINK+="),
+                ),
+            )

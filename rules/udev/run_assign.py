@@ -1,0 +1,39 @@
+"""RUN= clears the programs of other rules.
+
+## What it finds
+`RUN=` with a plain equals sign.
+
+## Why it matters on a robot
+All programs that rules before it added for the device are gone, those of the distribution included.
+
+## Bad
+```udev
+KERNEL=="ttyACM*", RUN="/usr/local/bin/announce"
+```
+
+## Good
+```udev
+KERNEL=="ttyACM*", RUN+="/usr/local/bin/announce"
+```
+
+## References
+- udev(7), RUN
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule("info", fix="safe")
+def run_assign(robot: Robot):
+    for line in robot.udev.judged:
+        for token in line.line.assignments("RUN"):
+            if token.operator == "=":
+                yield finding(
+                    token.operator,
+                    "RUN= removes the programs that rules before it added for the device",
+                    advice="write +=",
+                    fix=fix("add the program", (token.operator, "+=")),
+                )

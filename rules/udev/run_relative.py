@@ -1,0 +1,39 @@
+"""A program is named without its path.
+
+## What it finds
+`RUN`, `PROGRAM` or `IMPORT{program}` with a bare name of an ordinary command, such as `chmod`, `sh` or
+`systemctl`.
+
+## Why it matters on a robot
+udev looks up bare names in /usr/lib/udev only, not in PATH: the program is not found, and only the journal
+says so.
+
+## Bad
+```udev
+KERNEL=="ttyACM*", RUN+="sh -c 'echo 1 > /sys$devpath/device/enable'"
+```
+
+## Good
+```udev
+KERNEL=="ttyACM*", RUN+="/bin/sh -c 'echo 1 > /sys$devpath/device/enable'"
+```
+
+## References
+- udev(7), RUN: "If no absolute path is given, the program is expected to live in /usr/lib/udev"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("warning", symptoms=["Failed to execute", "No such file or directory"])
+def run_relative(robot: Robot):
+    for line in robot.udev.judged:
+        for command in line.commands:
+            if command.is_looked_up_in_vain:
+                yield finding(
+                    command.program,
+                    f"udev looks for /usr/lib/udev/{command.program} and does not search PATH: nothing runs",
+                    advice=f"write the absolute path of {command.program}",
+                )

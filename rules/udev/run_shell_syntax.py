@@ -1,0 +1,43 @@
+"""Shell syntax stands in a command that no shell reads.
+
+## What it finds
+`&&`, `|`, `>`, `;` or `&` in `RUN`, `PROGRAM` or `IMPORT{program}` outside of `/bin/sh -c '...'`.
+
+## Why it matters on a robot
+udev starts the program itself and hands over these signs as arguments: what stands behind them never runs.
+
+## Bad
+```udev
+KERNEL=="ttyACM*", RUN+="/bin/echo 1 > /sys/class/leds/link/brightness"
+```
+
+## Good
+```udev
+KERNEL=="ttyACM*", RUN+="/bin/sh -c 'echo 1 > /sys/class/leds/link/brightness'"
+```
+
+## References
+- udev(7), RUN
+- https://github.com/IntelRealSense/librealsense/issues/11842
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule("error", fix="unsafe")
+def run_shell_syntax(robot: Robot):
+    for line in robot.udev.judged:
+        for command in line.commands:
+            if command.shell_operators:
+                sign = command.shell_operators[0]
+                wrapped = f"/bin/sh -c '{command.text}'"
+                quoted = any(mark in command.text for mark in "'\"")
+                yield finding(
+                    sign,
+                    f"No shell runs this command: {command.name.rstrip(';')} gets '{sign}' as an argument",
+                    advice="write /bin/sh -c '...'",
+                    fix=None if quoted else fix("let a shell run it", (command.text, wrapped), safe=False),
+                )

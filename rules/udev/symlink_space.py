@@ -1,0 +1,49 @@
+"""A blank splits the name of a link in two.
+
+## What it finds
+A blank in a `SYMLINK` value that does not look like a separator: a word without folder, or a mere number,
+behind a name.
+
+## Why it matters on a robot
+`robot/front camera` makes the links /dev/robot/front and /dev/camera. The driver that opens the whole name
+finds nothing.
+
+## Bad
+```udev
+SUBSYSTEM=="video4linux", ATTRS{serial}=="C1", ATTR{index}=="0", SYMLINK+="robot/front camera"
+```
+
+## Good
+```udev
+SUBSYSTEM=="video4linux", ATTRS{serial}=="C1", ATTR{index}=="0", SYMLINK+="robot/front_camera"
+```
+
+## References
+- udev(7), SYMLINK and OPTIONS "string_escape="
+- https://github.com/orbbec/OrbbecSDK_ROS2/issues/137
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("warning")
+def symlink_space(robot: Robot):
+    for line in robot.udev.judged:
+        names = [link.name for link in line.links]
+        for first, second in zip(names, names[1:], strict=False):
+            if first.span.end < second.span.start <= first.span.end + 2 and _is_torn(first, second):
+                yield finding(
+                    line.source.span(first.span.start, second.span.end),
+                    f"The blank makes two links, /dev/{first.removeprefix('/dev/')} and /dev/{second}",
+                    advice=f"write {first}_{second} for one link",
+                )
+
+
+def _is_torn(first: str, second: str) -> bool:
+    """Whether the second word can hardly be a link of its own."""
+    if second.isdigit() or len(second) == 1:
+        return True
+    folder, _, last = first.rpartition("/")
+    return bool(folder) and "/" not in second and last not in second and second not in last

@@ -1,0 +1,62 @@
+"""A device is to start a unit that is not there.
+
+## What it finds
+`ENV{SYSTEMD_WANTS}` with a unit that neither the root file system nor the distribution has; in a repository
+only when a unit of nearly the same name lies beside it.
+
+## Why it matters on a robot
+The device appears, and systemd only logs that the unit was not found: the driver never starts.
+
+## Bad
+```udev
+SUBSYSTEM=="tty", ATTRS{serial}=="A1", TAG+="systemd", ENV{SYSTEMD_WANTS}+="base-drive.service"   # the file is base_driver.service
+```
+
+## Good
+```udev
+SUBSYSTEM=="tty", ATTRS{serial}=="A1", TAG+="systemd", ENV{SYSTEMD_WANTS}+="base_driver.service"
+```
+
+## References
+- systemd.device(5), SYSTEMD_WANTS=
+"""
+
+from difflib import get_close_matches
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["Unit not found", "Failed to enqueue SYSTEMD_WANTS= job"])
+def systemd_wants_unit_missing(robot: Robot):
+    for line in robot.udev.judged:
+        for token in line.line.assignments("ENV"):
+            for name in token.value.words() if token.attribute == "SYSTEMD_WANTS" else ():
+                near = _nearest(robot, name)
+                if _is_missing(robot, name) and (robot.tree.complete or near):
+                    yield finding(
+                        name,
+                        f"There is no unit {name}: the device starts nothing",
+                        advice=f"did you mean {near.name}?"
+                        if near
+                        else "ship the unit, or name one that exists",
+                        related=[note(near.where, f"{near.name} is here")] if near else [],
+                    )
+
+
+def _is_missing(robot: Robot, name: str) -> bool:
+    stem, at, rest = name.partition("@")
+    plain = f"{stem}@.{rest.rpartition('.')[2]}" if at else str(name)
+    if "%" in plain or "$" in plain or "." not in plain:
+        return False
+    return not robot.units.candidates(plain) and robot.units.is_provided(plain) is False
+
+
+def _nearest(robot: Robot, name: str):
+    units = {
+        unit.name: unit for unit in robot.units.all if unit.judged and unit.type == name.rpartition(".")[2]
+    }
+    near = get_close_matches(name, units, 1, 0.85)
+    return units[near[0]] if near else None
