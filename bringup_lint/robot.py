@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 
 Model = TypeVar("Model")
 
+_ROS_KINDS = ("launch-python", "launch-xml", "launch-yaml", "ros-param", "params", "cyclonedds", "fastdds", "sros2")
+
 
 @dataclass(eq=False)
 class Robot:
@@ -73,6 +75,11 @@ class Robot:
     @cached_property
     def target(self) -> Target:
         return find_target(self.sources, self.configured_ros, self.configured_systemd)
+
+    @cached_property
+    def is_ros(self) -> bool:
+        """Whether the tree has to do with ROS 2: something of it names a distribution, or is a kind that only ROS has."""
+        return self.target.ros_why != "not known" or any(kind.startswith(_ROS_KINDS) for kind in self.kinds)
 
     @cached_property
     def units(self) -> Units:

@@ -8,7 +8,6 @@ from typing import NamedTuple
 
 from bringup_lint.graph.dependencies import HARD
 from bringup_lint.graph.dependencies import PULLING
-from bringup_lint.graph.dependencies import unit_node
 from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.graph import Graph
 from bringup_lint.graph.graph import Node
@@ -119,7 +118,7 @@ def _written_first(edge: Edge) -> tuple[bool, str]:
 
 def _common_root(graph: Graph, members: set[Node]) -> Node | None:
     """Who pulls all members into one transaction: a boot target, a member, or another unit."""
-    candidates = [*map(unit_node, ROOTS), *sorted(members)]
+    candidates = [*(Node("unit", name) for name in ROOTS), *sorted(members)]
     pullers = {edge.source for member in members for edge in graph.into.get(member, ()) if edge.kind in PULLING}
     for root in [*candidates, *sorted(pullers)]:
         if members <= graph.reachable(root, PULLING):

@@ -1,230 +1,142 @@
-"""Requirement and ordering edges between units: written ones, implicit ones, and the distribution's own.
-
-systemd.unit(5), "Implicit Dependencies" and "Default Dependencies" there and in the man page of each unit type.
-"""
+"""Requirement and ordering edges between units, as units write them; the implicit ones and the distribution's are added."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
+from typing import NamedTuple
 
+from bringup_lint.graph.distribution import distribution_edges
 from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.graph import Graph
 from bringup_lint.graph.graph import Node
+from bringup_lint.graph.implicit import after_members
+from bringup_lint.graph.implicit import implicit_edges
 from bringup_lint.graph.unit import Unit
+from bringup_lint.parsers.systemd_values import expand
+from bringup_lint.parsers.systemd_values import split_name
+from bringup_lint.parsers.systemd_values import unit_specifiers
 from bringup_lint.source import Located
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.units import Link
     from bringup_lint.graph.units import Units
 
 PULLS = {"Requires": "requires", "Requisite": "requisite", "BindsTo": "binds-to", "Wants": "wants", "Upholds": "upholds"}
 HARD = frozenset({"requires", "binds-to"})
 PULLING = frozenset({"requires", "binds-to", "wants", "upholds"})
+"""Edges that bring the target into the transaction of the source."""
+ORDERS = frozenset({"orders"})
+INSTALLED = {"WantedBy": "wants", "RequiredBy": "requires", "UpheldBy": "upholds"}
 _OTHER = {"PartOf": "part-of", "Conflicts": "conflicts", "OnFailure": "on-failure", "OnSuccess": "on-success"}
-_INSTALLED = {"WantedBy": "wants", "RequiredBy": "requires", "UpheldBy": "upholds"}
-_GROUPING_TARGET = {"socket": "sockets.target", "timer": "timers.target", "path": "paths.target"}
-_TRIGGERS = {"timer": "Timer", "path": "Path", "socket": "Socket"}
-_FALSE = frozenset({"no", "false", "0", "off", "n", "f"})
+_DEFAULT_INSTANCE = "i"
 
 
-def unit_node(name: str) -> Node:
-    return Node("unit", name)
+class Instance(NamedTuple):
+    """A unit as it takes part in a transaction: itself, or a template with one instance."""
+
+    unit: Unit
+    name: str
+    node: Node
 
 
-def expand_name(name: str, unit: Unit, instance: str) -> str | None:
-    """A unit name with the specifiers that the unit itself decides (%i, %I, %j, %J, %n, %N, %p, %P); None for others."""
-    if name.rpartition(".")[0].endswith("@"):
-        stem, _, suffix = name.rpartition(".")
-        name = f"{stem}{instance or unit.stem}.{suffix}"
-    if "%" not in name:
-        return name
-    prefix = unit.stem.partition("@")[0]
-    full = f"{prefix}@{instance}" if instance else unit.stem
-    values = {"i": instance, "I": instance, "p": prefix, "P": prefix, "n": f"{full}.{unit.type}", "N": full, "%": "%"}
-    values |= {"j": prefix.rpartition("-")[2], "J": prefix.rpartition("-")[2]}
-    parts = name.split("%")
-    out = parts[0]
-    at = 1
-    while at < len(parts):
-        head = parts[at][:1]
-        if head == "" and at + 1 < len(parts):
-            out += "%" + parts[at + 1]
-            at += 2
-            continue
-        if head not in values:
+def resolve(name: str, near: Unit, units: Units) -> Node | None:
+    """The node that a unit name means in a unit; None when it is masked or could mean several units."""
+    found = units.find(name, near)
+    if found is None:
+        if len(units.candidates(name, near.manager)) > 1:
             return None
-        out += values[head] + parts[at][1:]
-        at += 1
-    return out
+        return Node(_kind(near.manager), units.real_name(name, near.manager))
+    if found.masked:
+        return None
+    instance = split_name(name).instance
+    return units.node(found, instance) if found.is_template and instance else units.node(found)
+
+
+def _kind(manager: str) -> str:
+    return "unit" if manager == "system" else "user-unit"
+
+
+def expand_name(name: str, unit_name: str) -> str | None:
+    """A unit name with the specifiers that follow from the unit's own name; None for others (systemd.unit(5)). A template
+    without an instance gets the name of the unit as its instance."""
+    parts = split_name(name)
+    if parts.is_template:
+        own = split_name(unit_name)
+        name = f"{parts.prefix}@{own.instance or own.prefix}.{parts.type}"
+    return expand(name, unit_specifiers(unit_name)) if "%" in name else name
 
 
 def dependency_graph(units: Units) -> Graph:
     """All edges between units that the tree or the distribution states."""
     graph = Graph()
-    instances = _instances(units)
-    for unit in units.all:
-        if unit.masked:
-            continue
-        for instance in instances.get(unit.name, {"i"}) if unit.is_template else {unit.instance}:
-            graph.add(_written(unit, instance, units))
-            if unit.fragment is not None:
-                graph.add(_implicit(unit, instance, units))
+    for instance in instances(units):
+        graph.add(_written(instance, units))
+        if instance.unit.fragment is not None:
+            graph.add(implicit_edges(instance, units))
     for link in units.links:
-        kind = {"Wants": "wants", "Requires": "requires", "Upholds": "upholds"}[link.relation]
-        graph.add([Edge(kind, unit_node(link.unit), unit_node(str(link.name)), link.source.whole, f".{kind} link")])
-    graph.add(_of_distribution(units))
-    graph.add(list(_after_members(graph, units)))
+        graph.add(_linked(link, units))
+    if not units.has_vendor_units:
+        graph.add(distribution_edges(units))
+    graph.add(list(after_members(graph, units)))
     return graph
 
 
-def _instances(units: Units) -> dict[str, set[str]]:
-    """Template -> the instances that something in the tree names."""
-    found: dict[str, set[str]] = {}
-    words = [word for unit in units.all for key in (*PULLS, "After", "Before") for word in unit.words(key)]
-    for word in [*words, *(link.name for link in units.links)]:
-        stem, _, suffix = word.rpartition(".")
-        prefix, at, instance = stem.partition("@")
-        if at and instance and "%" not in instance:
-            found.setdefault(f"{prefix}@.{suffix}", set()).add(instance)
+def instances(units: Units) -> Iterator[Instance]:
+    """Every unit that can start; a template once for each instance that the tree names, or once for a made-up one."""
+    named = _named_instances(units)
+    for unit in units.all:
+        if unit.masked:
+            continue
+        if not unit.is_template:
+            yield Instance(unit, unit.name, units.node(unit))
+            continue
+        for word in sorted(named.get((unit.manager, unit.name), {_DEFAULT_INSTANCE})):
+            yield Instance(unit, f"{unit.stem}{word}.{unit.type}", units.node(unit, word))
+
+
+def _named_instances(units: Units) -> dict[tuple[str, str], set[str]]:
+    """(manager, template) -> the instances that something in the tree names."""
+    found: dict[tuple[str, str], set[str]] = {}
+    named = [(unit.manager, word) for unit in units.all for key in (*PULLS, "After", "Before") for word in unit.words(key)]
+    for manager, word in [*named, *((link.manager, link.name) for link in units.links)]:
+        parts = split_name(word)
+        if parts.instance and "%" not in parts.instance:
+            found.setdefault((manager, f"{parts.prefix}@.{parts.type}"), set()).add(parts.instance)
     return found
 
 
-def _name(unit: Unit, instance: str) -> str:
-    return f"{unit.stem}{instance}.{unit.type}" if unit.is_template else unit.name
-
-
-def _targets(unit: Unit, instance: str, units: Units, words: list[Located]) -> Iterator[tuple[Node, Span]]:
+def targets(instance: Instance, units: Units, words: Iterable[Located]) -> Iterator[tuple[Node, Span]]:
+    """The nodes that the words of a setting name, each with its place."""
     for word in words:
-        name = expand_name(word, unit, instance)
-        if name is None:
-            continue
-        found = units.find(name, unit)
-        if found is None and len(units.candidates(name, unit.manager)) > 1:
-            continue
-        alias = found is not None and name in found.aliases
-        yield unit_node(found.name if alias else name), word.span
+        name = expand_name(word, instance.name)
+        node = resolve(name, instance.unit, units) if name else None
+        if node is not None and node != instance.node:
+            yield node, word.span
 
 
-def _written(unit: Unit, instance: str, units: Units) -> Iterator[Edge]:
-    here = unit_node(_name(unit, instance))
+def _written(instance: Instance, units: Units) -> Iterator[Edge]:
+    unit, here = instance.unit, instance.node
     for key, kind in (PULLS | _OTHER).items():
-        for there, span in _targets(unit, instance, units, unit.words(key)):
+        for there, span in targets(instance, units, unit.words(key)):
             yield Edge(kind, here, there, span, f"{key}=")
-    for there, span in _targets(unit, instance, units, unit.words("After")):
-        if there != here:
-            yield Edge("orders", there, here, span, "After=")
-    for there, span in _targets(unit, instance, units, unit.words("Before")):
-        if there != here:
-            yield Edge("orders", here, there, span, "Before=")
-    for key, kind in _INSTALLED.items():
-        for there, span in _targets(unit, instance, units, unit.words(key, "Install")):
+    for there, span in targets(instance, units, unit.words("After")):
+        yield Edge("orders", there, here, span, "After=")
+    for there, span in targets(instance, units, unit.words("Before")):
+        yield Edge("orders", here, there, span, "Before=")
+    if not units.installs(unit):
+        return
+    for key, kind in INSTALLED.items():
+        for there, span in targets(instance, units, unit.words(key, "Install")):
             yield Edge(kind, there, here, span, f"{key}=")
 
 
-def has_default_dependencies(unit: Unit) -> bool:
-    value = unit.get("DefaultDependencies", "Unit")
-    return value is None or value.lower() not in _FALSE
-
-
-def _implicit(unit: Unit, instance: str, units: Units) -> Iterator[Edge]:
-    here = unit_node(_name(unit, instance))
-    yield from _default_edges(here.name, has_default_dependencies(unit))
-    if unit.type in _TRIGGERS:
-        yield from _trigger(unit, instance, units, here)
-    slice_name = unit.get("Slice")
-    if slice_name and "%" not in slice_name:
-        yield Edge("requires", here, unit_node(slice_name), slice_name.span, "Slice=")
-        yield Edge("orders", unit_node(slice_name), here, slice_name.span, "Slice=")
-    for word in unit.words("Sockets", "Service"):
-        yield Edge("orders", unit_node(str(word)), here, word.span, "Sockets=")
-    if unit.type == "service" and unit.get("Type") == "dbus":
-        reason = "implicit: Type=dbus"
-        yield Edge("requires", here, unit_node("dbus.socket"), None, reason)
-        yield Edge("orders", unit_node("dbus.socket"), here, None, reason)
-
-
-def _trigger(unit: Unit, instance: str, units: Units, here: Node) -> Iterator[Edge]:
-    """The unit that a timer, path or socket starts, which is ordered after it."""
-    key = "Service" if unit.type == "socket" else "Unit"
-    named = unit.get(key, _TRIGGERS[unit.type])
-    if named:
-        ends = list(_targets(unit, instance, units, [named]))
-    else:
-        ends = [(unit_node(f"{here.name.rpartition('.')[0]}.service"), unit.where)]
-    for there, span in ends:
-        why = f"{key}=" if named else f"implicit: a {unit.type} is ordered before the service it starts"
-        yield Edge("triggers", here, there, span, why)
-        yield Edge("orders", here, there, span if named else None, why)
-
-
-def _default_edges(name: str, enabled: bool) -> Iterator[Edge]:
-    """DefaultDependencies=yes: what every unit of the type has."""
-    if not enabled:
-        return
-    kind = name.rpartition(".")[2]
-    here = unit_node(name)
-    reason = f"implicit: default dependency of a {kind}"
-    if kind in ("service", "socket", "timer", "path"):
-        yield Edge("requires", here, unit_node("sysinit.target"), None, reason)
-        yield Edge("orders", unit_node("sysinit.target"), here, None, reason)
-    if kind == "service":
-        yield Edge("orders", unit_node("basic.target"), here, None, reason)
-    if kind in _GROUPING_TARGET:
-        yield Edge("orders", here, unit_node(_GROUPING_TARGET[kind]), None, reason)
-
-
-def _of_distribution(units: Units) -> Iterator[Edge]:
-    """What the distribution's units state, except those that the tree brings itself."""
-    from bringup_lint.facts import table
-
-    version = min((249, 252, 255), key=lambda known: abs(known - units.robot.target.systemd))
-    own = {name for unit in units.all if unit.fragment or unit.masked for name in (unit.name, *unit.aliases)}
-    defaults = {}
-    for row in table("systemd_units"):
-        if _ships(row, version) and not row["alias_of"]:
-            defaults[row["unit"]] = row["default_dependencies"] == "yes"
-    aliases = {row["unit"]: row["alias_of"] for row in table("systemd_units") if row["alias_of"] not in ("", "masked")}
-    for row in table("systemd_unit_edges"):
-        name, relation, other = row["unit"], row["relation"], row["target"]
-        if name not in defaults or name in own or not _ships(row, version):
-            continue
-        other = aliases.get(other, other)
-        here, there = unit_node(name), unit_node(other)
-        why = f"{relation}= of the distribution's {name}"
-        if relation == "After":
-            yield Edge("orders", there, here, None, why)
-        elif relation == "Before":
-            yield Edge("orders", here, there, None, why)
-        elif relation in PULLS:
-            yield Edge(PULLS[relation], here, there, None, why)
-        elif relation in _INSTALLED:
-            yield Edge(_INSTALLED[relation], there, here, None, why)
-    for name, enabled in defaults.items():
-        if name not in own:
-            yield from _default_edges(name, enabled)
-
-
-def _ships(row: dict[str, str], version: int) -> bool:
-    return row["releases"] == "*" or str(version) in row["releases"].split(",")
-
-
-def _after_members(graph: Graph, units: Units) -> Iterator[Edge]:
-    """A target is ordered after what it wants or requires, unless one side says otherwise (systemd.target(5))."""
-    without = {unit.name for unit in units.all if unit.fragment and not has_default_dependencies(unit)}
-    from bringup_lint.facts import table
-
-    own = {unit.name for unit in units.all}
-    without |= {
-        row["unit"] for row in table("systemd_units") if row["default_dependencies"] == "no" and row["unit"] not in own
-    }
-    for target, edges in graph.out.items():
-        if not target.name.endswith(".target") or target.name in without:
-            continue
-        ordered = {edge.target for edge in edges if edge.kind == "orders"}
-        ordered |= {edge.source for edge in graph.into.get(target, ()) if edge.kind == "orders"}
-        for edge in edges:
-            if edge.kind in ("wants", "requires") and edge.target not in ordered and edge.target.name not in without:
-                why = f"implicit: {target.name} is ordered after what it pulls in"
-                yield Edge("orders", edge.target, target, edge.where, f"{why} ({edge.why})" if edge.where else why)
-                ordered.add(edge.target)
+def _linked(link: Link, units: Units) -> Iterator[Edge]:
+    near = Unit(link.unit, link.manager, place=link.place)
+    here, there = resolve(link.unit, near, units), resolve(link.name, near, units)
+    if here and there:
+        kind = PULLS[link.relation]
+        where = link.source.whole if link.source.judged else None
+        yield Edge(kind, here, there, where, f".{kind} link")

@@ -16,10 +16,12 @@ if TYPE_CHECKING:
 
 
 class Node(NamedTuple):
-    """Something of the robot: kind (``unit``, ``process``, ``launch-file``, ``device``, ...) and name."""
+    """Something of the robot: kind (``unit``, ``user-unit``, ``process``, ``launch-file``, ``device``, ...) and name."""
 
     kind: str
     name: str
+    place: str = ""
+    """The overlay or folder it belongs to, when the tree holds several things of that name."""
 
 
 class Edge(NamedTuple):
@@ -32,6 +34,8 @@ class Edge(NamedTuple):
     where: Span | None
     why: str
     """The setting (``After=``), or ``implicit: <reason>``."""
+    of_package: bool = False
+    """Only there when a package of the distribution is installed and enabled, which nothing in the tree tells."""
 
     def __str__(self) -> str:
         """``After=, robot.service:4``, or the reason of an implicit edge."""

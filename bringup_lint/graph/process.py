@@ -12,6 +12,7 @@ from dataclasses import field
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from bringup_lint.graph.environment import SETUP_FILE
 from bringup_lint.graph.unit import Unit
 from bringup_lint.model.shell import Command
 from bringup_lint.parsers.shell import commands
@@ -28,11 +29,11 @@ SCRIPT_DEPTH = 4
 """How many scripts that call each other are followed."""
 
 _SHELL_SCRIPT = re.compile(r"#!\s*\S*/(?:env\s+(?:-S\s+)?)?(sh|bash|dash|zsh|ksh)\b")
-_SETUP_FILE = re.compile(r"(?:^|/)(?:local_)?setup\.(?:bash|sh|zsh)$")
 _INSTALLED_NODE = re.compile(r"/install/(?:[^/]+/)?lib/[^/]+/[^/]+$|/opt/ros/[^/]+/lib/[^/]+/[^/]+$")
 _WRAPPERS = frozenset(
     "exec nice ionice chrt taskset stdbuf setsid env nohup time command sudo timeout setpriv runuser gosu prlimit".split()
 )
+_ROS1_TEXT = re.compile(r"/opt/ros/(?:noetic|melodic|kinetic|lunar|jade|indigo)\b|\broslaunch\b|\broscore\b")
 _ROS_TEXT = re.compile(r"\bros2 |/opt/ros/|install/(?:local_)?setup\.(?:bash|sh)|component_container")
 
 
@@ -81,6 +82,7 @@ class Process:
     steps: list[Step] = field(default_factory=list)
     opaque: bool = False
     """It starts something that could not be followed, so that nothing it lacks can be called missing."""
+    _lost: list[Located] = field(default_factory=list)
 
     @property
     def program(self) -> Located:
@@ -111,14 +113,28 @@ class Process:
             (step, step.command.words[1])
             for step in self.steps
             if step.command.name in ("source", ".") and len(step.command.words) > 1
-            if _SETUP_FILE.search(step.command.words[1])
+            if SETUP_FILE.search(step.command.words[1])
         ]
+
+    @cached_property
+    def texts(self) -> list[str]:
+        """The line and the scripts it starts."""
+        return [str(self.line), *{id(step.script): step.script.text for step in self.steps if step.script}.values()]
 
     @property
     def mentions_ros(self) -> bool:
-        """Whether the line, or a script it starts, has anything to do with ROS 2."""
-        texts = [str(self.line), *(step.script.text for step in self.steps if step.script)]
-        return bool(self.ros) or any(_ROS_TEXT.search(text) for text in texts)
+        """Whether the line, or a script it starts, has anything to do with ROS."""
+        return bool(self.ros) or any(_ROS_TEXT.search(text) for text in self.texts)
+
+    @property
+    def is_ros1(self) -> bool:
+        """Whether it is ROS 1 that is started."""
+        return not self.ros and any(_ROS1_TEXT.search(text) for text in self.texts)
+
+    @property
+    def lost_script(self) -> Located | None:
+        """The first shell script that is started and that the tree does not hold."""
+        return self._lost[0] if self._lost else None
 
     @property
     def replaces_shell(self) -> bool:
@@ -159,7 +175,7 @@ def _followed(process: Process, command: Command, robot: Robot, depth: int) -> I
         yield from _shell(process, name, words[1:], robot, depth)
     elif "/" in words[0] and not ros_command(command):
         yield from _script(process, words[0], "", robot, depth)
-    elif name in ("source", ".") and len(words) > 1 and not _SETUP_FILE.search(words[1]):
+    elif name in ("source", ".") and len(words) > 1 and not SETUP_FILE.search(words[1]):
         yield from _script(process, words[1], "bash", robot, depth)
 
 
@@ -179,6 +195,8 @@ def _script(process: Process, path: Located, shell: str, robot: Robot, depth: in
     shebang = _SHELL_SCRIPT.match(source.text) if source else None
     if source is None or not (shell or shebang):
         process.opaque = True
+        if source is None and (shell or path.endswith((".sh", ".bash"))):
+            process._lost.append(path)
         return
     if any(step.script is source for step in process.steps):
         return

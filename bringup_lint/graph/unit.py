@@ -151,6 +151,28 @@ class Unit:
         """The blank-separated words of a list setting."""
         return [word for value in self.values(key, section) for word in value.words()]
 
+    def naming(self, key: str, *names: str, section: str | None = None) -> Iterator[tuple[Assignment, Located]]:
+        """The lines of a list setting that hold one of the words, with the word."""
+        for assignment in self.assignments(key, section):
+            for word in assignment.value.words():
+                if word in names:
+                    yield assignment, word
+
+    def unsure_of(self, *keys: str, section: str | None = None) -> bool:
+        """Whether a template may still change what these settings hold, so that nothing is missing from them."""
+        return self.uncertain or any(assignment.opaque for key in keys for assignment in self.assignments(key, section))
+
+    def new_line(self, section: str, line: str) -> tuple[Span, str]:
+        """The edit that adds a line to a section of the unit's file, and the section when there is none."""
+        file = next(file for file in self.files if file.source.judged)
+        text = file.source.text
+        for found in reversed(file.sections):
+            if found.name == section:
+                lead = "" if text[: found.end].endswith("\n") else "\n"
+                return file.source.span(found.end, found.end), f"{lead}{line}\n"
+        lead = "" if text.endswith("\n") or not text else "\n"
+        return file.source.span(len(text), len(text)), f"{lead}\n[{section}]\n{line}\n"
+
     def has(self, key: str, section: str | None = None) -> bool:
         return bool(self.values(key, section))
 

@@ -10,10 +10,18 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 
+from bringup_lint.graph import boot
+from bringup_lint.graph import distribution
 from bringup_lint.graph.cycles import Cycle
 from bringup_lint.graph.cycles import ordering_cycles
 from bringup_lint.graph.dependencies import dependency_graph
+from bringup_lint.graph.environment import Environment
+from bringup_lint.graph.environment import process_environment
+from bringup_lint.graph.environment import stays_local
+from bringup_lint.graph.environment import unit_environment
+from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.graph import Graph
+from bringup_lint.graph.graph import Node
 from bringup_lint.graph.process import Process
 from bringup_lint.graph.process import processes
 from bringup_lint.graph.unit import Unit
@@ -22,6 +30,7 @@ from bringup_lint.graph.unit_lines import lines
 from bringup_lint.facts.directives import NEWEST
 from bringup_lint.model.unit import UnitFile
 from bringup_lint.parsers.unit import parse
+from bringup_lint.parsers.unit import unit_name
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.templates import final_name
@@ -57,6 +66,8 @@ USER_PATH = (
 )
 """Directories in the order in which they win (systemd.unit(5), "Unit File Load Path")."""
 
+_DDS_VARIABLE = re.compile(r"(?:ROS|RMW|CYCLONEDDS|FASTRTPS|FASTDDS|ZENOH)_(?!VERSION$|PYTHON_VERSION$)")
+_USER_FOLDER = re.compile(r"(?:^|/)(?:(?:systemd|units?|services?)[/_-]user|user[_-](?:systemd|units?|services?))(?:/|$)")
 _LINK_FOLDER = re.compile(r"([^/]+)\.(wants|requires|upholds)$")
 _RELATION = {"wants": "Wants", "requires": "Requires", "upholds": "Upholds"}
 GENERATED = re.compile(
@@ -74,6 +85,8 @@ class Link(NamedTuple):
     relation: str
     name: Located
     source: Source
+    manager: str = "system"
+    place: str = ""
 
 
 class _Place(NamedTuple):
@@ -95,7 +108,7 @@ def place_of(source: Source, folder: str | None = None) -> _Place:
             if directory == suffix or (suffix.startswith("/.") and directory.endswith(suffix)):
                 return _Place(source.name.removesuffix(path.lstrip("/")), "user", rank)
     directory = (source.name if folder is None else source.name.rpartition("/")[0]).rpartition("/")[0]
-    manager = "user" if re.search(r"(?:^|/)systemd[/_-]user(?:/|$)", directory) else "system"
+    manager = "user" if _USER_FOLDER.search(directory) else "system"
     return _Place(directory, manager, None)
 
 
@@ -112,6 +125,8 @@ class Units:
     """Drop-ins of units that neither the tree nor the distribution has."""
     files: list[UnitFile] = field(default_factory=list)
     """All unit files and drop-ins as written, judged ones only."""
+    alias_links: dict[tuple[str, str], str] = field(default_factory=dict)
+    """(manager, alias) -> the unit of the distribution that a link of the tree gives the name to."""
 
     @cached_property
     def judged(self) -> list[Unit]:
@@ -127,6 +142,21 @@ class Units:
     @property
     def services(self) -> list[Unit]:
         return [unit for unit in self.judged if unit.type == "service"]
+
+    @cached_property
+    def _environments(self) -> dict[int, Environment]:
+        return {}
+
+    def environment(self, unit: Unit) -> Environment:
+        """What systemd gives to the processes of a unit. Do not change it."""
+        if id(unit) not in self._environments:
+            self._environments[id(unit)] = unit_environment(unit, self.robot)
+        return self._environments[id(unit)]
+
+    def stays_local(self, unit: Unit) -> bool:
+        """Whether everything that the unit starts talks to this machine only."""
+        found = [process_environment(process, self.robot) for process in self.started(unit)]
+        return bool(found) and all(map(stays_local, found))
 
     @cached_property
     def _processes(self) -> dict[int, list[Process]]:
@@ -159,6 +189,31 @@ class Units:
         ]
 
     @cached_property
+    def dds(self) -> list[Unit]:
+        """The services that take part in ROS 2's communication: they start it, or their environment configures it."""
+        ros1 = [unit for unit in self.ros if all(p.is_ros1 for p in self.processes(unit) if p.mentions_ros)]
+        return [
+            unit
+            for unit in self.services
+            if unit not in ros1
+            and (unit in self.ros or any(_DDS_VARIABLE.match(name) for name in self.environment(unit).chains))
+        ]
+
+    @cached_property
+    def presumed_ros(self) -> list[Unit]:
+        """Services of a ROS 2 tree that run a shell script which the tree does not hold: most likely ROS too."""
+        if not self.robot.is_ros:
+            return []
+        return [
+            unit
+            for unit in self.services
+            if unit not in self.dds
+            and unit not in self.ros
+            and unit.get("Type") != "oneshot"
+            and any(process.lost_script for process in self.started(unit))
+        ]
+
+    @cached_property
     def launch(self) -> list[tuple[Unit, Process]]:
         """The services whose main process is ``ros2 launch``, with the command line that starts it."""
         return [
@@ -172,7 +227,7 @@ class Units:
     def _by_name(self) -> dict[tuple[str, str], list[Unit]]:
         by_name: dict[tuple[str, str], list[Unit]] = {}
         for unit in self.all:
-            for name in (unit.name, *unit.aliases):
+            for name in dict.fromkeys((unit.name, *unit.aliases, *_install_aliases(unit))):
                 by_name.setdefault((unit.manager, name), []).append(unit)
         return by_name
 
@@ -191,26 +246,62 @@ class Units:
             found = [unit for unit in found if unit.place == near.place]
         return found[0] if len(found) == 1 else None
 
+    def node(self, unit: Unit, instance: str = "") -> Node:
+        """The unit, or one instance of a template, in the graph."""
+        name = f"{unit.stem}{instance}.{unit.type}" if unit.is_template else unit.name
+        alone = len(self.candidates(unit.name, unit.manager)) == 1
+        return Node("unit" if unit.manager == "system" else "user-unit", name, "" if alone else unit.place)
+
+    def real_name(self, name: str, manager: str = "system") -> str:
+        """What a name of the distribution stands for: ``default.target`` is ``graphical.target`` unless the tree links it."""
+        if (manager, name) in self.alias_links:
+            return self.alias_links[manager, name]
+        return distribution.aliases().get(name, name) if manager == "system" else name
+
     def exists(self, name: str, near: Unit) -> bool | None:
         """Whether systemd would find a unit of this name; None when that cannot be told."""
-        if self.candidates(name, near.manager):
+        if self.candidates(name, near.manager) or (near.manager, name) in self.alias_links:
             return True
         if "%" in name or GENERATED.search(name) or near.manager == "user":
             return None
-        return self.is_distribution_unit(name)
+        return not self.has_vendor_units and self.is_distribution_unit(name)
 
-    @cached_property
-    def _distribution(self) -> frozenset[str]:
-        from bringup_lint.facts import table
+    def waits_for(self, unit: Unit, name: str) -> list[Edge] | None:
+        """The chain of ordering by which the unit starts after the named one; None when there is none."""
+        return boot.waits_for(self, unit, name)
 
-        return frozenset(row["unit"] for row in table("systemd_units"))
+    def brings_in(self, unit: Unit, name: str) -> list[Edge] | None:
+        """The chain by which starting the unit starts the named one too; None when there is none."""
+        return boot.brings_in(self, unit, name)
+
+    def brought_in(self, near: Unit, name: str) -> list[Edge] | None:
+        """The chain by which the named unit starts at boot, whatever ``near`` says."""
+        return boot.brought_in(self, near, name)
 
     def is_distribution_unit(self, name: str) -> bool:
         """Whether Ubuntu or Debian ships the unit (table ``systemd_units``), templates' instances included."""
-        if name in self._distribution:
+        if name in distribution.names():
             return True
         stem, _, suffix = name.rpartition(".")
-        return "@" in stem and f"{stem.partition('@')[0]}@.{suffix}" in self._distribution
+        return "@" in stem and f"{stem.partition('@')[0]}@.{suffix}" in distribution.names()
+
+    @cached_property
+    def has_vendor_units(self) -> bool:
+        """Whether the tree holds the distribution's own units, so that no table has to stand in for them."""
+        return self.robot.tree.complete and any(
+            unit.name == "multi-user.target" and unit.fragment and unit.fragment.source.robot_path for unit in self.all
+        )
+
+    @cached_property
+    def knows_enabled(self) -> bool:
+        """Whether the links of a root file system tell which units are enabled, rather than their [Install] sections."""
+        return self.robot.tree.complete and any(
+            (link.source.robot_path or "").startswith("/etc/systemd/system/") for link in self.links
+        )
+
+    def installs(self, unit: Unit) -> bool:
+        """Whether the unit's [Install] section counts: a root file system with links knows better."""
+        return not self.knows_enabled or unit.manager == "user"
 
     def is_provided(self, name: str) -> bool | None:
         """Whether the distribution has the unit; None for names that generators, the kernel or packages bring."""
@@ -219,15 +310,24 @@ class Units:
     def wanted_by(self, unit: Unit) -> Iterator[tuple[str, str, Located]]:
         """Who pulls the unit in by installation: (unit name, ``Wants``/``Requires``/``Upholds``, the word that says so)."""
         for key, relation in (("WantedBy", "Wants"), ("RequiredBy", "Requires"), ("UpheldBy", "Upholds")):
-            for word in unit.words(key, "Install"):
+            for word in unit.words(key, "Install") if self.installs(unit) else ():
                 yield str(word), relation, word
         for link in self.links:
+            if link.manager != unit.manager:
+                continue
             if (
                 link.name == unit.name
                 or link.name in unit.aliases
                 or self.candidates(link.name, unit.manager) == [unit]
             ):
                 yield link.unit, link.relation, link.name
+
+
+def _install_aliases(unit: Unit) -> Iterator[str]:
+    """The names that enabling the unit gives it. Its drop-ins are not joined yet, and seldom hold any."""
+    for assignment in unit.fragment.assignments if unit.fragment else ():
+        if assignment.key == "Alias" and assignment.section == "Install":
+            yield from map(str, assignment.value.words())
 
 
 def load_units(robot: Robot) -> Units:
@@ -242,7 +342,7 @@ def load_units(robot: Robot) -> Units:
             units.links.append(_link(source, linked))
             continue
         place = place_of(source)
-        name = final_name(source.basename)
+        name = unit_name(source)[0]
         target = (source.link or "").rpartition("/")[2]
         if source.link and target != name and source.link != "/dev/null":
             aliases.append((place, name, target))
@@ -255,9 +355,11 @@ def load_units(robot: Robot) -> Units:
             [source for _, source in sorted(sources, key=lambda s: s[0])],
         )
     for place, name, target in aliases:
-        for unit in units.all:
-            if unit.name == target and unit.manager == place.manager and unit.place == place.root:
-                unit.aliases.append(name)
+        named = [u for u in units.all if u.name == target and u.manager == place.manager and u.place == place.root]
+        for unit in named:
+            unit.aliases.append(name)
+        if not named:
+            units.alias_links[place.manager, name] = target
     _add_dropins(units, robot)
     units.files = list({id(file): file for file in _files(units) if file.source.judged}.values())
     return units
@@ -269,14 +371,15 @@ def _order(place: _Place) -> int:
 
 def _link(source: Source, folder: re.Match[str]) -> Link:
     name = Located(source.basename, source.whole)
-    return Link(folder.group(1).rpartition("/")[2], _RELATION[folder.group(2)], name, source)
+    place = place_of(source, (source.robot_path or source.name).rpartition("/")[0])
+    return Link(folder.group(1), _RELATION[folder.group(2)], name, source, place.manager, place.root)
 
 
 def _add_unit(units: Units, unit: Unit, sources: list[Source]) -> None:
     winner, *hidden = sources
     if winner.link == "/dev/null" or (not winner.text and winner.link is None):
         unit.masked = winner
-    else:
+    elif winner.text or winner.link is None:
         unit.fragment = next(iter(units.robot.parsed(parse, [winner])), None)
     units.all.append(unit)
     units.shadowed += [(file, unit) for file in units.robot.parsed(parse, filter(lambda s: s.text, hidden))]

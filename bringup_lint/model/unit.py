@@ -23,6 +23,11 @@ class Assignment:
     opaque: bool = False
     """The value holds a placeholder that a build or a deployment fills in."""
 
+    @property
+    def end(self) -> Span:
+        """The empty stretch behind it, where ``\\nKey=value`` adds a line."""
+        return Span(self.span.source, self.span.end, self.span.end)
+
 
 @dataclass(frozen=True, slots=True)
 class Section:

@@ -118,8 +118,10 @@ def _assignment(text: Located, section: Section | None, unit: UnitFile) -> None:
 
 
 def unit_name(source: Source) -> tuple[str, bool]:
-    """The unit that a file describes, and whether the file is a drop-in of it."""
+    """The unit that a file describes, and whether the file is a drop-in of it. A service kept under the name ``robot.conf``
+    is installed as ``robot.service``."""
     *_, folder, name = ("", "", *source.name.split("/"))
     if folder.endswith(".d") and source.kind == "systemd-dropin":
         return folder[:-2], True
-    return final_name(name), False
+    name = final_name(name)
+    return (f"{name[:-5]}.service" if name.endswith(".conf") else name), False

@@ -26,6 +26,8 @@ _UNIT = re.compile(rf"/[^/]+\.(?:{_TYPES}){_TEMPLATE}$")
 _DROPIN = re.compile(rf"/(?:[^/]*\.)?(?:{_TYPES})\.d/[^/]+$")
 _LINK = re.compile(r"\.(?:wants|requires|upholds)/[^/]+$")
 _SECTION = re.compile(r"^\ufeff?\s*\[(?:Unit|Service|Install|Socket|Timer|Path|Mount|Automount|Swap|Slice)\]", re.M)
+_CONF = re.compile(rf"\.conf{_TEMPLATE}$")
+_SERVICE = re.compile(r"^\s*\[Unit\].*^\s*\[Service\].*^\s*ExecStart\s*=", re.M | re.S)
 _BACKUP = re.compile(r"(?:~|\.(?:bak|orig|rej|swp|dpkg-\w+|rpm\w+|ucf-\w+))$")
 
 
@@ -36,6 +38,8 @@ def _is_dropin(path: str, head: Head) -> bool:
 
 def _is_unit(path: str, head: Head) -> bool:
     path = f"/{path}"
+    if _CONF.search(path) and not _DROPIN.search(path):
+        return bool(_SERVICE.search(head()))
     if not _UNIT.search(path) or "/dbus-1/" in path:
         return False
     if "/systemd/" in path or _LINK.search(path):

@@ -1,0 +1,85 @@
+"""network.target does not mean that the network is up.
+
+## What it finds
+A service that runs ROS 2, or whose environment configures DDS, ordered after `network.target` (or after the network
+daemon) but not after `network-online.target`, neither itself nor through a unit that it is ordered after. Services of the
+user manager, services that wait for the network in a command of their own and services that are limited to the local
+machine are left out. A service of a ROS 2 tree whose script is not in the tree is taken for one with medium confidence.
+
+## Why it matters on a robot
+`network.target` is reached as soon as the network daemon runs; no interface needs to have an address. DDS looks at the
+interfaces once, when the first node starts: CycloneDDS fails on an interface that is named in its configuration, Fast DDS
+goes on with the loopback alone and does not use interfaces that come later. It works on the desk, where the cable is
+plugged in and DHCP is fast, and fails on the robot after some of its boots.
+
+## Bad
+```ini
+[Unit]
+After=network.target
+```
+
+## Good
+```ini
+[Unit]
+Wants=network-online.target
+After=network-online.target
+```
+
+## References
+- systemd.special(7), "network.target" and "network-online.target"
+- <https://systemd.io/NETWORK_ONLINE/>
+- <https://github.com/eProsima/Fast-DDS/issues/1880>
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+ONLINE = "network-online.target"
+EARLY = ("network.target", "network-pre.target", "NetworkManager.service", "systemd-networkd.service")
+WAITS = re.compile(r"wait-online|nm-online|\bping\b|wait[-_ ]?for[-_ ]?(?:the[-_ ])?(?:net|ip\b|interface)|\bip (?:-\S+ )*(?:a|addr|route)\b")
+
+
+@rule("warning", fix="safe", symptoms=["does not match an available interface", "failed to find interfaces for \"udp\""])
+def network_target(robot: Robot):
+    units = robot.units
+    for unit in (*units.dds, *units.presumed_ros):
+        lines = [*unit.naming("After", *EARLY), *unit.naming("Wants", *EARLY), *unit.naming("Requires", *EARLY)]
+        if not lines or unit.manager == "user" or unit.unsure_of("After", "Wants", "Requires"):
+            continue
+        if units.waits_for(unit, ONLINE) or units.stays_local(unit):
+            continue
+        if any(WAITS.search(text) for process in units.processes(unit) for text in process.texts):
+            continue
+        line, word = lines[0]
+        known = unit in units.dds
+        lost = [process.lost_script for process in units.started(unit) if process.lost_script]
+        yield finding(
+            word,
+            f"{word} does not mean that any interface has an address: {unit.name} can start before the network is up, "
+            "and DDS looks at the interfaces only once",
+            advice=f"order after {ONLINE} and pull it in: Wants={ONLINE} and After={ONLINE}",
+            related=[
+                *(note(other, "pulled in here, but nothing waits for it") for _, other in unit.naming("Wants", ONLINE)),
+                *(note(script, "presumably starts ROS 2: the script is not in this tree") for script in lost if not known),
+            ],
+            fix=fix(f"wait for {ONLINE}", *_edits(units, unit, line, word)),
+            confidence="high" if known else "medium",
+        )
+
+
+def _edits(units, unit, line, word):
+    ordered = list(unit.naming("After", word))
+    if word == "network.target":
+        yield word, ONLINE
+        missing = [] if ordered else [f"After={ONLINE}"]
+    else:
+        missing = [f"After={ONLINE}"]
+    if not units.brings_in(unit, ONLINE) and (ordered or word != "network.target"):
+        missing.insert(0, f"Wants={ONLINE}")
+    if missing:
+        yield line.end, "".join(f"\n{text}" for text in missing)

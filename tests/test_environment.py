@@ -1,0 +1,107 @@
+"""Environment files and the environment of processes."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import settings
+from hypothesis import strategies as st
+
+from bringup_lint.graph.environment import process_environment
+from bringup_lint.parsers.env_file import parse
+from bringup_lint.source import Source
+from tests.test_units import load
+from tests.test_units import only
+
+
+def entries(text: str) -> dict[str, str]:
+    return {str(entry.name): str(entry.value) for entry in parse(Source("x.env", text)).entries}
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("A=1\nB = 2 3 \n", {"A": "1", "B": "2 3"}),
+        ("# A=1\n ; B=2\nC=3 # x\n", {"C": "3 # x"}),
+        ("A='x y'\nB=\"$HOME\"\nC=x\"y\"\n", {"A": "x y", "B": "$HOME", "C": 'x"y"'}),
+        ("A='one\ntwo'\nB=3\n", {"A": "one\ntwo", "B": "3"}),
+        ("A=one\\\ntwo\nB=\"\\$x\\n\"\n", {"A": "onetwo", "B": "$x\\n"}),
+        ("A='x' # y\n", {"A": "x# y"}),
+        ("A=\nB", {"A": ""}),
+        ("A=1\r\nB=2\r\n", {"A": "1", "B": "2"}),
+        ("export A=1\nB-C=2\nplain\nD=4", {"D": "4"}),
+    ],
+)
+def test_values(text, expected):
+    assert entries(text) == expected
+
+
+def test_problems_have_their_places():
+    found = parse(Source("x.env", "export A=1\nB-C=2\nplain\nD='open\nE=1\n"))
+    assert [(problem.code, problem.where.line) for problem in found.problems] == [
+        ("export-prefix", 1),
+        ("bad-name", 2),
+        ("missing-equals", 3),
+        ("unterminated-quote", 4),
+    ]
+
+
+@given(st.text(alphabet="A=1 \"'\\\n#;x$", max_size=60))
+@settings(max_examples=100, deadline=None)
+def test_any_text_is_read_and_spans_lie_inside(text):
+    source = Source("x.env", text)
+    found = parse(source)
+    for entry in found.entries:
+        assert 0 <= entry.value.span.start <= entry.value.span.end <= len(text)
+        for at in range(len(entry.value)):
+            assert text[entry.value.origin(at)] == entry.value[at]
+    for problem in found.problems:
+        assert 0 <= problem.where.span.start <= problem.where.span.end <= len(text)
+
+
+def test_files_beat_environment_and_resets_count(tmp_path, monkeypatch):
+    units = load(
+        tmp_path,
+        {
+            "etc/systemd/system/a.service": "[Service]\nExecStart=/bin/true\nEnvironment=X=1 Y=1\nEnvironment=\n"
+            "EnvironmentFile=/etc/robot/one.env\nEnvironment=A=unit B=unit C=%p\nUnsetEnvironment=B\nPassEnvironment=P\n",
+            "etc/robot/one.env": "A=file\nA=file2\n",
+        },
+        monkeypatch,
+    )
+    environment = units.environment(only(units, "a.service"))
+    assert environment.complete
+    assert environment.text("A") == "file2"
+    assert [variable.origin for variable in environment.chain("A")] == ["Environment=", "EnvironmentFile=", "EnvironmentFile="]
+    assert environment.defines("B") is False
+    assert environment.text("C") == "a"
+    assert environment.defines("P") is True
+    assert environment.defines("X") is False
+
+
+def test_file_that_is_not_in_the_tree_leaves_it_open(tmp_path, monkeypatch):
+    text = "[Service]\nExecStart=/bin/true\nEnvironmentFile=-/etc/robot/none.env\n"
+    units = load(tmp_path, {"a.service": text}, monkeypatch)
+    assert units.environment(only(units, "a.service")).defines("A") is None
+    units = load(tmp_path / "root", {"etc/systemd/system/a.service": text}, monkeypatch, root=True)
+    assert units.environment(only(units, "a.service")).defines("A") is False
+
+
+def test_shell_text_and_scripts_add_to_it(tmp_path, monkeypatch):
+    units = load(
+        tmp_path,
+        {
+            "a.service": "[Service]\nEnvironment=D=humble\nExecStart=/opt/robot/start.sh\n",
+            "opt/robot/start.sh": "#!/bin/bash\nsource /opt/ros/${D}/setup.bash\nexport ID=7 NAME=$D-x\n"
+            "if [ -e /x ]; then export ID=8; fi\nOTHER=${NONE:-fallback}\nexec ros2 launch a b.launch.py\n",
+        },
+        monkeypatch,
+    )
+    unit = only(units, "a.service")
+    (process,) = units.started(unit)
+    environment = process_environment(process, units.robot)
+    assert environment.text("NAME") == "humble-x"
+    assert environment.text("OTHER") == "fallback"
+    assert environment.text("ID") is None
+    assert len(environment.chain("ID")) == 2
+    assert environment.complete
