@@ -1,4 +1,4 @@
-"""Masks secrets: what a finding marks as secret is shown by none of the findings of the report."""
+"""Masks secrets: what a finding marks as secret, or a file shows by its name to be one, no report prints."""
 
 from __future__ import annotations
 
@@ -14,6 +14,8 @@ from bringup_lint.finding import Fix
 from bringup_lint.finding import Related
 from bringup_lint.finding import Suppression
 from bringup_lint.report.place import inside
+from bringup_lint.report.secrets import MERE_NAME
+from bringup_lint.report.secrets import given_away
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 
@@ -22,10 +24,23 @@ SHORTEST = 6
 
 
 def mask_of(findings: Iterable[Finding]) -> Mask | None:
-    """The mask for all that these findings mark as secret; None when they mark nothing."""
+    """The mask for the secrets of these findings and of the files they show; None when there are none."""
+    findings = tuple(findings)
     marked = (inside(span) for finding in findings for span in finding.secrets)
-    secrets = [span for span in marked if span.text.strip("* \t\r\n")]
+    named = (span for source in _shown(findings) for span in given_away(source))
+    secrets = [span for span in (*marked, *named) if span.text.strip("* \t\r\n")]
     return Mask(secrets) if secrets else None
+
+
+def _shown(findings: Iterable[Finding]) -> dict[Source, None]:
+    """The files of which the findings may show something."""
+    shown: dict[Source, None] = {}
+    for finding in findings:
+        edits = finding.fix.edits if finding.fix else ()
+        silenced = (finding.suppression,) if finding.suppression else ()
+        for part in (finding, *finding.related, *finding.chain, *edits, *silenced):
+            shown[part.span.source] = None
+    return shown
 
 
 class Mask:
@@ -41,7 +56,8 @@ class Mask:
     @cached_property
     def pattern(self) -> re.Pattern[str] | None:
         lines = {line.strip() for span in self.secrets for line in span.text.splitlines()}
-        long = sorted((line for line in lines if len(line) >= SHORTEST), key=lambda line: (-len(line), line))
+        long = [line for line in lines if len(line) >= SHORTEST and not MERE_NAME.fullmatch(line)]
+        long.sort(key=lambda line: (-len(line), line))
         return re.compile("|".join(map(re.escape, long))) if long else None
 
     def words(self, text: str) -> str:

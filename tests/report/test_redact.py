@@ -42,6 +42,18 @@ def test_secrets_that_overlap() -> None:
     assert "KEY=*******\n" in report_on("KEY=abcdefg\n", "abcde", "cdefg")
 
 
+def test_what_no_rule_marks_is_masked_by_its_name() -> None:
+    text = report_on("KEY=1\nMQTT_PASSWORD=abcdefgh\n", message="abcdefgh is odd")
+    assert "abcdefgh" not in text
+    assert "2 | MQTT_PASSWORD=********" in text
+
+
+def test_value_that_repeats_its_name_leaves_prose_alone() -> None:
+    text = report_on("KEY=1\nMQTT_PASSWORD=password\n", message="the password is known")
+    assert "the password is known" in text
+    assert "MQTT_PASSWORD=********" in text
+
+
 def test_without_secrets_nothing_is_copied() -> None:
     finding = Finding("fine", Source("a", "b").whole, "env/x", Severity.INFO)
     assert mask_of([finding]) is None
