@@ -17,6 +17,7 @@ from bringup_lint.source import Problem
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.compose import Compose
     from bringup_lint.discover.tree import Tree
     from bringup_lint.graph.accounts import Accounts
     from bringup_lint.graph.udev import Udev
@@ -117,3 +118,9 @@ class Robot:
         from bringup_lint.graph.accounts import load_accounts
 
         return load_accounts(self)
+
+    @cached_property
+    def compose(self) -> Compose:
+        from bringup_lint.graph.compose import load_compose
+
+        return load_compose(self)

@@ -116,6 +116,18 @@ class Tree:
                 return matching[0] if len(matching) == 1 else None
         return None
 
+    def beside(self, source: Source, path: str) -> Source | None:
+        """The file at a path relative to the folder of another; None when the tree does not hold it."""
+        absolute = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(source.name)), path))
+        if absolute not in self._paths.get(os.path.basename(absolute), ()):
+            return None
+        name = display_name(absolute)
+        key = f"beside:{absolute}"
+        if key not in self._on_demand:
+            known = next((each for each in self.sources if each.name == name), None)
+            self._on_demand[key] = known or self.read(absolute)
+        return self._on_demand[key]
+
     def has(self, robot_path: str) -> bool | None:
         """Whether a file, folder or link is there on the robot; None when the tree cannot tell."""
         if self.root is not None and self.complete:

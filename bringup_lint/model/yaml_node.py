@@ -80,6 +80,19 @@ class Mapping:
         """The pairs whose key is a scalar."""
         return ((key, value) for key, value in self.pairs if isinstance(key, Scalar))
 
+    @property
+    def merged(self) -> Iterator[tuple[Scalar, Node]]:
+        """The pairs that count: the last of each name, then what merge keys (``<<``) add."""
+        last = {str(key.value): (key, value) for key, value in self.entries if not _is_merge(key)}
+        yield from last.values()
+        for key, value in self.entries:
+            if _is_merge(key):
+                for base in value if isinstance(value, Sequence) else [value]:
+                    if isinstance(base, Mapping):
+                        fresh = {str(k.value): (k, v) for k, v in base.merged if str(k.value) not in last}
+                        last.update(fresh)
+                        yield from fresh.values()
+
     def entry(self, name: str) -> tuple[Scalar, Node] | None:
         """The last pair with this key; merge keys (``<<``) are followed when the mapping itself lacks it."""
         found = None
@@ -87,7 +100,7 @@ class Mapping:
         for key, value in self.entries:
             if key.value == name:
                 found = (key, value)
-            elif key.value == "<<" and not key.style:
+            elif _is_merge(key):
                 merges.append(value)
         if found is None and name != "<<":
             bases = (base for merge in merges for base in (merge if isinstance(merge, Sequence) else [merge]))
@@ -116,11 +129,15 @@ class Mapping:
         seen: dict[str, Scalar] = {}
         for key, _ in self.entries:
             first = seen.setdefault(key.value, key)
-            if first is not key and not (key.value == "<<" and not key.style):
+            if first is not key and not _is_merge(key):
                 yield first, key
 
 
 Node = Scalar | Sequence | Mapping
+
+
+def _is_merge(key: Scalar) -> bool:
+    return key.value == "<<" and not key.style
 
 
 @dataclass(eq=False, slots=True)

@@ -1,0 +1,24 @@
+"""Compose files."""
+
+from __future__ import annotations
+
+import re
+
+from bringup_lint.discover.kinds import Head
+from bringup_lint.discover.kinds import Kind
+
+_YAML = re.compile(r"\.ya?ml$")
+_NAMED = re.compile(r"(?:^|[/._-])compose(?:[._-][^/]*)?\.ya?ml$", re.I)
+_SERVICES = re.compile(r"^services:[ \t]*(?:[#{].*)?\r?$", re.M)
+_RUNS = re.compile(r"^[ \t]+(?:image|build):", re.M)
+
+
+def _is_compose(path: str, head: Head) -> bool:
+    if not _YAML.search(path):
+        return False
+    if not _NAMED.search(path) and ".github/" in path:
+        return False
+    return bool(_SERVICES.search(head())) and (bool(_NAMED.search(path)) or bool(_RUNS.search(head())))
+
+
+KINDS = (Kind("compose", _is_compose),)

@@ -1,0 +1,54 @@
+"""Compose files joined to what they name: env files and Dockerfiles."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from dataclasses import field
+from typing import TYPE_CHECKING
+
+from bringup_lint.model.compose import ComposeFile
+from bringup_lint.model.compose import Service
+from bringup_lint.model.compose import is_variable
+from bringup_lint.parsers.compose import parse
+from bringup_lint.source import Source
+
+if TYPE_CHECKING:
+    from bringup_lint.robot import Robot
+
+
+@dataclass(eq=False)
+class Compose:
+    """Every compose file of the tree. Each stands for itself: only the command line knows what is combined."""
+
+    robot: Robot
+    files: list[ComposeFile] = field(default_factory=list)
+
+    @property
+    def services(self) -> Iterator[Service]:
+        """The services of all files; of templates, whose text is not final, none."""
+        for file in self.files:
+            if not file.source.template:
+                yield from file.services
+
+    @property
+    def whole_services(self) -> Iterator[Service]:
+        """The services that say what they run: only of these can something be missing."""
+        return (
+            service for service in self.services if service.is_whole and not self.extends_elsewhere(service)
+        )
+
+    @staticmethod
+    def extends_elsewhere(service: Service) -> bool:
+        """Part of the service stands in another file."""
+        return service.body.get("extends") is not None and service.base is None
+
+    def env_files(self, service: Service) -> list[Source]:
+        """The env files of a service that are in the tree, the later ones winning."""
+        paths = (path for path in service.env_files if not is_variable(path))
+        found = (self.robot.tree.beside(service.source, path) for path in paths)
+        return [source for source in found if source is not None]
+
+
+def load_compose(robot: Robot) -> Compose:
+    return Compose(robot, robot.parsed(parse, robot.of_kind("compose")))
