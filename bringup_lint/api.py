@@ -20,6 +20,8 @@ from bringup_lint.finding import span_of
 from bringup_lint.graph.unit_edits import delete_lines
 from bringup_lint.graph.unit_edits import lift_comment
 from bringup_lint.graph.unit_edits import move_lines
+from bringup_lint.parsers.systemd_values import escape_path
+from bringup_lint.parsers.systemd_values import split_environment
 from bringup_lint.robot import Robot
 from bringup_lint.source import Located
 from bringup_lint.source import Source
@@ -37,6 +39,7 @@ __all__ = [
     "Span",
     "delete_lines",
     "directives",
+    "escape_path",
     "finding",
     "fix",
     "is_example",
@@ -46,6 +49,7 @@ __all__ = [
     "nearest",
     "note",
     "rule",
+    "split_environment",
 ]
 
 Place = Located | Span | Source

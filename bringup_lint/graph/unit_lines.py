@@ -13,9 +13,11 @@ from bringup_lint.facts.directives import directive
 from bringup_lint.facts.directives import sections_of_type
 from bringup_lint.model.unit import Assignment
 from bringup_lint.model.unit import UnitFile
+from bringup_lint.parsers.systemd_values import Command
 from bringup_lint.parsers.systemd_values import ValueProblem
 from bringup_lint.parsers.systemd_values import check
 from bringup_lint.parsers.systemd_values import is_unit_name
+from bringup_lint.parsers.systemd_values import split_command_line
 from bringup_lint.parsers.systemd_values.words import extract
 from bringup_lint.source import Located
 
@@ -45,6 +47,13 @@ class Line:
     @property
     def value(self) -> Located:
         return self.assignment.value
+
+    @property
+    def commands(self) -> tuple[Command, ...]:
+        """What an Exec line runs; nothing for other keys and for values that a template fills in."""
+        if self.directive.type != "command" or self.assignment.opaque:
+            return ()
+        return split_command_line(self.value).commands
 
     def consequence(self, problem: ValueProblem) -> str:
         """What happens on the robot, as a clause."""

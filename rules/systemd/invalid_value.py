@@ -39,7 +39,9 @@ from bringup_lint.api import fix
 from bringup_lint.api import rule
 
 
-@rule("error", fix="safe", symptoms=["Failed to parse", "Invalid memory limit", "is not absolute", "ignoring:"])
+@rule(
+    "error", fix="safe", symptoms=["Failed to parse", "Invalid memory limit", "is not absolute", "ignoring:"]
+)
 def invalid_value(robot: Robot):
     for line in robot.units.lines:
         for problem in line.problems:
@@ -52,7 +54,9 @@ def invalid_value(robot: Robot):
 
 ELSEWHERE = frozenset({"command", "units", "install-units", "aliases", "socket-units", "documentation"})
 """Types that have rules of their own."""
-CODES = frozenset({"invalid", "out-of-range", "not-absolute", "not-relative", "not-normalized", "bad-unit-name", "odd-name"})
+CODES = frozenset(
+    {"invalid", "out-of-range", "not-absolute", "not-relative", "not-normalized", "bad-unit-name", "odd-name"}
+)
 
 
 def _finding(line, problem):

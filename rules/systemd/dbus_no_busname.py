@@ -1,0 +1,41 @@
+"""A D-Bus service without the name that tells systemd that it is up.
+
+## What it finds
+Type=dbus without BusName=, after all drop-ins.
+
+## Why it matters on a robot
+systemd refuses the whole unit.
+
+## Bad
+```ini
+[Service]
+Type=dbus
+ExecStart=/usr/bin/robot-battery
+```
+
+## Good
+```ini
+[Service]
+Type=dbus
+BusName=org.example.Battery
+ExecStart=/usr/bin/robot-battery
+```
+
+## References
+- systemd.service(5), "BusName="
+- journal: "Service is of type D-Bus but no D-Bus service name has been specified. Refusing."
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["no D-Bus service name has been specified"])
+def dbus_no_busname(robot: Robot):
+    for unit in robot.units.services:
+        kind = unit.get("Type")
+        if kind == "dbus" and unit.fragment and not unit.uncertain and not unit.has("BusName"):
+            yield finding(
+                kind, f"Type=dbus without BusName=: systemd refuses {unit.name}", advice="add BusName="
+            )

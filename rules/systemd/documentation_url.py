@@ -1,0 +1,40 @@
+"""A documentation link that systemd does not take.
+
+## What it finds
+A word of Documentation= that does not start with http://, https://, file:, man: or info:.
+
+## Why it matters on a robot
+systemctl status shows no link, and whoever stands before the robot at night does not find the page.
+
+## Bad
+```ini
+[Unit]
+Documentation=www.example.org/robot
+```
+
+## Good
+```ini
+[Unit]
+Documentation=https://www.example.org/robot
+```
+
+## References
+- systemd.unit(5), "Documentation="; uri(7)
+- journal: "Invalid URL, ignoring"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("warning", symptoms=["Invalid URL, ignoring"])
+def documentation_url(robot: Robot):
+    for line in robot.units.lines:
+        for problem in line.problems:
+            if line.directive.type == "documentation" and problem.code == "invalid":
+                yield finding(
+                    problem.where,
+                    f"'{problem.where}' is no URI that Documentation= takes: systemd ignores it",
+                    advice="write a whole URI that starts with https://, file:, man: or info:",
+                )

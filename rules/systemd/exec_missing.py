@@ -1,0 +1,70 @@
+"""A service without anything to start.
+
+## What it finds
+A service that has, after all drop-ins, no ExecStart=, where systemd needs one: only Type=oneshot services
+may do without, and only with ExecStop= and RemainAfterExit=yes, or with SuccessAction=.
+
+## Why it matters on a robot
+systemd refuses the unit: systemctl start says "bad unit file setting", and whatever requires it fails too.
+
+## Bad
+```ini
+[Service]
+Type=oneshot
+ExecStop=/usr/bin/robot-park
+```
+
+## Good
+```ini
+[Service]
+Type=oneshot
+RemainAfterExit=yes
+ExecStop=/usr/bin/robot-park
+```
+
+## References
+- systemd.service(5), "ExecStart="
+- journal: "Service has no ExecStart=, ExecStop=, or SuccessAction=. Refusing."
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import directives
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["Service has no ExecStart=", "has a bad unit file setting"])
+def exec_missing(robot: Robot):
+    for unit in robot.units.services:
+        if unit.fragment is None or unit.uncertain or unit.has("ExecStart") or _misplaced(unit):
+            continue
+        reason = _refused(unit)
+        if reason:
+            yield finding(
+                unit.where, f"{unit.name} {reason}: systemd refuses the unit", advice="add ExecStart="
+            )
+
+
+def _refused(unit):
+    stops = unit.has("ExecStop")
+    acts = unit.get("SuccessAction", "Unit") not in (None, "none")
+    kind = unit.get("Type")
+    if not stops and not acts:
+        return "has nothing to start"
+    if kind not in (None, "oneshot"):
+        return f"has no ExecStart=, which only Type=oneshot allows, not {kind}"
+    remains = (unit.get("RemainAfterExit") or "no").lower() in ("yes", "true", "on", "1", "y", "t")
+    return "" if remains or acts else "has only ExecStop= and not RemainAfterExit=yes"
+
+
+def _misplaced(unit):
+    """Whether an Exec line stands where systemd does not read it, which is reported there."""
+    known = directives.sections()
+    for file in unit.files:
+        if any(section.name not in known for section in file.sections) or file.problems:
+            return True
+        for assignment in file.assignments:
+            key = assignment.key.lower()
+            if key.startswith("exec") and directives.directive(assignment.section, assignment.key) is None:
+                return True
+    return False

@@ -1,0 +1,63 @@
+"""More than one ExecStart= in a service that is not oneshot.
+
+## What it finds
+Two or more commands in ExecStart= after all drop-ins, with any Type= but oneshot: several lines, a line in
+a drop-in without an empty ExecStart= before it, or commands separated by a semicolon.
+
+## Why it matters on a robot
+systemd refuses the whole unit. With a drop-in the packaged service that worked before stops loading.
+
+## Bad
+```ini
+# robot-drivers.service.d/arguments.conf
+[Service]
+ExecStart=/usr/bin/robot-drivers --simulate
+```
+
+## Good
+```ini
+# robot-drivers.service.d/arguments.conf
+[Service]
+ExecStart=
+ExecStart=/usr/bin/robot-drivers --simulate
+```
+
+## References
+- systemd.service(5), "ExecStart="
+- journal: "Service has more than one ExecStart= setting, which is only allowed for Type=oneshot services. Refusing."
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", fix="safe", symptoms=["Service has more than one ExecStart= setting"])
+def exec_multiple(robot: Robot):
+    lines = {line.value.span: line for line in robot.units.lines if line.key == "ExecStart"}
+    for unit in robot.units.services:
+        if unit.uncertain or unit.get("Type") == "oneshot":
+            continue
+        found = [lines[value.span] for value in unit.values("ExecStart") if value.span in lines]
+        commands = [(line, command) for line in found for command in line.commands]
+        if len(commands) > 1:
+            yield _finding(unit, *commands[0], *commands[1])
+
+
+def _finding(unit, first_line, first, line, second):
+    message = f"More than one ExecStart= command in {unit.name}: systemd refuses the unit"
+    change = None
+    advice = (
+        "use Type=oneshot for a sequence, ExecStartPre= for what comes before, or a unit for each process"
+    )
+    if line.file.dropin and not first_line.file.dropin:
+        start = line.assignment.span.start
+        advice = "put an empty ExecStart= above: it takes back the command of the unit file"
+        change = fix(
+            "reset ExecStart= first", (line.assignment.span.source.span(start, start), "ExecStart=\n")
+        )
+    return finding(
+        second.where, message, advice=advice, related=[note(first.where, "the first command")], fix=change
+    )

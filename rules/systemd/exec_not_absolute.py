@@ -1,0 +1,54 @@
+"""The program of an Exec line is neither an absolute path nor a bare name.
+
+## What it finds
+A first word such as ./start.sh, ~/start.sh, $HOME/start.sh or scripts/start.sh, or a path that ends in a
+slash. A bare name is searched in the system's folders and is fine here.
+
+## Why it matters on a robot
+The unit does not load at all: systemctl start says "bad unit file setting". systemd knows no working
+folder, home or variables when it reads the program's path.
+
+## Bad
+```ini
+[Service]
+WorkingDirectory=/opt/robot
+ExecStart=./start.sh
+```
+
+## Good
+```ini
+[Service]
+WorkingDirectory=/opt/robot
+ExecStart=/opt/robot/start.sh
+```
+
+## References
+- systemd.service(5), "Command lines"
+- journal: "Neither a valid executable name nor an absolute path"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule(
+    "error", symptoms=["Neither a valid executable name nor an absolute path", "has a bad unit file setting"]
+)
+def exec_not_absolute(robot: Robot):
+    for line in robot.units.lines:
+        if line.directive.type != "command" or line.value == ".":
+            continue
+        for problem in line.problems:
+            word = problem.where
+            if problem.code not in ("not-absolute", "bad-program", "empty-command") or word == ".":
+                continue
+            if line.file.source.template and "$" in word:
+                continue
+            what = "is no absolute path" if problem.code == "not-absolute" else f"is not {problem.expected}"
+            what = "is a folder" if word.endswith("/") else what
+            yield finding(
+                word,
+                f"'{word}' {what}: {line.consequence(problem)}",
+                advice="write the whole path of the program; systemd expands no variable and no ~ in it",
+            )

@@ -1,0 +1,89 @@
+"""Shell syntax in an Exec line that no shell reads.
+
+## What it finds
+Unquoted words such as &&, ||, |, >, 2>&1, < or &, and command substitution with $(...) or backquotes, in a
+command line whose program is not a shell with -c. Programs that hand their arguments to a shell, such as
+ssh and watch, are not judged.
+
+## Why it matters on a robot
+systemd passes the words to the program as arguments. The second command never runs, the log file is never
+written, and systemd-analyze verify says nothing.
+
+## Bad
+```ini
+[Service]
+ExecStart=/usr/bin/robot-drivers > /var/log/robot.log 2>&1
+```
+
+## Good
+```ini
+[Service]
+ExecStart=/usr/bin/robot-drivers
+StandardOutput=append:/var/log/robot.log
+```
+
+## References
+- systemd.service(5), "Command lines": redirection, pipes and background jobs are not supported
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+_OPERATOR = re.compile(r"&&|\|\|?|&|[0-9]?>{1,2}(?:&[0-9]|[\w./-]+)?|&>{1,2}[\w./-]*|<<?[\w./-]*")
+_SUBSTITUTION = re.compile(r"\$\([^)]|`")
+_SHELLS = ("sh", "bash", "dash", "zsh", "ksh")
+_HANDS_ON = (
+    "ssh",
+    "autossh",
+    "sshpass",
+    "watch",
+    "parallel",
+    "tmux",
+    "screen",
+    "expr",
+    "test",
+    "[",
+    "awk",
+    "jq",
+    "xterm",
+)
+
+
+@rule("error", fix="unsafe")
+def exec_shell_syntax(robot: Robot):
+    for line in robot.units.lines:
+        for command in line.commands:
+            names = [word.rpartition("/")[2] for word in command.argv]
+            if names[0] in _HANDS_ON or _has_shell(names):
+                continue
+            for word in command.arguments:
+                plain = word.span.text == word
+                if (plain and _OPERATOR.fullmatch(word)) or _SUBSTITUTION.search(word):
+                    yield finding(
+                        word,
+                        f"No shell reads {line.key}=: '{_shortened(word)}' is passed to {names[0]} as an argument",
+                        advice="wrap the command in /bin/bash -c '...', or use StandardOutput= and more Exec lines",
+                        fix=_wrapped(command),
+                    )
+                    break
+
+
+def _has_shell(names):
+    """Whether a shell reads one of the arguments, as in ``env bash -c ...`` or ``sudo -u robot sh -c ...``."""
+    shells = [at for at, name in enumerate(names) if name in _SHELLS]
+    return any(name.startswith("-") and "c" in name for at in shells[:1] for name in names[at + 1 :])
+
+
+def _shortened(word):
+    return word if len(word) <= 30 else f"{word[:27]}..."
+
+
+def _wrapped(command):
+    text = command.where.span.text
+    if command.prefixes or {"'", "\\", "\n"} & set(text):
+        return None
+    return fix("run it in a shell", (command.where, f"/bin/bash -c '{text}'"), safe=False)

@@ -1,0 +1,44 @@
+"""A forking service without a PID file: systemd guesses the main process.
+
+## What it finds
+Type=forking without PIDFile= and without GuessMainPID=.
+
+## Why it matters on a robot
+The guess is wrong as soon as the daemon has more than one process: systemd then watches, restarts and
+signals the wrong one.
+
+## Bad
+```ini
+[Service]
+Type=forking
+ExecStart=/usr/sbin/gpsd /dev/ttyUSB0
+```
+
+## Good
+```ini
+[Service]
+Type=forking
+PIDFile=/run/gpsd.pid
+ExecStart=/usr/sbin/gpsd -P /run/gpsd.pid /dev/ttyUSB0
+```
+
+## References
+- systemd.service(5), "PIDFile=", "GuessMainPID="
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("info")
+def forking_no_pidfile(robot: Robot):
+    for unit in robot.units.services:
+        kind = unit.get("Type")
+        if kind != "forking" or unit.fragment is None or unit.uncertain:
+            continue
+        if not unit.has("PIDFile") and not unit.has("GuessMainPID"):
+            message = f"systemd has to guess the main process of {unit.name}"
+            yield finding(
+                kind, message, advice="add PIDFile=, or run the program in the foreground with Type=exec"
+            )

@@ -1,0 +1,51 @@
+"""A misspelt key in [Install]: the unit is not enabled where it should be.
+
+## What it finds
+A key in [Install] that systemd does not know. Keys that start with X- are meant for other programs.
+
+## Why it matters on a robot
+systemctl enable succeeds and links nothing: after the next boot the service does not run.
+
+## Bad
+```ini
+[Install]
+WantBy=multi-user.target
+```
+
+## Good
+```ini
+[Install]
+WantedBy=multi-user.target
+```
+
+## References
+- systemd.unit(5), "[Install] Section Options"
+- journal: "Unknown key name 'WantBy' in section 'Install', ignoring."
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import directives
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import nearest
+from bringup_lint.api import rule
+
+
+@rule("error", fix="safe", symptoms=["Unknown key name", "The unit files have no installation config"])
+def install_unknown_key(robot: Robot):
+    known = directives.sections()["Install"]
+    for file in robot.units.files:
+        allowed = directives.sections_of_type(file.type)
+        for assignment in file.assignments:
+            key = assignment.key
+            if assignment.section != "Install" or not key or key.startswith("X-") or file.source.template:
+                continue
+            if any(directives.directive(name, key) for name in allowed):
+                continue
+            meant = nearest(key, known)
+            yield finding(
+                key,
+                f"Unknown key '{key}' in [Install]: enabling the unit has no such effect",
+                advice=f"did you mean {meant[0]}?" if meant else f"use {', '.join(known)}",
+                fix=fix(f"rename to {meant[0]}", (key, meant[0])) if len(meant) == 1 else None,
+            )

@@ -1,0 +1,58 @@
+r"""A mount unit whose file name does not say where it mounts.
+
+## What it finds
+A .mount or .automount whose name is not the escaped form of Where=: slashes become dashes, and a dash in
+the path becomes \x2d. Values with specifiers that are not known are not judged.
+
+## Why it matters on a robot
+systemd refuses the unit: the recordings or the map disk are not mounted, and programs write to the root
+disk instead.
+
+## Bad
+```ini
+# data.mount
+[Mount]
+What=/dev/disk/by-label/DATA
+Where=/mnt/data
+```
+
+## Good
+```ini
+# mnt-data.mount
+[Mount]
+What=/dev/disk/by-label/DATA
+Where=/mnt/data
+```
+
+## References
+- systemd.mount(5), systemd-escape(1)
+- journal: "Where= setting doesn't match unit name. Refusing."
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import escape_path
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["Where= setting doesn't match unit name"])
+def mount_name_mismatch(robot: Robot):
+    for unit in robot.units.judged:
+        if unit.type not in ("mount", "automount") or unit.is_template or unit.instance:
+            continue
+        where = unit.get("Where")
+        if (
+            where is None
+            or "%" in where
+            or "$" in where
+            or not where.startswith("/")
+            or unit.is_opaque(where)
+        ):
+            continue
+        right = f"{escape_path(where)}.{unit.type}"
+        if right not in (unit.name, *unit.aliases):
+            yield finding(
+                where,
+                f"Where={where} does not belong to {unit.name}: systemd refuses the unit",
+                advice=f"rename the file to {right}",
+            )

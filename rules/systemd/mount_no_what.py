@@ -1,0 +1,36 @@
+"""A mount unit that does not say what to mount.
+
+## What it finds
+A .mount unit without What=, after all drop-ins.
+
+## Why it matters on a robot
+systemd refuses the unit.
+
+## Bad
+```ini
+[Mount]
+Where=/mnt/data
+```
+
+## Good
+```ini
+[Mount]
+What=/dev/disk/by-label/DATA
+Where=/mnt/data
+```
+
+## References
+- systemd.mount(5), "What="
+- journal: "What= setting is missing. Refusing."
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["What= setting is missing"])
+def mount_no_what(robot: Robot):
+    for unit in robot.units.judged:
+        if unit.type == "mount" and unit.fragment and not unit.uncertain and not unit.has("What"):
+            yield finding(unit.where, f"{unit.name} has no What=: systemd refuses it", advice="add What=")

@@ -1,0 +1,46 @@
+"""A oneshot service that shall always be restarted.
+
+## What it finds
+Type=oneshot with Restart=always or Restart=on-success, after all drop-ins.
+
+## Why it matters on a robot
+systemd refuses the whole unit: a oneshot service is done when its process has ended successfully.
+
+## Bad
+```ini
+[Service]
+Type=oneshot
+ExecStart=/usr/bin/robot-setup
+Restart=always
+```
+
+## Good
+```ini
+[Service]
+Type=oneshot
+ExecStart=/usr/bin/robot-setup
+Restart=on-failure
+```
+
+## References
+- systemd.service(5), "Restart="
+- journal: "Restart= set to either always or on-success, which isn't allowed for Type=oneshot services. Refusing."
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["which isn't allowed for Type=oneshot services"])
+def oneshot_restart(robot: Robot):
+    for unit in robot.units.services:
+        kind, restart = unit.get("Type"), unit.get("Restart")
+        if kind == "oneshot" and restart in ("always", "on-success"):
+            yield finding(
+                restart,
+                f"Type=oneshot does not allow Restart={restart}: systemd refuses {unit.name}",
+                advice="use Restart=on-failure, or Type=exec for a process that keeps running",
+                related=[note(kind, "the type is set here")],
+            )

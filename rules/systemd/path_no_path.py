@@ -1,0 +1,45 @@
+"""A path unit that watches nothing.
+
+## What it finds
+A path unit without PathExists=, PathExistsGlob=, PathChanged=, PathModified= and DirectoryNotEmpty=, after
+all drop-ins.
+
+## Why it matters on a robot
+systemd refuses the unit, and the service behind it is never activated.
+
+## Bad
+```ini
+[Path]
+Unit=robot-upload.service
+```
+
+## Good
+```ini
+[Path]
+PathChanged=/var/lib/robot/maps
+Unit=robot-upload.service
+```
+
+## References
+- systemd.path(5)
+- journal: "Path unit lacks path setting. Refusing."
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+_WATCHES = ("PathExists", "PathExistsGlob", "PathChanged", "PathModified", "DirectoryNotEmpty")
+
+
+@rule("error", symptoms=["Path unit lacks path setting"])
+def path_no_path(robot: Robot):
+    for unit in robot.units.judged:
+        if unit.type != "path" or unit.fragment is None or unit.uncertain:
+            continue
+        if not any(unit.has(key) for key in _WATCHES):
+            yield finding(
+                unit.where,
+                f"{unit.name} watches nothing: systemd refuses it",
+                advice="add PathChanged= or the like",
+            )

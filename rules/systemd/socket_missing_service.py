@@ -1,0 +1,53 @@
+"""A socket that activates a service which does not exist.
+
+## What it finds
+A socket unit whose service is neither in the tree nor among the units of the distribution: Service=, or the
+service of its own name; with Accept=yes the template of its own name. Outside a complete root file system
+the finding is a warning.
+
+## Why it matters on a robot
+The socket does not start, or accepts connections that nobody ever serves.
+
+## Bad
+```ini
+# robot-api.socket, beside robot-web.service
+[Socket]
+ListenStream=8080
+```
+
+## Good
+```ini
+[Socket]
+ListenStream=8080
+Service=robot-web.service
+```
+
+## References
+- systemd.socket(5), "Service=", "Accept="
+- journal: "Socket service robot-api.service not loaded, refusing."
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["not loaded, refusing"])
+def socket_missing_service(robot: Robot):
+    for unit in robot.units.judged:
+        if unit.type != "socket" or unit.fragment is None or unit.is_template or unit.uncertain:
+            continue
+        if robot.units.is_distribution_unit(unit.name):
+            continue
+        accept = (unit.get("Accept") or "no").lower() in ("yes", "true", "on", "1", "y", "t")
+        named = unit.get("Service", "Socket")
+        target = str(named or (f"{unit.stem}@.service" if accept else f"{unit.stem}.service"))
+        if (named is not None and unit.is_opaque(named)) or robot.units.exists(target, unit) is not False:
+            continue
+        yield finding(
+            named or unit.where,
+            f"{unit.name} activates {target}, which does not exist",
+            advice="ship the service, or name the right one in Service=",
+            severity=None if robot.tree.complete else "warning",
+            confidence="high" if robot.tree.complete else "medium",
+        )

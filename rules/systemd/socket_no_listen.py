@@ -1,0 +1,44 @@
+"""A socket unit that listens on nothing.
+
+## What it finds
+A socket unit without any Listen...= setting, after all drop-ins.
+
+## Why it matters on a robot
+systemd refuses the unit, and the service behind it is never activated.
+
+## Bad
+```ini
+[Socket]
+Accept=yes
+```
+
+## Good
+```ini
+[Socket]
+ListenStream=8080
+Accept=yes
+```
+
+## References
+- systemd.socket(5)
+- journal: "Unit has no Listen setting (ListenStream=, ListenDatagram=, ListenFIFO=, ...). Refusing."
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import directives
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["Unit has no Listen setting"])
+def socket_no_listen(robot: Robot):
+    keys = [key for key in directives.sections()["Socket"] if key.startswith("Listen")]
+    for unit in robot.units.judged:
+        if unit.type != "socket" or unit.fragment is None or unit.uncertain:
+            continue
+        if not any(unit.has(key) for key in keys):
+            yield finding(
+                unit.where,
+                f"{unit.name} listens on nothing: systemd refuses it",
+                advice="add a Listen...= line",
+            )

@@ -1,0 +1,52 @@
+"""A timer that starts a unit which does not exist.
+
+## What it finds
+A timer whose Unit=, or the service of its own name, is neither in the tree nor among the units of the
+distribution. Outside a complete root file system the unit may come from elsewhere, so the finding is a
+warning there.
+
+## Why it matters on a robot
+The timer refuses to start with "Unit ... not found", and what it should do never happens.
+
+## Bad
+```ini
+# robot-backup.timer, beside robot-sync.service
+[Timer]
+OnCalendar=daily
+```
+
+## Good
+```ini
+[Timer]
+OnCalendar=daily
+Unit=robot-sync.service
+```
+
+## References
+- systemd.timer(5), "Unit="
+- journal: "Refusing to start, unit robot-backup.service to trigger not loaded."
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["to trigger not loaded", "Refusing to start"])
+def timer_missing_service(robot: Robot):
+    for unit in robot.units.judged:
+        if unit.type != "timer" or unit.fragment is None or unit.is_template or unit.uncertain:
+            continue
+        if robot.units.is_distribution_unit(unit.name):
+            continue
+        named = unit.get("Unit", "Timer")
+        target = str(named or f"{unit.stem}.service")
+        if (named is not None and unit.is_opaque(named)) or robot.units.exists(target, unit) is not False:
+            continue
+        yield finding(
+            named or unit.where,
+            f"{unit.name} triggers {target}, which does not exist",
+            advice="ship the service, or name the right one in Unit=",
+            severity=None if robot.tree.complete else "warning",
+            confidence="high" if robot.tree.complete else "medium",
+        )

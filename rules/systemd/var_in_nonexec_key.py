@@ -1,0 +1,63 @@
+"""A shell variable where systemd expands none.
+
+## What it finds
+$NAME or ${NAME} in User=, WorkingDirectory=, EnvironmentFile=, Environment=, ReadWritePaths= and other
+settings. systemd expands variables only in Exec lines.
+
+## Why it matters on a robot
+The text is taken as it stands: the path does not exist, the unit does not load, or PATH holds the five
+characters $PATH and no program is found any more.
+
+## Bad
+```ini
+[Service]
+WorkingDirectory=$HOME/robot_ws
+Environment=PATH=/opt/robot/bin:$PATH
+```
+
+## Good
+```ini
+[Service]
+WorkingDirectory=/home/robot/robot_ws
+Environment=PATH=/opt/robot/bin:/usr/local/bin:/usr/bin:/bin
+```
+
+## References
+- systemd.exec(5), "Environment="; systemd.service(5), "Command lines"; systemd.unit(5), "Specifiers"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+from bringup_lint.api import split_environment
+
+_EXPANDED_BY_READER = ("CYCLONEDDS_URI",)
+_SECRET = ("PASS", "SECRET", "TOKEN", "KEY", "PSK")
+
+
+@rule("error", symptoms=["path is not absolute", "status=200/CHDIR"])
+def var_in_nonexec_key(robot: Robot):
+    for line in robot.units.lines:
+        variable = line.variable
+        if variable is None or line.file.source.template:
+            continue
+        if line.directive.type == "environment" and not _judged(line, variable):
+            continue
+        yield finding(
+            variable,
+            f"Only Exec lines expand variables: {line.key}= takes '{variable}' as it stands",
+            advice="write the value in full, or use a specifier such as %i where one fits",
+        )
+
+
+def _judged(line, variable):
+    """Not variables that a later reader expands, nor passwords that happen to hold a dollar."""
+    names = [str(name) for name, value in split_environment(line.value) if variable in value]
+    name = names[0] if names else ""
+    if name in _EXPANDED_BY_READER or any(word in name.upper() for word in _SECRET):
+        return False
+    return not any(
+        f"${name}" in other.value or f"${{{name}}}" in other.value
+        for other in line.file.assignments
+        if other.key.startswith("Exec")
+    )
