@@ -12,11 +12,15 @@ from typing import TYPE_CHECKING
 from bringup_lint.facts import launch_api
 from bringup_lint.graph.launch_expand import Expander
 from bringup_lint.graph.launch_expand import Expansion
+from bringup_lint.graph.launch_expand import Included
+from bringup_lint.graph.launch_references import Reference
+from bringup_lint.graph.launch_references import references
 from bringup_lint.graph.launch_resolve import Resolver
 from bringup_lint.graph.launch_resolve import text_of
 from bringup_lint.graph.launch_scope import Scope
 from bringup_lint.graph.launch_started import Started
 from bringup_lint.graph.workspace import Found
+from bringup_lint.graph.workspace import Package
 from bringup_lint.graph.workspace import Place
 from bringup_lint.graph.workspace import Workspace
 from bringup_lint.graph.workspace import load_workspace
@@ -120,6 +124,49 @@ class Launch:
         """Every node of every file once, as its own file starts it when it is launched directly."""
         for expansion in self.expansions:
             yield from (node for node in expansion.nodes if node.file is expansion.entry)
+
+    @cached_property
+    def ros1(self) -> list[LaunchFile]:
+        """Files in the syntax of ROS 1, read as if they were of ROS 2."""
+        from bringup_lint.parsers.launch_xml import parse
+
+        return self.robot.parsed(parse, self.robot.of_kind("launch-ros1"))
+
+    def references(self, file: LaunchFile) -> Iterator[Reference]:
+        """The files that a launch file names through a package or beside itself, when launched without arguments."""
+        return references(self.expansion(file), file, self.find)
+
+    def files_of(self, package: Package) -> list[LaunchFile]:
+        """The launch files that lie in a package."""
+        return [file for file in self.files if self.workspace.owner(file.source) is package]
+
+    def yaml_names(self, package: Package) -> list[str]:
+        """The names of the YAML files that a package installs, or of all that it holds."""
+        names = set()
+        for folder, _, files in os.walk(package.folder):
+            names.update(name for name in files if name.endswith((".yaml", ".yml")))
+            if len(names) > 1000 or folder.count("/") - package.folder.count("/") > 8:
+                break
+        return sorted(names)
+
+    def read_in(self, files: Iterable[LaunchFile]) -> set[str]:
+        """The launch configurations that files read."""
+        return {str(argument.name) for file in files for argument in file.reads}
+
+    def read_elsewhere(self, name: str, file: LaunchFile, inner: list[LaunchFile]) -> bool:
+        """Whether a configuration that leaks out of an include is read by another file that runs together with it."""
+        inside = {id(file), *map(id, inner)}
+        others = (each for expansion in self.leading_to(file) for each in expansion.files)
+        return name in self.read_in(each for each in others if id(each) not in inside)
+
+    def unknown_before(self, expansion: Expansion, include: Included) -> bool:
+        """Whether something before an include may set arguments unseen: an include that is not in the tree."""
+        for other in expansion.includes:
+            if other is include:
+                return False
+            if other.target is None:
+                return True
+        return False
 
     def conditions(self, file: LaunchFile) -> Iterator[Condition]:
         """Every condition in a file, of actions and components."""

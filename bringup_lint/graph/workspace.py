@@ -149,8 +149,7 @@ class Workspace:
             return Found(path, None, None)
         for folder, package in self._folders.items():
             if path.startswith(folder + "/"):
-                found = self._share(package, os.path.relpath(path, folder))
-                return found if found and found.file else None
+                return self._share(package, os.path.relpath(path, folder))
         return None
 
     def _share(self, package: Package, path: str) -> Found | None:
@@ -165,9 +164,17 @@ class Workspace:
         there = os.path.lexists(direct)
         if there:
             return Found(direct, False if package.installs_known else None, package)
-        if package.installs_known:
+        if package.installs_known and not any(map(os.path.lexists, _templates(direct))):
             return Found(None, False, package)
         return None
+
+
+def _templates(path: str) -> Iterator[str]:
+    """Files that a build may make a file from."""
+    for suffix in (".in", ".em", ".j2", ".template", ".xacro"):
+        yield path + suffix
+    if path.endswith((".urdf", ".sdf", ".srdf")):
+        yield path.rpartition(".")[0] + ".xacro"
 
 
 def place(value: Value) -> Place | None:
@@ -195,7 +202,7 @@ def _compound(value: PathJoin | Concat) -> Place | None:
     if isinstance(value, PathJoin):
         return first._replace(path=posixpath.join(first.path, *texts))
     path = first.path + "".join(texts)
-    return first._replace(path=path.lstrip("/") if first.base else path)
+    return first._replace(path=path.lstrip("/") if first.base in ("share", "prefix") else path)
 
 
 def load_workspace(robot: Robot) -> Workspace:

@@ -251,6 +251,11 @@ def understood(value: Value | None) -> bool:
     return value is None or not any(isinstance(inner, Unknown) for inner in walk(value))
 
 
+def text(value: Value | None) -> str | None:
+    """A literal as the text that launch makes of it, else None."""
+    return str(value.value) if isinstance(value, Literal) and value.value is not None else None
+
+
 def literal(value: Value | None) -> Located | None:
     """The text of a string literal, else None."""
     if isinstance(value, Literal) and isinstance(value.value, str):

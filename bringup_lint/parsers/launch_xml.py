@@ -31,4 +31,5 @@ def parse(source: Source) -> LaunchFile:
 def entity(element: Element, depth: int) -> Entity:
     attributes = {str(attribute.name): attribute.value for attribute in element.attributes}
     children = [] if depth > DEPTH else [entity(child, depth + 1) for child in element.children]
-    return Entity(element.name, element.tag, attributes, children)
+    keys = {str(attribute.name): attribute.name for attribute in element.attributes}
+    return Entity(element.name, element.tag, attributes, children, keys)

@@ -13,6 +13,7 @@ from bringup_lint.model.launch_values import FileDir
 from bringup_lint.model.launch_values import Literal
 from bringup_lint.model.launch_values import Operation
 from bringup_lint.model.launch_values import PathJoin
+from bringup_lint.model.launch_values import Unknown
 from bringup_lint.model.package import Build
 from bringup_lint.model.package import Install
 from bringup_lint.parsers.launch_python import budget
@@ -49,6 +50,7 @@ def parse(source: Source) -> Build:
     def called(function: Any, positional: list[Any], keywords: dict[str, Any], more: bool, span: Any) -> Any:
         if isinstance(function, Symbol) and function.name in _SETUP:
             found.append(keywords)
+            return Unknown("setup", span)
         if isinstance(function, Symbol) and function.name in _GLOB and positional:
             return Operation("glob", (positional[0],), span)
         return call(state, function, positional, keywords, more, span)

@@ -67,19 +67,18 @@ class Builder:
 
     def action(self, entity: Entity) -> tuple[Action, ...]:
         tag = str(entity.tag).replace("-", "_")
-        self.note_ros1(entity, tag)
+        self.note_ros1(entity, tag, top=True)
         build = _TAGS.get(tag)
         if build is None:
             return (Other(span=entity.span, why=f"tag {entity.tag}"),)
         return build(self, entity)
 
-    def note_ros1(self, entity: Entity, tag: str) -> None:
-        if tag in _ROS1_TAGS:
+    def note_ros1(self, entity: Entity, tag: str, top: bool = False) -> None:
+        if tag in _ROS1_TAGS or (tag == "param" and top):
             self.file.ros1.append(entity.tag)
         for name in _ROS1_ATTRIBUTES.get(tag, ()):
-            value = entity.get(name)
-            if value is not None and not (tag == "param" and name == "type"):
-                self.file.ros1.append(Located(name, value.span))
+            if name in entity.keys:
+                self.file.ros1.append(entity.keys[name])
 
     def value(self, entity: Entity, *names: str) -> Value:
         text = entity.get(*names)
@@ -222,7 +221,7 @@ def typed(value: Value) -> Value:
 def _declare(self: Builder, entity: Entity) -> tuple[Action, ...]:
     choices = tuple(self.value(each, "value") for each in entity.named("choice"))
     if entity.get("value") is not None and entity.get("default") is None:
-        self.file.ros1.append(Located("value", entity.get("value").span))
+        self.file.ros1.append(entity.keys.get("value", entity.tag))
     return (
         DeclareArgument(
             **self.base(entity),

@@ -19,6 +19,8 @@ class Entity:
     span: Span
     attributes: dict[str, Attribute] = field(default_factory=dict)
     children: list[Entity] = field(default_factory=list)
+    keys: dict[str, Located] = field(default_factory=dict)
+    """The attributes' names, where they are written."""
 
     def get(self, *names: str) -> Located | None:
         """The first of these attributes that is there as one text."""

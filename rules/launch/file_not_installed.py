@@ -1,0 +1,49 @@
+"""A file is used through the package's share folder but never installed.
+
+## What it finds
+Launch, parameter, URDF and other files of a workspace package that a launch file names through the package's share folder
+(or by its own folder), and that exist in the source but in no `data_files` or `install()` rule.
+
+## Why it matters on a robot
+It works in a workspace built with symbolic links and fails on the robot, where only the installed tree exists.
+
+## Bad
+```cmake
+install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})
+```
+
+## Good
+```cmake
+install(DIRECTORY launch config DESTINATION share/${PROJECT_NAME})
+```
+
+## References
+- https://github.com/RobotecAI/ROSCon2023Demo/issues/116
+- https://github.com/ros2/ros2_documentation/issues/2920
+"""
+
+import os
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["FileNotFoundError", "Parameter file path is not a file"])
+def file_not_installed(robot: Robot):
+    for file in robot.launch.judged:
+        for reference in robot.launch.references(file):
+            found = reference.found
+            if found.file is None or found.installed is not False or not os.path.isfile(found.file):
+                continue
+            package = found.package
+            path = os.path.relpath(found.file, package.folder)
+            yield finding(
+                reference.span,
+                f"{path} of {package.name} is not installed: it is found from source and missing on the robot",
+                advice=f"install the folder '{path.partition('/')[0]}' in {package.builds[0].source.basename}"
+                if "/" in path
+                else f"install it in {package.builds[0].source.basename}",
+                related=[note(package.builds[0].source, "what the package installs")],
+            )

@@ -1,0 +1,50 @@
+"""An included launch file needs an argument that is not passed.
+
+## What it finds
+Includes of files that declare an argument without a default, where the include does not pass it and nothing before has set it.
+
+## Why it matters on a robot
+launch checks the arguments when it reaches the include, and aborts.
+
+## Bad
+```xml
+<include file="$(dirname)/localization.launch.xml"/>   <!-- declares map without a default -->
+```
+
+## Good
+```xml
+<include file="$(dirname)/localization.launch.xml">
+  <arg name="map" value="$(find-pkg-share my_robot)/maps/lab.yaml"/>
+</include>
+```
+
+## References
+- launch, `IncludeLaunchDescription.execute`
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["Included launch description missing required argument"])
+def include_missing_required_arg(robot: Robot):
+    for expansion in robot.launch.entries:
+        for include in expansion.includes:
+            if include.target is None or include.action.open:
+                continue
+            present = set(include.arguments) | include.known
+            for declared in robot.launch.expansion(include.target).declared:
+                needed = declared.file is include.target and not declared.conditions
+                if not needed or declared.action.default is not None or declared.name in present:
+                    continue
+                if declared.before is not None or robot.launch.unknown_before(expansion, include):
+                    continue
+                yield finding(
+                    include.action.file.span,
+                    f"the required argument '{declared.name}' is not passed: launch aborts",
+                    advice=f"pass '{declared.name}'",
+                    related=[note(declared.action.span, "declared here without a default")],
+                    severity="warning" if include.conditions else None,
+                )

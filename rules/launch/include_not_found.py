@@ -1,0 +1,47 @@
+"""An included launch file does not exist.
+
+## What it finds
+Includes of a file in a package of this workspace, or beside the launch file, that is not there.
+
+## Why it matters on a robot
+launch aborts when it reaches the include; nothing after it starts.
+
+## Bad
+```python
+IncludeLaunchDescription(PathJoinSubstitution([FindPackageShare('my_robot'), 'launch', 'sensor.launch.py']))
+```
+
+## Good
+```python
+IncludeLaunchDescription(PathJoinSubstitution([FindPackageShare('my_robot'), 'launch', 'sensors.launch.py']))
+```
+
+## References
+- launch, `IncludeLaunchDescription`
+"""
+
+import os
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import nearest
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["FileNotFoundError", "Caught exception in launch"])
+def include_not_found(robot: Robot):
+    for file in robot.launch.judged:
+        for reference in robot.launch.references(file):
+            if reference.kind != "include" or reference.found.file is not None or not reference.name:
+                continue
+            package = reference.found.package
+            known = [os.path.basename(each.source.name) for each in robot.launch.files_of(package)]
+            near = nearest(reference.name, known, 3)
+            yield finding(
+                reference.span,
+                f"{reference.name} does not exist in {package.name}: launch aborts",
+                advice=f"include {near[0]}" if near else "correct the path",
+                related=[note(package.manifest.name, f"the package {package.name}")],
+                severity="warning" if reference.optional else None,
+            )

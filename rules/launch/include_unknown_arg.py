@@ -1,0 +1,58 @@
+"""An argument is passed to a launch file that does not have it.
+
+## What it finds
+Keys in `launch_arguments` (`<arg>` inside `<include>`) that the included file and everything it includes neither declares
+nor reads.
+
+## Why it matters on a robot
+launch accepts any name. The value is ignored without a word, and the included part runs with its default: in simulated time,
+with the wrong map, in the wrong namespace.
+
+## Bad
+```python
+IncludeLaunchDescription(slam, launch_arguments={'use_sim': 'true'}.items())   # slam.launch.py declares use_sim_time
+```
+
+## Good
+```python
+IncludeLaunchDescription(slam, launch_arguments={'use_sim_time': 'true'}.items())
+```
+
+## References
+- launch, `IncludeLaunchDescription`
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import launch
+from bringup_lint.api import nearest
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning", fix="unsafe")
+def include_unknown_arg(robot: Robot):
+    for file in robot.launch.judged:
+        for include in robot.launch.expansion(file).includes:
+            target = include.target
+            if include.source is not file or target is None:
+                continue
+            inner = robot.launch.expansion(target)
+            if inner.open or any(each.reads_all for each in inner.files):
+                continue
+            known = {each.name for each in inner.declared} | robot.launch.read_in(inner.files)
+            for key, _ in include.action.arguments:
+                name = launch.literal(key)
+                if name is None or name in known or robot.launch.read_elsewhere(name, file, inner.files):
+                    continue
+                near = nearest(name, sorted(known), 3)
+                yield finding(
+                    name,
+                    f"'{name}' is not an argument of {target.source.basename}: the value is silently ignored",
+                    advice=f"pass '{near[0]}'" if near else "remove it, or declare it there",
+                    related=[note(target.entry, "the included file")],
+                    fix=fix(f"pass '{near[0]}'", (name, near[0]), safe=False)
+                    if len(near) == 1 and name.span.text == name
+                    else None,
+                )
