@@ -17,11 +17,13 @@ from bringup_lint.source import Problem
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
-    from bringup_lint.graph.compose import Compose
     from bringup_lint.discover.tree import Tree
     from bringup_lint.graph.accounts import Accounts
-    from bringup_lint.graph.udev import Udev
+    from bringup_lint.graph.compose import Compose
+    from bringup_lint.graph.dds import Dds
     from bringup_lint.graph.launch import Launch
+    from bringup_lint.graph.sysctl import Sysctl
+    from bringup_lint.graph.udev import Udev
     from bringup_lint.graph.units import Units
     from bringup_lint.model.netplan import Netplan
 
@@ -93,6 +95,18 @@ class Robot:
         from bringup_lint.graph.netplan import load_netplan
 
         return load_netplan(self)
+
+    @cached_property
+    def sysctl(self) -> Sysctl:
+        from bringup_lint.graph.sysctl import load_sysctl
+
+        return load_sysctl(self)
+
+    @cached_property
+    def dds(self) -> Dds:
+        from bringup_lint.graph.dds import load_dds
+
+        return load_dds(self)
 
     @cached_property
     def udev(self) -> Udev:

@@ -4,10 +4,12 @@ It accepts what XML 1.0 with namespaces calls well-formed and reports everything
 missing end tag is closed by the end tag of an element around it, a stray one is skipped. Time is linear, depth and size are
 bounded. A DOCTYPE is always a problem, and its declarations have no effect.
 
-Problem codes: ``bad-attribute``, ``bad-comment``, ``bad-declaration``, ``bad-instruction``, ``bad-reference``, ``bad-tag``,
-``control-character``, ``doctype``, ``duplicate-attribute``, ``empty-document``, ``encoding``, ``entity``,
-``late-declaration``, ``mismatched-tag``, ``second-root``, ``stray-end-tag``, ``text-outside-root``, ``too-deep``,
-``too-large``, ``too-many-problems``, ``unclosed-element``, ``unclosed-markup``, ``unclosed-tag``, ``undeclared-prefix``.
+Problem codes: ``bad-attribute``, ``bad-comment``, ``bad-declaration``, ``bad-instruction``,
+``bad-reference``, ``bad-tag``, ``control-character``, ``doctype``, ``duplicate-attribute``,
+``empty-document``, ``encoding``, ``entity``, ``late-declaration``, ``less-than-in-value``,
+``mismatched-tag``, ``missing-blank``, ``second-root``, ``stray-end-tag``, ``text-outside-root``,
+``too-deep``, ``too-large``, ``too-many-problems``, ``unclosed-element``, ``unclosed-markup``,
+``unclosed-tag``, ``undeclared-prefix``.
 """
 
 from __future__ import annotations
@@ -193,7 +195,9 @@ class _Reader:
         span = self.source.span(start, self.at)
         if self.text.startswith("<!DOCTYPE", start) and not self.open and self.document.root is None:
             self.document.doctype = span
-            self.report("doctype", start, min(self.at, start + 9), "entities and external parts are never loaded")
+            self.report(
+                "doctype", start, min(self.at, start + 9), "entities and external parts are never loaded"
+            )
         else:
             self.report("bad-tag", start, min(self.at, start + 2), "not markup that may stand here")
 
@@ -233,7 +237,9 @@ class _Reader:
                 self.report("undeclared-prefix", name.span.start, name.span.end, name.partition(":")[0])
         for each in tag.attributes:
             if each.name.startswith("xmlns:") and not each.value:
-                self.report("bad-attribute", each.name.span.start, each.value.span.end, "a prefix needs a namespace")
+                self.report(
+                    "bad-attribute", each.name.span.start, each.value.span.end, "a prefix needs a namespace"
+                )
 
     def qualified(self, name: Located) -> bool:
         prefix, _, local = name.partition(":")

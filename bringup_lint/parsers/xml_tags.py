@@ -57,7 +57,7 @@ def start_tag(source: Source, start: int, report: Report) -> StartTag | None:
             at = blank
             break
         if blank == at:
-            report("bad-attribute", at, at + 1, "a blank is missing before it")
+            report("missing-blank", at, at + 1, "a blank is missing before it")
         at, attribute = _attribute(source, blank, report)
         if attribute is None:
             continue
@@ -98,7 +98,7 @@ def _attribute(source: Source, start: int, report: Report) -> tuple[int, Attribu
     if text.startswith("<", end):
         closing = _closing_quote(text, at, end)
         if closing:
-            report("bad-attribute", end, end + 1, "< must be written &lt;")
+            report("less-than-in-value", end, end + 1, "< must be written &lt;")
             return closing, Attribute(name, decode(source, at + 1, closing - 1, report))
     report("bad-attribute", at, end, "the closing quote is missing")
     return end, Attribute(name, decode(source, at + 1, end, report))

@@ -1,0 +1,145 @@
+"""How a Cyclone DDS Domain block lets participants find each other: multicast, peers, interfaces."""
+
+from __future__ import annotations
+
+import ipaddress
+import re
+from collections.abc import Iterator
+
+from bringup_lint.model.cyclonedds import Domain
+from bringup_lint.model.cyclonedds import Setting
+from bringup_lint.parsers.cyclonedds_values import size
+from bringup_lint.source import Located
+
+PEER = "Discovery/Peers/Peer@Address"
+INTERFACE = "General/Interfaces/NetworkInterface"
+LOOPBACK = {"lo", "localhost", "127.0.0.1", "::1"}
+
+Address = ipaddress.IPv4Address | ipaddress.IPv6Address
+
+_DOTTED = re.compile(r"[0-9]+(?:\.[0-9]+){3}$")
+_WITH_PORT = re.compile(r"(?P<host>\[[^\]]*\]|[^:\[\]]+)(?::(?P<port>[^:]*))?$")
+
+
+def multicast_off(domain: Domain) -> Setting | None:
+    """The setting that forbids all multicast; None when some is allowed or nobody knows."""
+    allowed = domain.get("General/AllowMulticast")
+    if allowed is not None:
+        return allowed if (allowed.effective or "").lower() == "false" else None
+    interfaces = domain.found(INTERFACE)
+    switches = [domain.of(each, "multicast") for each in interfaces]
+    if switches and all(each is not None and (each.effective or "").lower() == "false" for each in switches):
+        return switches[0]
+    return None
+
+
+def on_loopback_only(domain: Domain) -> bool:
+    """Whether every interface of the block is the loopback one."""
+    interfaces = domain.found(INTERFACE)
+    names = [domain.of(each, "name") or domain.of(each, "address") for each in interfaces]
+    old = domain.get("General/NetworkInterfaceAddress")
+    names += [old] if old is not None else []
+    return bool(names) and all(each is not None and each.effective in LOOPBACK for each in names)
+
+
+def peers(domain: Domain) -> Iterator[Located]:
+    """The addresses of all peers, one by one; those that depend on the environment are left out."""
+    for setting in domain.all(PEER):
+        if setting.effective is not None and setting.effective == setting.value:
+            for part in _parts(setting.value):
+                if part:
+                    yield part
+
+
+def has_peers(domain: Domain) -> bool:
+    """Whether a peer is listed, or may be through a variable."""
+    listed = (
+        *domain.all(PEER),
+        *domain.all("Discovery/Peers/Group/Peer@Address"),
+        *domain.all("Discovery/Peers@AddLocalhost"),
+    )
+    return any(setting.effective != "" for setting in listed)
+
+
+def host_of(text: str) -> str:
+    """A peer's host without its port."""
+    match = _WITH_PORT.match(text)
+    return match["host"].strip("[]") if match else text
+
+
+def peer_addresses(domain: Domain) -> set[Address]:
+    """The peers that are plain addresses."""
+    return {address for address in map(address_of, peers(domain)) if address is not None}
+
+
+def contacts_itself(domain: Domain) -> bool:
+    """Whether a peer is this computer, or may be: host names and variables are not known."""
+    listed = list(peers(domain))
+    if len(domain.all(PEER)) != len([each for each in domain.all(PEER) if each.effective == each.value]):
+        return True
+    addresses = peer_addresses(domain)
+    return len(addresses) < len({host_of(each) for each in listed}) or any(
+        each.is_loopback for each in addresses
+    )
+
+
+def bad_addresses(setting: Setting) -> Iterator[tuple[Located, str]]:
+    """The parts of a peer's address that are surely none, with the reason."""
+    if setting.effective is None or setting.effective != setting.value:
+        return
+    for part in _parts(setting.value):
+        match = _WITH_PORT.match(part)
+        host = match["host"] if match else part
+        if "/" in part:
+            yield part, "is a network, not one host"
+        elif _DOTTED.match(host) and any(int(number) > 255 for number in host.split(".")):
+            yield part, "has a number above 255"
+        elif match and match["port"] is not None and not _is_port(match["port"]):
+            yield part, "has no port between 1 and 65535"
+
+
+def _is_port(text: str) -> bool:
+    return text.isascii() and text.isdigit() and 0 < int(text[:9]) <= 65535
+
+
+def _parts(value: Located) -> Iterator[Located]:
+    start = 0
+    for part in value.split(","):
+        yield value.part(start, start + len(part))
+        start += len(part) + 1
+
+
+def is_address(text: str) -> bool:
+    try:
+        ipaddress.ip_address(text)
+    except ValueError:
+        return False
+    return True
+
+
+def address_of(peer: str) -> Address | None:
+    """A peer that is a plain address, without its port."""
+    try:
+        return ipaddress.ip_address(host_of(peer))
+    except ValueError:
+        return None
+
+
+BUFFERS = (
+    ("Internal/SocketReceiveBufferSize@min", "net.core.rmem_max"),
+    ("Internal/MinimumSocketReceiveBufferSize", "net.core.rmem_max"),
+    ("Internal/SocketSendBufferSize@min", "net.core.wmem_max"),
+    ("Internal/MinimumSocketSendBufferSize", "net.core.wmem_max"),
+)
+
+
+def least_buffers(domain: Domain) -> Iterator[tuple[Setting, str]]:
+    """The buffer sizes below which no participant is created, each with the kernel parameter that caps it."""
+    for path, limit in BUFFERS:
+        for setting in domain.all(path):
+            yield setting, limit
+
+
+def size_of(setting: Setting) -> int | None:
+    """A memory size in bytes; None when it is the default or not known."""
+    return None if setting.effective is None else size(setting.effective)

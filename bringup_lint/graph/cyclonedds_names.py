@@ -1,0 +1,114 @@
+"""What a name or value that Cyclone DDS does not know could mean: another version, another place, another spelling."""
+
+from __future__ import annotations
+
+import re
+
+from bringup_lint.finding import Edit
+from bringup_lint.finding import Fix
+from bringup_lint.model.cyclonedds import VERSIONS
+from bringup_lint.model.cyclonedds import Configuration
+from bringup_lint.model.cyclonedds import Item
+from bringup_lint.model.cyclonedds import Remark
+from bringup_lint.parsers.cyclonedds_schema import schema
+from bringup_lint.parsers.cyclonedds_values import THREADS
+from bringup_lint.parsers.cyclonedds_values import complaint
+from bringup_lint.parsers.cyclonedds_values import words
+from bringup_lint.parsers.xml import parse
+from bringup_lint.source import Located
+from bringup_lint.source import Span
+from bringup_lint.spelling import nearest
+
+
+def accepted_by(configuration: Configuration, remark: Remark) -> list[str]:
+    """The other versions that take what this version refuses."""
+    if remark.item is None:
+        return []
+    if remark.code in ("value", "range"):
+        return [version for version in VERSIONS if _takes(version, remark.item, str(remark.where))]
+    mark = "@" if remark.code == "unknown-attribute" else "/"
+    path = f"{remark.item.path}{mark}{remark.detail}".lower()
+    return [version for version in VERSIONS if path in {known.lower() for known in schema(version).by_path}]
+
+
+def _takes(version: str, item: Item, text: str) -> bool:
+    other = schema(version).by_path.get(item.path)
+    return other is not None and not other.moved_to and complaint(other, text, version) is None
+
+
+def spelling(configuration: Configuration, remark: Remark) -> Item | None:
+    """The one item of the same place that a misspelt name means."""
+    if remark.item is None:
+        return None
+    items = remark.item.attributes if remark.code == "unknown-attribute" else remark.item.children
+    if remark.item.path == "CycloneDDS":
+        items = [item for item in items if not item.moved_to]
+    found = nearest(remark.detail, [item.name for item in items])
+    return next((item for item in items if item.name == found[0]), None) if len(found) == 1 else None
+
+
+def place(configuration: Configuration, remark: Remark) -> str:
+    """Where an item of this name may stand, such as ``General``; empty when nowhere or in several places."""
+    known = schema(configuration.version).elsewhere(remark.detail)
+    wanted = [item for item in known if item.is_attribute == (remark.code == "unknown-attribute")]
+    if len(wanted) != 1:
+        return ""
+    parent = wanted[0].path.rpartition("@" if wanted[0].is_attribute else "/")[0]
+    return parent.removeprefix("CycloneDDS/Domain/").removeprefix("CycloneDDS/")
+
+
+def renamed(name: Located, new: str) -> list[tuple[Span, str]]:
+    """The edits that rename an element or attribute, the end tag included."""
+    edits = [(name.span, new)]
+    text = name.span.source.text
+    before = text[name.span.start - 1 : name.span.start]
+    if before == "<":
+        element = next(
+            (each for each in parse(name.span.source).elements if each.name.span == name.span), None
+        )
+        closing = None if element is None else element.span.end - len(name) - 1
+        if closing is not None and text[closing - 2 : element.span.end] == f"</{name}>":
+            edits.append((Span(name.span.source, closing, closing + len(name)), new))
+    return edits
+
+
+def first_of(configuration: Configuration, remark: Remark) -> Located | None:
+    """The first name of a setting that is given twice."""
+    for domain in configuration.domains:
+        if remark in domain.remarks and remark.item is not None:
+            return next((each.name for each in domain.settings if each.path == remark.item.path), None)
+    return None
+
+
+def interfaces_instead(configuration: Configuration, remark: Remark) -> Fix | None:
+    """Replace NetworkInterfaceAddress by an Interfaces group; only for one plain interface name."""
+    for domain in configuration.domains:
+        old = domain.get("General/NetworkInterfaceAddress")
+        if old is None or old.name is not remark.where or domain.found("General/Interfaces"):
+            continue
+        value = str(old.value)
+        if re.fullmatch(r"[A-Za-z][A-Za-z0-9_.-]*", value) and value.lower() != "auto":
+            new = f'<Interfaces><NetworkInterface name="{value}"/></Interfaces>'
+            return Fix("write an Interfaces group", (Edit(old.owner.span, new),))
+    return None
+
+
+def taken_by(item: Item) -> str:
+    """What an item takes, as advice."""
+    known = words(item)
+    if item.type == "list":
+        return (
+            f"write a comma list without blanks of {', '.join(known)}"
+            if len(known) > 1
+            else "write a comma list"
+        )
+    limits = re.search(r"(-?[0-9]+)\.\.(-?[0-9]+)", item.allowed)
+    choices = (
+        [*known, f"a number from {limits[1]} to {limits[2]}"] if limits and item.type == "int" else known
+    )
+    if item.name == "Name":
+        choices = list(THREADS)
+    if not choices:
+        return "write a number with a unit"
+    *others, last = choices
+    return f"write {', '.join(others)} or {last}" if others else f"write {last}"

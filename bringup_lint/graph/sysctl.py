@@ -1,0 +1,60 @@
+"""The kernel parameters that the boot sets: sysctl.d(5), the last value wins."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from dataclasses import field
+from typing import TYPE_CHECKING
+
+from bringup_lint.parsers.sysctl import KernelParameter
+from bringup_lint.parsers.sysctl import parse
+from bringup_lint.source import Source
+
+if TYPE_CHECKING:
+    from bringup_lint.robot import Robot
+
+FOLDERS = (
+    "/etc/sysctl.d/",
+    "/run/sysctl.d/",
+    "/usr/local/lib/sysctl.d/",
+    "/usr/lib/sysctl.d/",
+    "/lib/sysctl.d/",
+)
+"""Where a file of the same name hides those further right."""
+
+
+@dataclass(eq=False)
+class Sysctl:
+    settings: list[KernelParameter] = field(default_factory=list)
+    """In the order in which they are applied."""
+    certain: bool = True
+    """False when files of several robots or overlays lie side by side."""
+
+    def get(self, name: str) -> KernelParameter | None:
+        """The setting that wins."""
+        return next((each for each in reversed(self.settings) if each.name == name), None)
+
+    def number(self, name: str) -> int | None:
+        setting = self.get(name)
+        return int(setting.value) if setting and setting.value.isdigit() else None
+
+    def mentions(self, name: str) -> bool:
+        return any(each.name == name for each in self.settings)
+
+
+def load_sysctl(robot: Robot) -> Sysctl:
+    """Merge the files by their names; with /etc/sysctl.conf, which Debian and Ubuntu link as 99-sysctl.conf."""
+    by_name: dict[str, tuple[int, Source]] = {}
+    certain = True
+    for source in robot.of_kind("sysctl"):
+        place = source.robot_path or f"/{source.name}"
+        rank = next((index for index, folder in enumerate(FOLDERS) if folder in place), 0)
+        name = "99-sysctl.conf" if place.endswith("/etc/sysctl.conf") else source.basename
+        known = by_name.get(name)
+        if known is not None and known[0] == rank:
+            certain = False
+        if known is None or rank < known[0]:
+            by_name[name] = (rank, source)
+    sources = [by_name[name][1] for name in sorted(by_name)]
+    settings = [setting for found in robot.parsed(parse, sources) for setting in found]
+    return Sysctl(settings, certain)

@@ -1,0 +1,133 @@
+"""A Cyclone DDS configuration as the library reads it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from dataclasses import field
+from typing import NamedTuple
+
+from bringup_lint.model.xml import Document
+from bringup_lint.model.xml import Element
+from bringup_lint.source import Located
+from bringup_lint.source import Source
+from bringup_lint.source import Span
+
+VERSIONS = ("0.7", "0.8", "0.9", "0.10", "11")
+"""The series that the tables know, oldest first."""
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Item:
+    """An element or attribute that one version of the library knows."""
+
+    path: str
+    """``CycloneDDS/Domain/General/DontRoute``, an attribute after ``@``."""
+    name: str
+    type: str
+    """bool, enum, int, list, memsize, duration, bandwidth, string, group, moved or ignored."""
+    allowed: str
+    bare: str
+    """How a number without unit is read: B, ms, us, or error."""
+    default: str
+    many: bool
+    required: bool
+    aliases: tuple[str, ...]
+    deprecated: bool
+    moved_to: str
+    """The path where the library applies it, else empty."""
+    build: frozenset[str]
+    """Compile-time features without which the item does not exist."""
+    children: list[Item] = field(default_factory=list)
+    attributes: list[Item] = field(default_factory=list)
+
+    @property
+    def is_attribute(self) -> bool:
+        return "@" in self.path
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Setting:
+    """One value in the file, at the place where the library applies it."""
+
+    item: Item
+    name: Located
+    value: Located
+    """As written; the text of an element without surrounding blanks."""
+    effective: str | None
+    """With variables expanded; None when it depends on an environment that is not known."""
+    owner: Element
+    """The element that holds it: for an attribute its element, for text the element itself."""
+
+    @property
+    def path(self) -> str:
+        return self.item.path
+
+
+class Remark(NamedTuple):
+    """Something that the library would say, or should have said."""
+
+    code: str
+    """Of names: ``unknown-element``, ``unknown-attribute``, ``ambiguous-name``, ``abbreviated``, ``alias``, ``deprecated``,
+    ``moved``, ``build``. Of structure: ``xml``, ``root``, ``duplicate``, ``unexpected-text``, ``missing``. Of values:
+    ``value``, ``unit``, ``range``, ``bare-number``, ``expansion``. Of values together: ``mixed-interfaces``, ``anonymous``,
+    ``autodetermined``, ``watermarks``, ``transport``, ``ports``, ``priority``, ``address``."""
+    where: Located | Span
+    fatal: bool
+    """Whether no participant can be created."""
+    detail: str = ""
+    item: Item | None = None
+    """What was meant, or, for an unknown name, the item inside which it stands."""
+
+
+@dataclass(eq=False, slots=True)
+class Domain:
+    """One ``Domain`` block."""
+
+    element: Element | None
+    """None when the groups stand directly below the root."""
+    id: Located | None = None
+    settings: list[Setting] = field(default_factory=list)
+    elements: list[tuple[Item, Element]] = field(default_factory=list)
+    """Every recognised element, in document order."""
+    remarks: list[Remark] = field(default_factory=list)
+
+    def get(self, path: str) -> Setting | None:
+        """The last setting below ``CycloneDDS/Domain/``."""
+        wanted = f"CycloneDDS/Domain/{path}"
+        return next((each for each in reversed(self.settings) if each.path == wanted), None)
+
+    def all(self, path: str) -> list[Setting]:
+        wanted = f"CycloneDDS/Domain/{path}"
+        return [each for each in self.settings if each.path == wanted]
+
+    def found(self, path: str) -> list[Element]:
+        """The elements at a path below ``CycloneDDS/Domain/``."""
+        wanted = f"CycloneDDS/Domain/{path}"
+        return [element for item, element in self.elements if item.path == wanted]
+
+    def of(self, element: Element, attribute: str) -> Setting | None:
+        """The value of an attribute, by its full name, of one element."""
+        return next(
+            (each for each in self.settings if each.owner is element and each.item.name == attribute), None
+        )
+
+    @property
+    def applies_to_any(self) -> bool:
+        return self.id is None or self.id.lower() == "any"
+
+
+@dataclass(eq=False, slots=True)
+class Configuration:
+    """One file, or one inline document, as one version of the library reads it."""
+
+    source: Source
+    document: Document
+    version: str
+    inline: bool
+    domains: list[Domain] = field(default_factory=list)
+    remarks: list[Remark] = field(default_factory=list)
+    """What concerns the document as a whole: XML, root."""
+
+    @property
+    def all_remarks(self) -> list[Remark]:
+        return [*self.remarks, *(remark for domain in self.domains for remark in domain.remarks)]

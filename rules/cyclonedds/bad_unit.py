@@ -1,0 +1,64 @@
+"""A unit that Cyclone DDS does not know.
+
+## What it finds
+A size or duration with an unknown unit, or without one where the library insists. Sizes take B, kB,
+KiB, MB, MiB, GB and GiB (all powers of 1024), durations ns, us, ms, s, min, hr and day; capital letters
+matter.
+
+## Why it matters on a robot
+The library says `unrecognised unit` or `unit is required` and creates no participant: no ROS node
+starts.
+
+## Bad
+```xml
+<SocketReceiveBufferSize max="100KB"/>
+```
+
+## Good
+```xml
+<SocketReceiveBufferSize max="100kB"/>
+```
+
+## References
+- Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule("error", fix="safe", symptoms=["unrecognised unit", "unit is required"])
+def bad_unit(robot: Robot):
+    sizes = ("B", "kB", "KiB", "MB", "MiB", "GB", "GiB")
+    durations = ("ns", "us", "ms", "s", "min", "hr", "day")
+    spelled = {
+        "k": "kB",
+        "m": "MB",
+        "g": "GB",
+        "kb": "kB",
+        "sec": "s",
+        "secs": "s",
+        "seconds": "s",
+        "h": "hr",
+        "d": "day",
+    }
+    for _, remark in robot.dds.remarks("unit"):
+        units = sizes if remark.item.type == "memsize" else durations
+        value, unit = remark.where, remark.detail
+        right = next((known for known in units if known.lower() == unit.lower()), None)
+        guess = right or (spelled.get(unit.lower()) if spelled.get(unit.lower()) in units else None)
+        end = len(value.rstrip())
+        change = None
+        if guess and unit and value[:end].endswith(unit):
+            change = fix(f"write {guess}", (value.part(end - len(unit), end), guess), safe=bool(right))
+        message = (
+            f"'{value}': unrecognised unit '{unit}'" if unit else f"{remark.item.name} '{value}' needs a unit"
+        )
+        yield finding(
+            value,
+            f"{message}: no participant can be created, no node starts",
+            advice=f"write {guess}" if guess else f"use one of {', '.join(units)}",
+            fix=change,
+        )

@@ -1,0 +1,63 @@
+"""A Cyclone DDS setting that has moved or is going away.
+
+## What it finds
+An element that the target version takes only with a warning: deprecated ones such as
+`NetworkInterfaceAddress`, older names, and settings that have moved to another group.
+
+## Why it matters on a robot
+Every process logs a warning at each start, and the next library may refuse the file, which stops every
+node.
+
+## Bad
+```xml
+<General>
+  <NetworkInterfaceAddress>eth0</NetworkInterfaceAddress>
+</General>
+```
+
+## Good
+```xml
+<General>
+  <Interfaces>
+    <NetworkInterface name="eth0"/>
+  </Interfaces>
+</General>
+```
+
+## References
+- Cyclone DDS 0.10.5 and 11.0.1, tried with the real library; 0.9.1
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule(
+    "warning",
+    fix="safe",
+    symptoms=["deprecated element", "deprecated alias", "setting moved to", "settings moved to"],
+)
+def deprecated_element(robot: Robot):
+    for configuration, remark in robot.dds.remarks("deprecated", "alias", "moved"):
+        library = robot.dds.cyclonedds
+        change = None
+        if remark.code == "moved":
+            place = remark.detail.removeprefix("CycloneDDS/")
+            message, advice = (
+                f"{remark.where} has moved in {library}: it still works, with a warning",
+                f"write it as {place}",
+            )
+        elif remark.code == "alias":
+            message, advice = f"{remark.where} is the old name of {remark.detail}", f"write {remark.detail}"
+            change = fix(f"rename to {remark.detail}", *robot.dds.renamed(remark.where, remark.detail))
+        else:
+            message, advice = (
+                f"{remark.where} is deprecated in {library}",
+                "remove it, or use what replaces it",
+            )
+            if remark.item.name == "NetworkInterfaceAddress":
+                advice = 'write <Interfaces><NetworkInterface name="..."/></Interfaces>'
+                change = robot.dds.interfaces_instead(configuration, remark)
+        yield finding(remark.where, message, advice=advice, fix=change)

@@ -1,0 +1,38 @@
+"""A Domain Id that is neither any nor a number.
+
+## What it finds
+A `Domain` whose `Id` is no unsigned decimal number below 4294967295 and not `any`.
+
+## Why it matters on a robot
+The library says `neither 'any' nor a less than 2**32-1` and creates no participant: no ROS node starts.
+
+## Bad
+```xml
+<Domain Id="robot">
+```
+
+## Good
+```xml
+<Domain Id="any">
+```
+
+## References
+- Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule("error", fix="unsafe", symptoms=["neither 'any' nor a less than 2**32-1"])
+def domain_id_invalid(robot: Robot):
+    for _, remark in robot.dds.remarks("value"):
+        if remark.item.path == "CycloneDDS/Domain@Id":
+            yield finding(
+                remark.where,
+                f"The domain Id '{remark.where}' is neither 'any' nor a number: no participant can be created, no node starts",
+                advice="write any",
+                fix=fix("write any", (remark.where, "any"), safe=False),
+            )

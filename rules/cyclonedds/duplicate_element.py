@@ -1,0 +1,40 @@
+"""A Cyclone DDS setting that is given twice.
+
+## What it finds
+One setting with two values in the same Domain block, also when its group is opened twice. Peers,
+interfaces and threads may be many; a second Domain block or file overrides the first and is fine.
+
+## Why it matters on a robot
+The library says `only 1 instance allowed` and creates no participant: no ROS node starts.
+
+## Bad
+```xml
+<AllowMulticast>false</AllowMulticast>
+<AllowMulticast>spdp</AllowMulticast>
+```
+
+## Good
+```xml
+<AllowMulticast>spdp</AllowMulticast>
+```
+
+## References
+- Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["only 1 instance allowed"])
+def duplicate_element(robot: Robot):
+    for configuration, remark in robot.dds.remarks("duplicate"):
+        first = robot.dds.first_of(configuration, remark)
+        yield finding(
+            remark.where,
+            f"{remark.detail} is given twice (only 1 instance allowed): no participant can be created, no node starts",
+            advice="keep one of the two",
+            related=[note(first, "the first one")] if first else (),
+        )

@@ -1,0 +1,37 @@
+"""A Cyclone DDS interface without name and address.
+
+## What it finds
+A `NetworkInterface` with neither `name` nor `address`, and without `autodetermine="true"`. A name that
+comes from a variable is left alone.
+
+## Why it matters on a robot
+The library says `Nameless and address-less interface listed in interfaces` and creates no participant:
+no ROS node starts.
+
+## Bad
+```xml
+<NetworkInterface multicast="false"/>
+```
+
+## Good
+```xml
+<NetworkInterface name="eth0" multicast="false"/>
+```
+
+## References
+- Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["Nameless and address-less interface"])
+def interface_anonymous(robot: Robot):
+    for _, remark in robot.dds.remarks("anonymous"):
+        yield finding(
+            remark.where,
+            "The interface has neither name nor address: no participant can be created, no node starts",
+            advice='give it a name, or write autodetermine="true"',
+        )

@@ -1,0 +1,37 @@
+"""An autodetermined Cyclone DDS interface with a name.
+
+## What it finds
+A `NetworkInterface` with `autodetermine="true"` and a name or address.
+
+## Why it matters on a robot
+The library refuses it and creates no participant: no ROS node starts.
+
+## Bad
+```xml
+<NetworkInterface name="eth0" autodetermine="true"/>
+```
+
+## Good
+```xml
+<NetworkInterface name="eth0"/>
+```
+
+## References
+- Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule(
+    "error", symptoms=["An autodetermined interface should not have its name or address property specified"]
+)
+def interface_contradiction(robot: Robot):
+    for _, remark in robot.dds.remarks("autodetermined"):
+        yield finding(
+            remark.where,
+            f"An interface with autodetermine must not have the {remark.item.name} '{remark.where}': no node starts",
+            advice=f"delete autodetermine, or the {remark.item.name}",
+        )

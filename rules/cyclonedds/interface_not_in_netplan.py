@@ -1,0 +1,58 @@
+"""Cyclone DDS uses an interface that the robot does not have.
+
+## What it finds
+An interface name that no file of the robot's netplan defines. Only files below the same root are
+joined, and only when the tree holds one netplan configuration. Names that a `match:` may give, that
+come from containers, tunnels or USB gadgets, and `presence_required="false"` beside other interfaces
+are left alone. Predictable kernel names (`enp3s0`) give a warning.
+
+## Why it matters on a robot
+The library says `eth0: does not match an available interface` and creates no participant: no ROS node
+starts. A renamed or exchanged network card is enough.
+
+## Bad
+```xml
+# netplan: lan0 only
+<NetworkInterface name="eth0"/>
+```
+
+## Good
+```xml
+<NetworkInterface name="lan0"/>
+```
+
+## References
+- Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
+- https://github.com/tier4/edge-auto-jetson/pull/82
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["does not match an available interface"])
+def interface_not_in_netplan(robot: Robot):
+    for configuration, domain in robot.dds.domains:
+        plan = robot.dds.plan_of(configuration)
+        if plan is None:
+            continue
+        known = [interface for interface in plan.interfaces.values() if interface.device]
+        names = list(robot.dds.named_interfaces(domain))
+        for setting in names:
+            name = setting.effective
+            required = domain.of(setting.owner, "presence_required")
+            optional = (
+                required is not None and (required.effective or "false").lower() == "false" and len(names) > 1
+            )
+            if not known or optional or robot.dds.device(plan, name) or robot.dds.may_exist(plan, name):
+                continue
+            predictable = name.startswith(("en", "wl", "eth0")) and any(each.is_physical for each in known)
+            yield finding(
+                setting.value,
+                f"Interface {name} is not configured on this robot: 'does not match an available interface', no node starts",
+                advice=f"use one of {', '.join(str(each.device) for each in known)}",
+                related=[note(each.name, "netplan configures this one") for each in known[:3]],
+                severity="warning" if predictable else None,
+            )

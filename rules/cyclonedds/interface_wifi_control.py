@@ -1,0 +1,43 @@
+"""Robot traffic goes over Wi-Fi.
+
+## What it finds
+Cyclone DDS names an interface that the robot's netplan configures below `wifis:`. The finding is for
+information: a robot without a cable has no other way.
+
+## Why it matters on a robot
+On Wi-Fi, multicast is slow and unacknowledged, and roaming or a busy channel delays commands by
+seconds: velocity commands arrive late or not at all.
+
+## Bad
+```xml
+<NetworkInterface name="wlan0"/>
+```
+
+## Good
+```xml
+<NetworkInterface name="lan0"/>
+```
+
+## References
+- IEEE 802.11-2020, group addressed frames are sent at a basic rate without acknowledgement
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("info")
+def interface_wifi_control(robot: Robot):
+    for configuration, domain in robot.dds.domains:
+        plan = robot.dds.plan_of(configuration)
+        for setting in robot.dds.named_interfaces(domain) if plan else ():
+            interface = robot.dds.device(plan, setting.effective)
+            if interface is not None and interface.is_wifi:
+                yield finding(
+                    setting.value,
+                    "All DDS traffic uses Wi-Fi: velocity commands may arrive late or not at all",
+                    advice="keep control on a wired interface, and bridge to Wi-Fi what must leave the robot",
+                    related=[note(interface.name, "a Wi-Fi interface")],
+                )

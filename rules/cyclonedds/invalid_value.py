@@ -1,0 +1,62 @@
+"""A value that Cyclone DDS does not take.
+
+## What it finds
+A word, number or list that the library refuses: booleans other than `true` and `false`, unknown
+enumeration words, numbers out of range, a scheduling priority without a class, an address that must be
+multicast and is not, a `${VARIABLE}` that is not closed. Capital letters do not matter, and blanks
+around the text of an element do not either.
+
+## Why it matters on a robot
+The library stops there and creates no participant: no ROS node starts.
+
+## Bad
+```xml
+<AllowMulticast>no</AllowMulticast>
+```
+
+## Good
+```xml
+<AllowMulticast>false</AllowMulticast>
+```
+
+## References
+- Cyclone DDS 0.10.5 and 11.0.1, tried with the real library: every setting with some fifty values
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule(
+    "error",
+    fix="unsafe",
+    symptoms=["undefined value", "not a decimal integer", "value out of range", "invalid value"],
+)
+def invalid_value(robot: Robot):
+    booleans = {"no": "false", "off": "false", "0": "false", "yes": "true", "on": "true", "1": "true"}
+    for configuration, remark in robot.dds.remarks("value", "range", "expansion", "priority", "address"):
+        name = remark.item.name
+        if name == "Id" or robot.dds.accepted_by(configuration, remark):
+            continue
+        taken = robot.dds.taken_by(remark.item)
+        word = booleans.get(remark.where.lower()) if "true" in robot.dds.words_of(remark.item) else None
+        if remark.code == "expansion":
+            message = f"Cyclone DDS cannot expand '{remark.where}' ({remark.detail}): no node starts"
+        elif remark.code == "priority":
+            message = f"Priority {remark.where} without a Class aborts the process: no node starts"
+            taken = "add <Class>realtime</Class>, or delete the priority"
+        elif remark.code == "address":
+            message = f"{name} '{remark.where}' is no multicast address: no node starts"
+            taken = "write an address of 224.0.0.0/4"
+        elif remark.code == "range":
+            message = f"{name} '{remark.where}' is out of range: no node starts"
+        else:
+            message = f"{name} '{remark.where}' is not a value that Cyclone DDS knows: no node starts"
+        yield finding(
+            remark.where,
+            message,
+            advice=f"write {word}" if word else taken,
+            fix=fix(f"write {word}", (remark.where, word), safe=False) if word else None,
+        )

@@ -1,0 +1,43 @@
+"""A Cyclone DDS element without what it cannot do without.
+
+## What it finds
+An element of a list or of `Security` that lacks a part without default: a `Thread` without `Name`,
+`Security` without `IdentityCertificate`, `IdentityCA` or `PrivateKey`. A `Peer` without address has a
+rule of its own.
+
+## Why it matters on a robot
+The library says `element missing in configuration` and creates no participant: no ROS node starts.
+
+## Bad
+```xml
+<Thread>
+  <StackSize>1MB</StackSize>
+</Thread>
+```
+
+## Good
+```xml
+<Thread Name="recv">
+  <StackSize>1MB</StackSize>
+</Thread>
+```
+
+## References
+- Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["element missing in configuration"])
+def missing_value(robot: Robot):
+    for _, remark in robot.dds.remarks("missing"):
+        if remark.item.path.endswith("/Peer@Address"):
+            continue
+        yield finding(
+            remark.where,
+            f"{remark.where} lacks {remark.detail} (element missing in configuration): no node starts",
+            advice=f"add {remark.detail}",
+        )

@@ -1,0 +1,47 @@
+"""Multicast discovery shows the robot to the whole network.
+
+## What it finds
+`AllowMulticast` that is missing, `true`, `default` or contains `asm` in a block that is not confined to
+the loopback interface. The finding is for information: multicast is what every ROS 2 robot does by
+default.
+
+## Why it matters on a robot
+Every machine on the network sees every topic, and may publish on it. Domain numbers keep robots apart,
+not people out.
+
+## Bad
+```xml
+<AllowMulticast>true</AllowMulticast>
+```
+
+## Good
+```xml
+<AllowMulticast>false</AllowMulticast>
+<!-- with Discovery/Peers and ParticipantIndex auto -->
+```
+
+## References
+- Cyclone DDS, configuration guide, "AllowMulticast"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("info", tags=["CWE-668"])
+def multicast_enabled(robot: Robot):
+    for _, domain in robot.dds.domains:
+        if domain.element is None or robot.dds.on_loopback_only(domain) or domain.found("Security"):
+            continue
+        setting = domain.get("General/AllowMulticast")
+        words = (setting.effective or "$").lower().split(",") if setting else ["default"]
+        interfaces = domain.found("General/Interfaces/NetworkInterface")
+        if not {"true", "default", "asm"} & set(words) or (interfaces and robot.dds.multicast_off(domain)):
+            continue
+        where = setting.value if setting and setting.value else domain.element.name
+        yield finding(
+            where,
+            "Multicast shows the whole topic graph to every machine on the network",
+            advice="write AllowMulticast false (or spdp) and list the Peers, or enable DDS security",
+        )

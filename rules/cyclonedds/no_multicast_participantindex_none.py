@@ -1,0 +1,58 @@
+"""Unicast discovery with random ports.
+
+## What it finds
+`AllowMulticast` is `false` and `ParticipantIndex` is `none`, written or by default. Up to 0.10 the
+default is `none`; on Jazzy and Kilted rmw_cyclonedds sets `auto` before it reads the file, from 11 on
+the library's own default works.
+
+## Why it matters on a robot
+Unicast discovery finds the others at the ports of the indices 0, 1, 2 and so on. With `none` every
+process takes random ports: the robot starts without a word, and its nodes stay alone.
+
+## Bad
+```xml
+<General>
+  <AllowMulticast>false</AllowMulticast>
+</General>
+```
+
+## Good
+```xml
+<General>
+  <AllowMulticast>false</AllowMulticast>
+</General>
+<Discovery>
+  <ParticipantIndex>auto</ParticipantIndex>
+</Discovery>
+```
+
+## References
+- Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
+- rmw_cyclonedds (Jazzy), the configuration that it puts before the user's
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", fix="safe")
+def no_multicast_participantindex_none(robot: Robot):
+    for _, domain in robot.dds.domains:
+        off = robot.dds.multicast_off(domain)
+        index = domain.get("Discovery/ParticipantIndex")
+        if off is None or (index is None and not robot.dds.old_discovery):
+            continue
+        if index is not None and (index.effective or "").lower() != "none":
+            continue
+        where = index.value if index else off.value
+        message = "Unicast discovery cannot find ports that are random: without multicast and with ParticipantIndex none "
+        yield finding(
+            where,
+            message + "the robot starts and its nodes stay alone",
+            advice="write <ParticipantIndex>auto</ParticipantIndex> in Discovery",
+            related=[note(off.value, "multicast is off")] if index else (),
+            fix=fix("write auto", (index.value, "auto")) if index else None,
+        )

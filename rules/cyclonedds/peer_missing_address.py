@@ -1,0 +1,52 @@
+"""A Cyclone DDS peer without address.
+
+## What it finds
+A `Peer` without the attribute `Address`, or with the address as text. `address` in any capitalisation
+is fine. An empty address is found too: the library takes it and contacts nobody.
+
+## Why it matters on a robot
+The library says `element missing in configuration` or `no data expected` and creates no participant: no
+ROS node starts.
+
+## Bad
+```xml
+<Peer>10.0.0.10</Peer>
+```
+
+## Good
+```xml
+<Peer Address="10.0.0.10"/>
+```
+
+## References
+- Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule("error", fix="safe", symptoms=["element missing in configuration", "no data expected"])
+def peer_missing_address(robot: Robot):
+    for _, domain in robot.dds.domains:
+        for element in domain.found("Discovery/Peers/Peer"):
+            address = domain.of(element, "Address")
+            if address is not None and address.effective == "":
+                message = "The peer's address is empty: nobody is contacted"
+                yield finding(
+                    element.name, message, advice="write the address, or delete the peer", severity="warning"
+                )
+            elif address is None or element.text:
+                change = None
+                if address is None and robot.dds.is_address(element.text) and not element.children:
+                    change = fix(
+                        "make it an attribute", (element.span, f'<{element.name} Address="{element.text}"/>')
+                    )
+                yield finding(
+                    element.name,
+                    "A Peer needs the attribute Address, and takes no text: no participant can be created, no node starts",
+                    advice='write <Peer Address="..."/>',
+                    fix=change,
+                )

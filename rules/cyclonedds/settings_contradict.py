@@ -1,0 +1,57 @@
+"""Cyclone DDS settings that exclude each other.
+
+## What it finds
+Values that are fine alone and refused together: writer watermarks out of order (`WhcLow` ≤
+`WhcHighInit` ≤ `WhcHigh`), `Transport` against `TCP/Enable` or `UseIPv6`, and port parameters or a
+domain number that lead beyond port 65535.
+
+## Why it matters on a robot
+The library says `Invalid watermark settings`, `invalid combination of Transport, IPv6, TCP` or `Invalid
+port mapping` and creates no participant: no ROS node starts.
+
+## Bad
+```xml
+<Watermarks>
+  <WhcHigh>10kB</WhcHigh>     <!-- below WhcHighInit, which is 30 kB -->
+</Watermarks>
+```
+
+## Good
+```xml
+<Watermarks>
+  <WhcHigh>10kB</WhcHigh>
+  <WhcHighInit>5kB</WhcHighInit>
+</Watermarks>
+```
+
+## References
+- Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule(
+    "error",
+    symptoms=[
+        "Invalid watermark settings",
+        "invalid combination of Transport, IPv6, TCP",
+        "Invalid port mapping",
+    ],
+)
+def settings_contradict(robot: Robot):
+    words = {
+        "watermarks": ("the watermarks are out of order", "keep WhcLow <= WhcHighInit <= WhcHigh"),
+        "transport": (
+            "Transport contradicts the older switches",
+            "delete TCP/Enable and UseIPv6: Transport says it all",
+        ),
+        "ports": ("the port numbers leave 1 to 65535", "lower the port parameters or the domain number"),
+    }
+    for _, remark in robot.dds.remarks(*words):
+        what, advice = words[remark.code]
+        yield finding(
+            remark.where, f"{what[0].upper()}{what[1:]} ({remark.detail}): no node starts", advice=advice
+        )

@@ -1,0 +1,64 @@
+"""A Cyclone DDS buffer that the kernel does not grant.
+
+## What it finds
+`SocketReceiveBufferSize min` or `SocketSendBufferSize min` (or their older names) above twice
+`net.core.rmem_max` or `wmem_max`: the kernel doubles what is asked for and caps it there. When no
+sysctl file raises the limit, the kernel's default of 212992 counts; in a tree that is no root file
+system that is a warning. `max` alone only asks.
+
+## Why it matters on a robot
+The library says `failed to increase socket receive buffer size` and creates no participant: no ROS node
+starts. Privileges do not help, and in a container the host's limit counts.
+
+## Bad
+```xml
+# net.core.rmem_max is 212992
+<SocketReceiveBufferSize min="10MB"/>
+```
+
+## Good
+```xml
+# sysctl.d: net.core.rmem_max = 10485760
+<SocketReceiveBufferSize min="10MB"/>
+```
+
+## References
+- Cyclone DDS 0.10.5 and 11.0.1, tried with the real library: 8192 kB passes and 8193 kB fails with rmem_max 4194304
+- https://github.com/eclipse-cyclonedds/cyclonedds/pull/1001
+- socket(7), SO_RCVBUF
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule(
+    "error",
+    symptoms=["failed to increase socket receive buffer size", "failed to increase socket send buffer size"],
+)
+def socket_buffer_exceeds_sysctl(robot: Robot):
+    for _configuration, domain in robot.dds.domains:
+        for setting, limit_name in robot.dds.least_buffers(domain):
+            wanted = robot.dds.size_of(setting)
+            limit = robot.sysctl.get(limit_name)
+            if (
+                wanted is None
+                or not robot.sysctl.certain
+                or (limit is not None and not limit.value.isdigit())
+            ):
+                continue
+            granted = int(limit.value) if limit else 212992
+            if wanted <= 2 * granted:
+                continue
+            known = limit is not None or robot.tree.complete
+            has = f"this robot has {granted}" if known else f"no file of this tree raises it from {granted}"
+            yield finding(
+                setting.value,
+                f"At least {setting.value} needs {limit_name} >= {(wanted + 1) // 2}, but {has}: no node starts",
+                advice=f"set {limit_name} = {wanted} in /etc/sysctl.d, or ask with max instead of min",
+                related=[note(limit.value, "the limit")] if limit else (),
+                severity=None if known else "warning",
+                confidence="high" if known else "medium",
+            )

@@ -1,0 +1,44 @@
+"""Text where Cyclone DDS expects none.
+
+## What it finds
+Text inside an element that takes only attributes or other elements, such as `SocketReceiveBufferSize`
+or `General`. `Peer` has a rule of its own.
+
+## Why it matters on a robot
+The library says `no data expected` and creates no participant: no ROS node starts.
+
+## Bad
+```xml
+<SocketReceiveBufferSize>10MB</SocketReceiveBufferSize>
+```
+
+## Good
+```xml
+<SocketReceiveBufferSize min="10MB"/>
+```
+
+## References
+- Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["no data expected"])
+def unexpected_text(robot: Robot):
+    for _, remark in robot.dds.remarks("unexpected-text"):
+        if remark.item.name == "Peer":
+            continue
+        attributes = [item.name for item in remark.item.attributes]
+        takes = f"attributes ({', '.join(attributes)})" if attributes else "other elements"
+        if remark.item.type != "group":
+            takes = "either a value or nothing beside it"
+        yield finding(
+            remark.where,
+            f"{remark.item.name} takes {takes}, no text: no participant can be created, no node starts",
+            advice=f'write the value as {attributes[0]}="..."'
+            if len(attributes) in (1, 2)
+            else "remove the text",
+        )

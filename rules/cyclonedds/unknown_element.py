@@ -1,0 +1,58 @@
+"""An element that Cyclone DDS does not know.
+
+## What it finds
+An element that no version of the library knows at this place, or one that stands in the wrong group.
+Names ignore case; older names that the library still takes are fine.
+
+## Why it matters on a robot
+The library stops at the first unknown element and creates no participant: no ROS node starts.
+
+## Bad
+```xml
+<General>
+  <Interface name="eth0"/>
+</General>
+```
+
+## Good
+```xml
+<General>
+  <Interfaces>
+    <NetworkInterface name="eth0"/>
+  </Interfaces>
+</General>
+```
+
+## References
+- Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
+- https://github.com/eclipse-cyclonedds/cyclonedds/issues/2201
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule("error", fix="unsafe", symptoms=["unknown element"])
+def unknown_element(robot: Robot):
+    for configuration, remark in robot.dds.remarks("unknown-element", "ambiguous-name", "build"):
+        if robot.dds.accepted_by(configuration, remark) and remark.code != "build":
+            continue
+        library = robot.dds.cyclonedds
+        message = f"'{remark.where}' is an unknown element for {library}: no participant can be created, no node starts"
+        if remark.code == "build":
+            message = f"'{remark.where}' exists only in builds with {remark.detail}; ROS packages have none: no node starts"
+        meant = robot.dds.spelling(configuration, remark)
+        place = robot.dds.place(configuration, remark)
+        advice = "delete it, or look the name up in the configuration guide of this version"
+        if meant is not None:
+            advice = f"write {meant.name}"
+        elif place:
+            advice = f"move it into {place}"
+        change = (
+            fix(f"rename to {meant.name}", *robot.dds.renamed(remark.where, meant.name), safe=False)
+            if meant
+            else None
+        )
+        yield finding(remark.where, message, advice=advice, fix=change)

@@ -1,0 +1,52 @@
+"""The root element of a Cyclone DDS file is not CycloneDDS.
+
+## What it finds
+A file whose outermost element is something else than `CycloneDDS` (in any capitalisation). Only XML
+that is given inline in `CYCLONEDDS_URI` may leave it out.
+
+## Why it matters on a robot
+The library does not know the element and creates no participant: no ROS node starts.
+
+## Bad
+```xml
+<Cyclone>
+  <Domain/>
+</Cyclone>
+```
+
+## Good
+```xml
+<CycloneDDS>
+  <Domain/>
+</CycloneDDS>
+```
+
+## References
+- Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import Span
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule("error", fix="unsafe", symptoms=["unknown element"])
+def wrong_root(robot: Robot):
+    for configuration, _remark in robot.dds.remarks("root"):
+        root = configuration.document.root
+        start = root.name.span
+        end = root.span
+        closing = Span(end.source, end.end - len(root.name) - 1, end.end - 1)
+        change = None
+        if closing.text == root.name and root.name.lower() not in ("general", "discovery", "domain"):
+            change = fix(
+                "rename the root element", (start, "CycloneDDS"), (closing, "CycloneDDS"), safe=False
+            )
+        yield finding(
+            root.name,
+            f"The root element '{root.name}' is unknown to Cyclone DDS: no participant can be created, no node starts",
+            advice="make CycloneDDS the outermost element, with Domain inside",
+            fix=change,
+        )
