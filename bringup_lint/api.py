@@ -17,6 +17,7 @@ from bringup_lint.finding import Fix
 from bringup_lint.finding import Related
 from bringup_lint.finding import Severity
 from bringup_lint.finding import span_of
+from bringup_lint.graph.settings import duration
 from bringup_lint.graph.unit_edits import delete_lines
 from bringup_lint.graph.unit_edits import lift_comment
 from bringup_lint.graph.unit_edits import move_lines
@@ -39,6 +40,7 @@ __all__ = [
     "Span",
     "delete_lines",
     "directives",
+    "duration",
     "escape_path",
     "finding",
     "fix",

@@ -104,6 +104,16 @@ class Unit:
         return any(file.uncertain for file in self.files)
 
     @property
+    def complete(self) -> bool:
+        """Whether everything that the unit sets is in the tree, so that a setting that is not there is not set."""
+        return self.fragment is not None and not self.uncertain
+
+    @property
+    def editable(self) -> bool:
+        """Whether a fix may change its files: they are no templates."""
+        return not any(file.source.template for file in self.files if file.source.judged)
+
+    @property
     def where(self) -> Span:
         """The header that a finding about the whole unit points at: [Service] and the like, else the first section."""
         for file in self.files:

@@ -24,6 +24,8 @@ from bringup_lint.graph.graph import Graph
 from bringup_lint.graph.graph import Node
 from bringup_lint.graph.process import Process
 from bringup_lint.graph.process import processes
+from bringup_lint.graph.restart import RestartPolicy
+from bringup_lint.graph.restart import restart_policy
 from bringup_lint.graph.unit import Unit
 from bringup_lint.graph.unit_lines import Line
 from bringup_lint.graph.unit_lines import lines
@@ -157,6 +159,25 @@ class Units:
         """Whether everything that the unit starts talks to this machine only."""
         found = [process_environment(process, self.robot) for process in self.started(unit)]
         return bool(found) and all(map(stays_local, found))
+
+    @cached_property
+    def _policies(self) -> dict[int, RestartPolicy]:
+        return {}
+
+    def restart(self, unit: Unit) -> RestartPolicy:
+        """What systemd does when the service ends."""
+        if id(unit) not in self._policies:
+            self._policies[id(unit)] = restart_policy(unit, self.robot)
+        return self._policies[id(unit)]
+
+    @cached_property
+    def triggered(self) -> frozenset[str]:
+        """The names of the units that a timer or path unit of the tree starts: jobs, not daemons."""
+        found = set()
+        for unit in self.all:
+            if unit.type in ("timer", "path"):
+                found.add(str(unit.get("Unit") or f"{unit.stem}.service"))
+        return frozenset(found)
 
     @cached_property
     def _processes(self) -> dict[int, list[Process]]:

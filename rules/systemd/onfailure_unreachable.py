@@ -1,0 +1,73 @@
+"""OnFailure= that never gets its turn.
+
+## What it finds
+OnFailure= on a service that restarts for ever because its start limit can never trip. Up to systemd 253, and with
+RestartMode=direct, the unit enters "failed" only when the limit is hit. From systemd 254 on the handler runs after every
+single failure instead; that is reported as information.
+
+## Why it matters on a robot
+The alarm, the safe stop or the log upload that OnFailure= should start never runs, and nobody notices until it is needed.
+
+## Bad
+```ini
+[Unit]
+OnFailure=robot-alarm.service
+
+[Service]
+ExecStart=/opt/robot/bin/drivers
+Restart=on-failure
+RestartSec=5
+```
+
+## Good
+```ini
+[Unit]
+OnFailure=robot-alarm.service
+StartLimitIntervalSec=90
+StartLimitBurst=5
+
+[Service]
+ExecStart=/opt/robot/bin/drivers
+Restart=on-failure
+RestartSec=5
+```
+
+## References
+- systemd.unit(5), OnFailure=
+- <https://github.com/systemd/systemd/issues/33710>: the change of behaviour in 254
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import duration
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning")
+def onfailure_unreachable(robot: Robot):
+    for unit in robot.units.services:
+        policy = robot.units.restart(unit)
+        handlers = [*unit.values("OnFailure", "Unit"), *unit.values("OnFailure", "Service")]
+        if not handlers or not unit.complete or not policy.never_trips:
+            continue
+        why = (
+            f"{policy.burst} restarts take {duration(policy.loop())} > {duration(policy.interval)}, so the start limit never trips"
+            if policy.limited
+            else "the start limit is switched off"
+        )
+        each_time = robot.target.systemd >= 254 and unit.get("RestartMode") != "direct"
+        yield finding(
+            handlers[0],
+            f"{why}: systemd {robot.target.systemd} starts {handlers[0]} after every single failure"
+            if each_time
+            else f"{why}: {unit.name} never enters \"failed\" and OnFailure= does not fire",
+            advice="give the unit a start limit in [Unit] that its restarts can reach",
+            related=[
+                note(policy.restart_at, "restarts"),
+                *([note(policy.delay_at, "the delay")] if policy.delay_at else ()),
+                *([note(policy.interval_at, "the interval of the limit")] if policy.interval_at else ()),
+                *(note(at, "ignored here: it belongs in [Unit]") for at in policy.misplaced),
+            ],
+            severity="info" if each_time else "warning",
+        )

@@ -1,0 +1,70 @@
+"""Nothing restarts the ROS service when it dies.
+
+## What it finds
+A service that starts ROS 2 and stays (not Type=oneshot, not started by a timer or path unit) without Restart=. An explicit
+Restart=no is taken as a decision and reported as information only.
+
+## Why it matters on a robot
+The first segmentation fault, the first unplugged cable ends the stack until somebody logs in. On a robot in the field that
+is the end of the mission.
+
+## Bad
+```ini
+[Service]
+ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rover base.launch.py'
+```
+
+## Good
+```ini
+[Unit]
+StartLimitIntervalSec=60
+StartLimitBurst=5
+
+[Service]
+ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rover base.launch.py'
+Restart=always
+RestartSec=2
+```
+
+## References
+- systemd.service(5), Restart=: the default is no
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+TOOLS = "cli"
+
+
+@rule("warning", fix="unsafe")
+def restart_missing(robot: Robot):
+    units = robot.units
+    for unit in units.ros:
+        policy = units.restart(unit)
+        if policy.restart != "no" or not unit.complete or unit.name in units.triggered:
+            continue
+        if unit.get("Type") in ("oneshot", "forking") or not _stays(units, unit):
+            continue
+        chosen = policy.restart_at is not None
+        yield finding(
+            policy.restart_at or unit.where,
+            f"if what {unit.name} runs dies, nothing starts it again",
+            advice="set Restart=always (ros2 launch often ends with status 0) and a start limit",
+            fix=_restart(unit) if unit.editable and not chosen else None,
+            severity="info" if chosen else "warning",
+        )
+
+
+def _stays(units, unit):
+    """Whether it starts more than tools such as ros2 topic, which end by themselves."""
+    kinds = {found.kind for process in units.started(unit) for _, found in process.ros}
+    return kinds != {TOOLS}
+
+
+def _restart(unit):
+    edits = [unit.new_line("Service", "Restart=always\nRestartSec=2")]
+    if not (unit.has("StartLimitBurst", "Unit") or unit.has("StartLimitIntervalSec", "Unit")):
+        edits.insert(0, unit.new_line("Unit", "StartLimitIntervalSec=60\nStartLimitBurst=5"))
+    return fix("restart it, 5 times a minute at most", *edits, safe=False)

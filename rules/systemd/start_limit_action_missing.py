@@ -1,0 +1,51 @@
+"""After the start limit the service stays down and nobody is told.
+
+## What it finds
+A ROS service whose start limit can be reached and that has neither OnFailure= nor StartLimitAction=.
+
+## Why it matters on a robot
+Once the limit is hit the service stays "failed" until somebody runs `systemctl reset-failed`. A robot in the field should at
+least raise an alarm, stop its actuators or reboot.
+
+## Bad
+```ini
+[Unit]
+StartLimitIntervalSec=90
+StartLimitBurst=5
+```
+
+## Good
+```ini
+[Unit]
+StartLimitIntervalSec=90
+StartLimitBurst=5
+OnFailure=robot-alarm.service
+```
+
+## References
+- systemd.unit(5), StartLimitAction= and OnFailure=
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import duration
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("info")
+def start_limit_action_missing(robot: Robot):
+    for unit in robot.units.ros:
+        policy = robot.units.restart(unit)
+        if not unit.complete or not policy.restarts or not policy.limited or policy.never_trips:
+            continue
+        action = unit.get("StartLimitAction", "Unit") or unit.get("StartLimitAction", "Service")
+        if unit.has("OnFailure") or unit.has("OnFailure", "Service") or (action and action != "none"):
+            continue
+        yield finding(
+            policy.burst_at or policy.interval_at or policy.restart_at,
+            f"after {policy.burst} starts in {duration(policy.interval)} {unit.name} stays down until somebody runs "
+            "systemctl reset-failed, and nothing is told",
+            advice="name a handler with OnFailure= in [Unit], or an action with StartLimitAction=",
+            related=[note(policy.restart_at, "restarts")],
+        )
