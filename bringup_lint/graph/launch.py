@@ -10,6 +10,9 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from bringup_lint.facts import launch_api
+from bringup_lint.facts.node_roles import Role
+from bringup_lint.facts.node_roles import packages
+from bringup_lint.facts.node_roles import role_of
 from bringup_lint.graph.launch_expand import Expander
 from bringup_lint.graph.launch_expand import Expansion
 from bringup_lint.graph.launch_expand import Included
@@ -19,6 +22,7 @@ from bringup_lint.graph.launch_resolve import Resolver
 from bringup_lint.graph.launch_resolve import text_of
 from bringup_lint.graph.launch_scope import Scope
 from bringup_lint.graph.launch_started import Started
+from bringup_lint.graph.launch_started import literal_text
 from bringup_lint.graph.workspace import Found
 from bringup_lint.graph.workspace import Package
 from bringup_lint.graph.workspace import Place
@@ -37,6 +41,12 @@ if TYPE_CHECKING:
     from bringup_lint.robot import Robot
 
 KINDS = ("launch-python", "launch-xml", "launch-yaml")
+SIMULATION = re.compile(
+    r"(?:^|[/_.-])(?:sim|simulation|simulator|simulated|gazebo|gz|ros_gz|ignition|ign|webots|isaac\w*|mujoco|loopback|stage|unity"
+    r"|airsim|carla|awsim|tests?|demos?|examples?|tutorials?|display|view\w*|rviz\w*|rosbag\w*|replay|mock|fake)(?:$|[/_.-])"
+)
+PUBLIC = ("nav2_", "ros2_", "ros_", "rclcpp_", "tf2_", "launch_", "image_", "joint_", "moveit_", "rviz", "controller_")
+"""How packages of ROS itself begin."""
 EXPANSIONS = 2_000
 """Entries that are expanded in one run."""
 
@@ -166,6 +176,47 @@ class Launch:
                 return False
             if other.target is None:
                 return True
+        return False
+
+    def role(self, node: Started) -> Role:
+        """What is known about a node's program."""
+        program = literal_text(node.plugin) or literal_text(node.executable)
+        return role_of(literal_text(node.package), program, self.robot.target.ros)
+
+    def simulated(self, file: LaunchFile) -> bool:
+        """Whether a launch file is for a simulator, a test or a look at a model: by its path, or by what it starts."""
+        if SIMULATION.search(file.source.name):
+            return True
+        expansion = self.expansion(file)
+        packages = {str(literal_text(node.package)) for node in expansion.nodes}
+        packages |= {place(include.file).package for include in expansion.includes if place(include.file)}
+        return any(SIMULATION.search(package) for package in packages)
+
+    def visited(self, file: LaunchFile) -> Iterator[tuple[Action, LaunchFile]]:
+        """The actions of a file itself, as it is launched without arguments."""
+        return (pair for pair in self.expansion(file).actions if pair[1] is file)
+
+    def resolved(self, value: Value | None, file: LaunchFile) -> Value | None:
+        """A value when its file is launched without arguments."""
+        return Resolver(Scope(self.expansion(file).arguments)).optional(value)
+
+    def is_known_package(self, name: str) -> bool:
+        """Whether a package is a public one that the tables know, so that its name is no misspelling."""
+        return name in packages() or name.startswith(PUBLIC)
+
+    def comes_with(self, owner: Package, name: str) -> bool:
+        """Whether a package is there when another one's dependencies are, as far as this can be told: through packages
+        of the workspace, or because a package of the same family is depended on."""
+        todo, seen = [owner], set()
+        family = name.partition("_")[0]
+        while todo:
+            package = todo.pop()
+            for _, depend in package.manifest.depends:
+                if depend == name or (depend.partition("_")[0] == family and depend not in self.workspace.packages):
+                    return True
+                if depend in self.workspace.packages and depend not in seen:
+                    seen.add(str(depend))
+                    todo.append(self.workspace.packages[str(depend)])
         return False
 
     def conditions(self, file: LaunchFile) -> Iterator[Condition]:

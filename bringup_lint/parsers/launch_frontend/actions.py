@@ -76,6 +76,8 @@ class Builder:
     def note_ros1(self, entity: Entity, tag: str, top: bool = False) -> None:
         if tag in _ROS1_TAGS or (tag == "param" and top):
             self.file.ros1.append(entity.tag)
+        if not top or tag == "node":
+            self.file.ros1 += [child.tag for child in entity.children if child.tag in _ROS1_TAGS]
         for name in _ROS1_ATTRIBUTES.get(tag, ()):
             if name in entity.keys:
                 self.file.ros1.append(entity.keys[name])

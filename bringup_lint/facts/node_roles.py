@@ -1,0 +1,45 @@
+"""What is known about the executables and components of common packages."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import NamedTuple
+
+from bringup_lint.facts import table
+
+RANK = ("foxy", "galactic", "humble", "iron", "jazzy", "kilted", "lyrical", "rolling")
+HARDWARE = ("driver", "hardware")
+
+
+class Role(NamedTuple):
+    role: str
+    """``driver``, ``hardware``, ``planning``, ``lifecycle manager``, ...; empty when it is not known."""
+    managed: bool | None
+    """Whether it is a lifecycle node; None when that is not known, or depends on an unknown distribution."""
+
+
+@cache
+def _rows() -> dict[tuple[str, str], dict[str, str]]:
+    rows = {}
+    for row in table("lifecycle_nodes"):
+        for program in (row["executable"], row["plugin"]):
+            if program:
+                rows[row["package"], program] = row
+    return rows
+
+
+@cache
+def packages() -> frozenset[str]:
+    """The packages that the table knows."""
+    return frozenset(row["package"] for row in table("lifecycle_nodes"))
+
+
+def role_of(package: str | None, program: str | None, distribution: str | None) -> Role:
+    """``program``: an executable or a component class."""
+    row = _rows().get((package or "", program or ""))
+    if row is None:
+        return Role("", None)
+    managed: bool | None = {"yes": True, "no": False}.get(row["managed"])
+    if row["managed"].startswith("yes from ") and distribution in RANK:
+        managed = RANK.index(distribution) >= RANK.index(row["managed"].split()[2].rstrip(","))
+    return Role(row["role"], managed)

@@ -1,0 +1,51 @@
+"""A launch file starts an executable that its package does not have.
+
+## What it finds
+Executables of workspace packages that neither setup.py (`console_scripts`) nor CMakeLists.txt (`install`, component
+registration) provides.
+
+## Why it matters on a robot
+launch aborts with "executable 'x' not found on the libexec directory": no node of the whole launch file comes up.
+
+## Bad
+```python
+Node(package='my_robot', executable='controler_node')   # setup.py: 'controller_node = my_robot.controller:main'
+```
+
+## Good
+```python
+Node(package='my_robot', executable='controller_node')
+```
+
+## References
+- launch_ros, `ExecutableInPackage`
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import launch
+from bringup_lint.api import nearest
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", fix="unsafe", symptoms=["not found on the libexec directory"])
+def executable_missing(robot: Robot):
+    for node in robot.launch.nodes:
+        package = robot.launch.workspace.packages.get(launch.literal_text(node.package) or "")
+        executable = launch.literal_text(node.executable)
+        if package is None or executable is None or not package.executables_known or executable in package.executables:
+            continue
+        near = nearest(executable, sorted(package.executables), 3)
+        related = [note(package.executables[near[0]], "the executable of the package")] if near else []
+        yield finding(
+            executable,
+            f"{package.name} has no executable '{executable}': launch aborts",
+            advice=f"start '{near[0]}'" if near else f"install it in {package.builds[0].source.name}",
+            related=related or [note(package.builds[0].source, "what the package installs")],
+            fix=fix(f"write {near[0]}", (executable, near[0]), safe=False)
+            if len(near) == 1 and executable.span.text == executable
+            else None,
+            severity="warning" if node.by_default is not True else None,
+        )

@@ -1,0 +1,45 @@
+"""A namespace is not valid.
+
+## What it finds
+Literal namespaces of nodes and pushed namespaces with a part that starts with a digit, holds other signs than letters,
+digits and underscores, or with repeated slashes.
+
+## Why it matters on a robot
+launch refuses the namespace and aborts.
+
+## Bad
+```python
+PushRosNamespace('1st_robot')
+```
+
+## Good
+```python
+PushRosNamespace('robot_1')
+```
+
+## References
+- rmw, `rmw_validate_namespace`
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import launch
+from bringup_lint.api import rule
+
+VALID = re.compile(r"/?(?:[A-Za-z_][A-Za-z0-9_]*(?:/[A-Za-z_][A-Za-z0-9_]*)*/?)?\Z")
+
+
+@rule("error", symptoms=["namespace must not contain characters other than alphanumerics", "The resulting namespace is invalid"])
+def namespace_invalid(robot: Robot):
+    for file in robot.launch.judged:
+        for action, _ in robot.launch.visited(file):
+            namespace = robot.launch.resolved(getattr(action, "namespace", None), file)
+            text = launch.literal_text(namespace)
+            if text is not None and not VALID.match(text):
+                yield finding(
+                    text,
+                    f"namespace '{text}' is not valid: launch aborts",
+                    advice="use letters, digits and underscores, no leading digit, and single slashes",
+                )

@@ -1,0 +1,55 @@
+"""Two nodes have the same name.
+
+## What it finds
+Nodes and components of one launch graph with the same fully qualified name, when both start by default and their
+conditions do not exclude each other.
+
+## Why it matters on a robot
+ROS 2 lets both run. Parameters and services reach one of them by chance, lifecycle managers and monitors see one node, and
+the only hint is "Publisher already registered for node name" in a log.
+
+## Bad
+```python
+Node(package='usb_cam', executable='usb_cam_node_exe', name='camera'),
+Node(package='usb_cam', executable='usb_cam_node_exe', name='camera'),
+```
+
+## Good
+```python
+Node(package='usb_cam', executable='usb_cam_node_exe', name='camera_front'),
+Node(package='usb_cam', executable='usb_cam_node_exe', name='camera_rear'),
+```
+
+## References
+- https://github.com/ros2/launch_ros/issues/124
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import launch
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["Publisher already registered for node name"])
+def node_duplicate_name(robot: Robot):
+    for expansion in robot.launch.entries:
+        first = {}
+        for node in expansion.nodes:
+            name = node.fqn
+            if name is None or node.by_default is not True or loops(node) or node.context:
+                continue
+            other = first.setdefault(name, node)
+            if other is node or launch.exclusive(other, node):
+                continue
+            places = [note(span, "included here") for span in (*other.chain, *node.chain)]
+            yield finding(
+                launch.literal_text(node.name),
+                f"two nodes are called {name}: parameters and services go to either of them",
+                advice="give each node a name or namespace of its own",
+                related=[note(other.span, "the other node"), *places],
+            )
+
+
+def loops(node):
+    return any(condition.kind == "loop" for condition in node.conditions)

@@ -1,0 +1,49 @@
+"""A node name is not valid.
+
+## What it finds
+Literal node names that are not made of letters, digits and underscores, start with a digit, are empty or longer than 255.
+
+## Why it matters on a robot
+launch refuses the name, or the process ends at once with an error.
+
+## Bad
+```python
+Node(package='demo', executable='talker', name='front-camera')
+```
+
+## Good
+```python
+Node(package='demo', executable='talker', name='front_camera')
+```
+
+## References
+- rmw, `rmw_validate_node_name`
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import launch
+from bringup_lint.api import rule
+
+VALID = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,254}\Z")
+
+
+@rule("error", fix="unsafe", symptoms=["node name must not contain characters other than alphanumerics or '_'"])
+def node_name_invalid(robot: Robot):
+    for node in robot.launch.nodes:
+        name = launch.literal_text(node.name)
+        if name is None or VALID.match(name) or not node.is_node:
+            continue
+        better = re.sub(r"[^A-Za-z0-9_]", "_", name.strip("/ "))
+        better = f"_{better}" if better[:1].isdigit() else better
+        yield finding(
+            name,
+            f"'{name}' is not a valid node name: the node does not start",
+            advice=f"write '{better}'" if VALID.match(better) else "use letters, digits and underscores",
+            fix=fix(f"write '{better}'", (name, better), safe=False)
+            if VALID.match(better) and name.span.text == name
+            else None,
+        )

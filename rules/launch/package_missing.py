@@ -1,0 +1,72 @@
+"""A launch file starts a node of a package that will not be there.
+
+## What it finds
+Packages that no package of this workspace is called, but one is nearly called; and packages that the launching package
+does not depend on.
+
+## Why it matters on a robot
+launch aborts with "package 'my_robot_drivers' not found". A dependency that is missing in package.xml works on the
+developer's machine and fails after `rosdep install` on a fresh robot.
+
+## Bad
+```python
+Node(package='my_robot_drivers', executable='motor')   # the package is called my_robot_driver
+```
+
+## Good
+```python
+Node(package='my_robot_driver', executable='motor')
+```
+
+## References
+- REP 149, "exec_depend"
+- ament_index, `get_package_prefix`
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import launch
+from bringup_lint.api import nearest
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", fix="safe", symptoms=["PackageNotFoundError", "not found, searching"])
+def package_missing(robot: Robot):
+    workspace = robot.launch.workspace
+    seen = set()
+    for node in robot.launch.nodes:
+        package = launch.literal_text(node.package)
+        owner = workspace.owner(node.file.source)
+        if package is None or owner is None or package == owner.name or owner.depends_on(package):
+            continue
+        known = package in workspace.packages or package in workspace.ambiguous or robot.launch.is_known_package(package)
+        near = nearest(package, sorted(workspace.packages)) if not known and len(package) > 5 else []
+        if near:
+            yield finding(
+                package,
+                f"package '{package}' not found: launch aborts",
+                advice=f"start it from '{near[0]}'",
+                related=[note(workspace.packages[near[0]].manifest.name, "the package of the workspace")],
+                fix=fix(f"write {near[0]}", (package, near[0]), safe=False) if package.span.text == package else None,
+            )
+        elif not robot.launch.comes_with(owner, package) and (owner.name, package) not in seen:
+            seen.add((owner.name, str(package)))
+            yield finding(
+                package,
+                f"{package} is no exec_depend of {owner.name}: it is missing after rosdep install",
+                advice=f"add <exec_depend>{package}</exec_depend> to the package.xml",
+                related=[note(owner.manifest.name, "the package that starts it")],
+                fix=dependency(owner, package),
+                severity="warning" if package in workspace.packages else "info",
+            )
+
+
+def dependency(owner, package):
+    end = owner.manifest.end
+    if end is None:
+        return None
+    at = end.source.span(end.end, end.end)
+    indent = end.source.line_text(end.line)[: end.column - 1]
+    return fix("add the exec_depend", (at, f"\n{indent}<exec_depend>{package}</exec_depend>"))

@@ -1,0 +1,45 @@
+"""A topic is remapped twice.
+
+## What it finds
+Two remappings of one node with the same source and different targets.
+
+## Why it matters on a robot
+The first rule wins and the second never applies: data goes where nobody reads it.
+
+## Bad
+```python
+remappings=[('scan', 'scan_front'), ('scan', '/scan')]
+```
+
+## Good
+```python
+remappings=[('scan', 'scan_front')]
+```
+
+## References
+- ROS 2 design, "Topic and Service name mapping", remapping rules are applied in order
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import launch
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning")
+def remap_duplicate(robot: Robot):
+    for node in robot.launch.nodes:
+        first = {}
+        for src, dst in node.action.remappings if node.is_node and node.executable or node.plugin else ():
+            source, target = launch.literal(src), launch.literal(dst)
+            if source is None:
+                continue
+            before = first.setdefault(source, (source, target))
+            if before[0] is not source and before[1] is not None and target is not None and before[1] != target:
+                yield finding(
+                    source,
+                    f"'{source}' is remapped twice: the first rule wins and '{target}' is never used",
+                    advice="keep one of them",
+                    related=[note(before[0], "the first rule")],
+                )

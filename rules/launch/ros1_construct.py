@@ -1,0 +1,59 @@
+"""A launch file uses the syntax of ROS 1.
+
+## What it finds
+`<node type=>`, `ns=`, `required=`, `$(arg x)`, `$(find p)`, `<rosparam>`, `<machine>` and `<arg value=>` in launch files of
+ROS 2 packages.
+
+## Why it matters on a robot
+ROS 2 launch rejects the file; nothing starts.
+
+## Bad
+```xml
+<node pkg="demo" type="talker" name="talker" ns="$(arg robot)"/>
+```
+
+## Good
+```xml
+<node pkg="demo" exec="talker" name="talker" namespace="$(var robot)"/>
+```
+
+## References
+- "Migrating launch files from ROS 1 to ROS 2"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+INSTEAD = {"type": "exec", "arg": "var", "find": "find-pkg-share", "ns": "namespace"}
+WORDS = {
+    "rosparam": '<param from="…">',
+    "required": 'on_exit="shutdown"',
+    "optenv": "$(env NAME default)",
+    "param": "<set_parameter>",
+}
+
+
+@rule("error", fix="safe", symptoms=["Unexpected attribute(s) found in `node`", "Unknown substitution: arg"])
+def ros1_construct(robot: Robot):
+    for file in robot.launch.judged:
+        for name in file.ros1:
+            better = INSTEAD.get(name)
+            yield finding(
+                name,
+                f"'{name}' is ROS 1 syntax: ROS 2 launch rejects the file",
+                advice=f"write {better or WORDS.get(name, 'what ROS 2 has for it')}",
+                fix=fix(f"write {better}", (name, better)) if better and name.span.text == name else None,
+            )
+    for file in robot.launch.ros1:
+        package = robot.launch.workspace.owner(file.source)
+        if "ros1" in file.source.name.lower():
+            continue
+        if package is not None and not package.manifest.is_ros1 and package.manifest.build_type and file.ros1:
+            yield finding(
+                file.ros1[0],
+                f"'{file.ros1[0]}' is ROS 1 syntax in a package of ROS 2: ros2 launch rejects this file",
+                advice="migrate the file, or remove it",
+                severity="warning",
+            )
