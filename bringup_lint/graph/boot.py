@@ -11,6 +11,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.dependencies import PULLING
+from bringup_lint.graph.dependencies import expand_name
+from bringup_lint.graph.dependencies import resolve
 from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.graph import Node
 from bringup_lint.graph.unit import Unit
@@ -30,6 +32,16 @@ def waits_for(units: Units, unit: Unit, name: str) -> list[Edge] | None:
         lambda node: (
             (edge, edge.source) for edge in graph.into.get(node, ()) if edge.kind == "orders" and _counts(units, edge)
         ),
+    )
+
+
+def ordered(units: Units, unit: Unit, name: str) -> bool:
+    """Whether one of the two starts after the other, over any edge: both are taken to be there."""
+    graph = units.graph
+    nodes, goal = _nodes(units, unit), _named(units, unit, name)
+    forward = _search(nodes, goal, lambda n: ((e, e.target) for e in graph.out.get(n, ()) if e.kind == "orders"))
+    return bool(
+        forward or _search(nodes, goal, lambda n: ((e, e.source) for e in graph.into.get(n, ()) if e.kind == "orders"))
     )
 
 
@@ -66,15 +78,12 @@ def _nodes(units: Units, unit: Unit) -> set[Node]:
     return {node for node in known if node.place == place and node.name.startswith(prefix) and node.name.endswith(suffix)}
 
 
-def _named(units: Units, near: Unit, name: str) -> Node:
-    found = units.find(name, near)
-    if found is not None:
-        return units.node(found)
-    return Node("unit" if near.manager == "system" else "user-unit", units.real_name(name, near.manager))
+def _named(units: Units, near: Unit, name: str) -> Node | None:
+    return resolve(expand_name(name, near.name) or name, near, units)
 
 
 def _search(
-    starts: set[Node], goal: Node, following: Callable[[Node], Iterator[tuple[Edge, Node]]]
+    starts: set[Node], goal: Node | None, following: Callable[[Node], Iterator[tuple[Edge, Node]]]
 ) -> list[Edge] | None:
     arrived: dict[Node, tuple[Edge, Node]] = {}
     pending = deque(sorted(starts))

@@ -129,15 +129,16 @@ def _opposite(conditions: tuple[Condition, ...]) -> Condition | None:
     return _condition(conditions[0].token, negated=True, inherited=True)
 
 
-def contradict(one: Condition, other: Condition) -> bool:
-    """Whether no device fulfils both. A parent key counts as having one value along the chain."""
+def contradict(one: Condition, other: Condition, *, one_rule: bool = False) -> bool:
+    """Whether no device fulfils both. A parent key counts as having one value along the chain, and in one rule its
+    opposites exclude each other too, since all parent keys of a rule speak of one device."""
     if one.subject != other.subject or one.key in _MANY_VALUED:
         return False
     if one.token.prefix or other.token.prefix or one.token.has_substitution or other.token.has_substitution:
         return False
     if one.equal and other.equal:
         return not any(may_overlap(left, right) for left in one.patterns for right in other.patterns)
-    if one.equal == other.equal or one.key in PARENT_KEYS or other.key in PARENT_KEYS:
+    if one.equal == other.equal or (not one_rule and {one.key, other.key} & set(PARENT_KEYS)):
         return False
     positive, negative = (one, other) if one.equal else (other, one)
     return positive.is_plain and not any(negative.accepts(text) for text in positive.patterns)

@@ -91,7 +91,7 @@ class UdevRule:
         inherited = [condition for condition in self.conditions.positive if condition.inherited]
         for index, second in enumerate(own):
             for first in (*(one for one in inherited if one.key != "ENV"), *own[:index]):
-                if contradict(first, second):
+                if contradict(first, second, one_rule=not first.inherited):
                     found.append((first, second))
         return tuple(found)
 

@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 from bringup_lint.graph import boot
 from bringup_lint.graph import distribution
+from bringup_lint.graph.cycles import ROOTS
 from bringup_lint.graph.cycles import Cycle
 from bringup_lint.graph.cycles import ordering_cycles
 from bringup_lint.graph.dependencies import dependency_graph
@@ -200,7 +201,8 @@ class Units:
 
     @cached_property
     def cycles(self) -> list[Cycle]:
-        return list(ordering_cycles(self.graph))
+        default = self.alias_links.get(("system", "default.target"))
+        return list(ordering_cycles(self.graph, [default] if default else ROOTS))
 
     @cached_property
     def ros(self) -> list[Unit]:
@@ -290,6 +292,10 @@ class Units:
     def waits_for(self, unit: Unit, name: str) -> list[Edge] | None:
         """The chain of ordering by which the unit starts after the named one; None when there is none."""
         return boot.waits_for(self, unit, name)
+
+    def ordered(self, unit: Unit, name: str) -> bool:
+        """Whether the two units have an order at all, whichever is first."""
+        return boot.ordered(self, unit, name)
 
     def brings_in(self, unit: Unit, name: str) -> list[Edge] | None:
         """The chain by which starting the unit starts the named one too; None when there is none."""

@@ -28,6 +28,21 @@ class Assignment:
         """The empty stretch behind it, where ``\\nKey=value`` adds a line."""
         return Span(self.span.source, self.span.end, self.span.end)
 
+    def without(self, word: Located) -> tuple[Span, str]:
+        """The edit that takes a word out of a list, or the whole line when it is the only one."""
+        source, text = self.span.source, self.span.source.text
+        start, end = word.span.start, word.span.end
+        if self.value.split() == [str(word)]:
+            stop = text.find("\n", self.span.end)
+            return Span(source, self.span.start, len(text) if stop == -1 else stop + 1), ""
+        if start > self.value.span.start:
+            while start and text[start - 1] in " \t":
+                start -= 1
+        else:
+            while end < len(text) and text[end] in " \t":
+                end += 1
+        return Span(source, start, end), ""
+
 
 @dataclass(frozen=True, slots=True)
 class Section:

@@ -74,24 +74,16 @@ def words(kind: str) -> dict[str, str]:
 
 
 def token_problems(token: Token) -> Iterator[Problem]:
-    """Everything that udev has against one token, in the order in which it looks."""
+    """What udev has against one token, in the order in which it looks, up to the first error that drops the line."""
     key = keys().get(token.key)
     if key is None or not key.operators:
         yield _unknown_key(token, key)
         return
-    if token.operator not in key.operators:
-        if token.operator not in key.coerced:
-            code = "match-only-key" if key.match_only else "invalid-operator"
-            yield Problem(code, token.operator, token.key)
-            return
-        yield Problem("coerced-operator", token.operator, token.key)
-    yield from _attribute_problems(token, key)
-    yield from _prefix_problems(token)
-    if "always" in key.substitutions or ("assigned" in key.substitutions and not token.is_match):
-        yield from _value_problems(token, "nonempty" in key.substitutions)
-    check = _BY_KEY.get(token.key)
-    if check is not None:
-        yield from check(token)
+    for stage in _STAGES:
+        for problem in stage(token, key):
+            yield problem
+            if problem.code in DROPPING:
+                return
 
 
 def _unknown_key(token: Token, key: Key | None) -> Problem:
@@ -113,42 +105,63 @@ def _nearest(name: str) -> str:
     return near[0] if near else ""
 
 
-def _attribute_problems(token: Token, key: Key) -> Iterator[Problem]:
+def _prefix_of_assignment(token: Token, key: Key) -> Iterator[Problem]:
+    if "i" in token.prefix and not token.is_match:
+        yield Problem("assignment-of-any-case", token.span, token.key)
+
+
+def _attribute(token: Token, key: Key) -> Iterator[Problem]:
     given = token.attribute
-    if key.attribute == "none":
-        if given is not None:
-            yield Problem("invalid-attribute", given if given else token.key, "unexpected")
-        return
-    if key.attribute == "required" and not given:
+    if key.attribute == "none" and given is not None:
+        yield Problem("invalid-attribute", given if given else token.key, "unexpected")
+    elif key.attribute == "required" and not given:
         yield Problem("invalid-attribute", token.key, "missing")
-        return
-    if given is None or (token.key == "TEST" and not given):
-        return
-    if key.attributes and given not in key.attributes:
-        yield Problem("invalid-attribute", given if given else token.key, " ".join(key.attributes))
-    elif token.key in ("ATTR", "ATTRS", "SYSCTL"):
+    elif given and token.key == "TEST" and not (_MODE.match(given) and int(given, 8) <= 0o7777):
+        yield Problem("bad-test-mode", given)
+    elif given and token.key in ("ATTR", "ATTRS", "SYSCTL"):
         yield from substitution_problems(given)
 
 
-def _prefix_problems(token: Token) -> Iterator[Problem]:
-    if "i" not in token.prefix:
+def _value(token: Token, key: Key) -> Iterator[Problem]:
+    if "always" in key.substitutions:
+        yield from _value_problems(token, key)
+
+
+def _operator(token: Token, key: Key) -> Iterator[Problem]:
+    if token.operator in key.operators:
         return
-    if not token.is_match:
-        yield Problem("assignment-of-any-case", token.span, token.key)
-    elif token.key in ("TEST", "PROGRAM", "IMPORT"):
-        yield Problem("any-case-not-allowed", token.span, token.key)
+    if token.operator in key.coerced:
+        yield Problem("coerced-operator", token.operator, token.key)
+    else:
+        yield Problem("match-only-key" if key.match_only else "invalid-operator", token.operator, token.key)
 
 
-def _value_problems(token: Token, nonempty: bool) -> Iterator[Problem]:
-    if nonempty and not token.value:
+def _assigned_value(token: Token, key: Key) -> Iterator[Problem]:
+    if "assigned" in key.substitutions and not token.is_match:
+        yield from _value_problems(token, key)
+
+
+def _value_problems(token: Token, key: Key) -> Iterator[Problem]:
+    if "nonempty" in key.substitutions and not token.value:
         yield Problem("empty-value", token.span, token.key)
     yield from substitution_problems(token.value)
 
 
-def _test(token: Token) -> Iterator[Problem]:
-    mode = token.attribute
-    if mode and not (_MODE.match(mode) and int(mode, 8) <= 0o7777):
-        yield Problem("bad-test-mode", mode)
+def _known_attribute(token: Token, key: Key) -> Iterator[Problem]:
+    given = token.attribute
+    if key.attributes and given is not None and given not in key.attributes:
+        yield Problem("invalid-attribute", given if given else token.key, " ".join(key.attributes))
+
+
+def _prefix(token: Token, key: Key) -> Iterator[Problem]:
+    if "i" in token.prefix and token.key in ("TEST", "PROGRAM", "IMPORT"):
+        yield Problem("any-case-not-allowed", token.span, token.key)
+
+
+def _own(token: Token, key: Key) -> Iterator[Problem]:
+    check = _BY_KEY.get(token.key)
+    if check is not None:
+        yield from check(token)
 
 
 def _env(token: Token) -> Iterator[Problem]:
@@ -167,7 +180,9 @@ def _builtin(token: Token) -> Iterator[Problem]:
 
 
 def _is_builtin(token: Token) -> bool:
-    return token.value.strip().partition(" ")[0] in words("builtin")
+    """udev compares no more than the letters that are given, so that ``kmo`` means ``kmod``."""
+    word = token.value.partition(" ")[0]
+    return any(name.startswith(word) for name in words("builtin"))
 
 
 def _options(token: Token) -> Iterator[Problem]:
@@ -183,11 +198,14 @@ def _options(token: Token) -> Iterator[Problem]:
         yield Problem("bad-option-value", token.value)
 
 
-_BY_KEY = {
-    "TEST": _test,
-    "ENV": _env,
-    "NAME": _name,
-    "IMPORT": _builtin,
-    "RUN": _builtin,
-    "OPTIONS": _options,
-}
+_BY_KEY = {"ENV": _env, "NAME": _name, "IMPORT": _builtin, "RUN": _builtin, "OPTIONS": _options}
+_STAGES = (
+    _prefix_of_assignment,
+    _attribute,
+    _value,
+    _operator,
+    _assigned_value,
+    _known_attribute,
+    _prefix,
+    _own,
+)

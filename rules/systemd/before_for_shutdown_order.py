@@ -1,0 +1,69 @@
+"""Before= used to stop a unit first.
+
+## What it finds
+A service with `Before=` of another service that it depends on (`Requires=`, `BindsTo=`) or whose stop it follows (`PartOf=`), while
+that service does not depend on it. One-shot services, which prepare something for the other one, are left out.
+
+## Why it matters on a robot
+The stop order is the exact reverse of the start order: with `Before=B` the unit stops *after* B. A controller meant to bring
+the wheels to rest first is still sending commands when the driver below it is gone, and at the start it comes up before the
+driver that it requires.
+
+## Bad
+```ini
+[Unit]
+PartOf=base-driver.service
+Before=base-driver.service
+```
+
+## Good
+```ini
+[Unit]
+PartOf=base-driver.service
+After=base-driver.service
+```
+
+## References
+- systemd.unit(5), "Before=, After=": "the ordering at shutdown is the inverse"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+DEPENDS = ("Requires", "BindsTo", "PartOf")
+
+
+@rule("warning", fix="safe")
+def before_for_shutdown_order(robot: Robot):
+    for unit in robot.units.services:
+        if unit.get("Type") == "oneshot":
+            continue
+        depends = {str(word): (key, word) for key in DEPENDS for word in unit.words(key)}
+        for line in unit.assignments("Before"):
+            for word in line.value.words():
+                if word not in depends or not word.endswith(".service") or not line.span.source.judged:
+                    continue
+                other = robot.units.find(word, unit)
+                if other and robot.units.brings_in(other, unit.name):
+                    continue
+                key, where = depends[str(word)]
+                yield finding(
+                    word,
+                    f"Before={word} makes {unit.name} start first and stop last, though it "
+                    + (f"is {key}= of" if key == "PartOf" else f"{'requires' if key == 'Requires' else 'is bound to'}")
+                    + f" {word}",
+                    advice=f"write After={word}: what starts later stops first",
+                    related=[note(where, f"{key}= does not order")],
+                    fix=_fix(unit, line, word),
+                )
+
+
+def _fix(unit, line, word):
+    if any(unit.naming("After", word)):
+        return fix(f"drop Before={word}", line.without(word))
+    if line.value.split() == [word]:
+        return fix("order the other way round", (line.key, "After"))
+    return fix("order the other way round", line.without(word), (line.end, f"\nAfter={word}"))

@@ -1,0 +1,59 @@
+"""Requires= or BindsTo= without an order.
+
+## What it finds
+A unit that requires another one, or is bound to it, while neither is ordered before the other, explicitly or by what systemd adds.
+Mounts, swaps and slices, which order themselves, the distribution's sockets and the targets of early boot are left out.
+
+## Why it matters on a robot
+A requirement does not order. systemd starts both at the same moment: the planner comes up before the driver, and when the driver
+fails to start, the planner is already running, because only what waits is held back. `BindsTo=` without `After=` has the
+same hole.
+
+## Bad
+```ini
+[Unit]
+Requires=base-driver.service
+```
+
+## Good
+```ini
+[Unit]
+Requires=base-driver.service
+After=base-driver.service
+```
+
+## References
+- systemd.unit(5), "Requires=", "BindsTo="
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+ORDERED = (".mount", ".automount", ".swap", ".slice", ".scope")
+EARLY = ("sysinit.target", "basic.target", "network-online.target", "local-fs.target")
+
+
+@rule("warning", fix="safe")
+def requires_without_after(robot: Robot):
+    units = robot.units
+    for unit in units.judged:
+        if unit.type == "target" or unit.unsure_of("After", "Before"):
+            continue
+        for key in ("Requires", "BindsTo"):
+            for line in unit.assignments(key):
+                for word in line.value.words() if not line.opaque and line.span.source.judged else ():
+                    if "%" in word or word.endswith(ORDERED) or word in EARLY or word == unit.name:
+                        continue
+                    other = units.find(word, unit)
+                    if other is None and (word.endswith(".socket") or len(units.candidates(word, unit.manager)) > 1):
+                        continue
+                    if units.ordered(unit, word) or (other and (other.masked or other.unsure_of("After", "Before"))):
+                        continue
+                    yield finding(
+                        word,
+                        f"{key}={word} does not order: both start at the same time, and if {word} fails, {unit.name} is already running",
+                        advice=f"add After={word}",
+                        fix=fix(f"add After={word}", (line.end, f"\nAfter={word}")),
+                    )
