@@ -21,8 +21,6 @@ from bringup_lint.graph.settings import duration
 from bringup_lint.graph.unit_edits import delete_lines
 from bringup_lint.graph.unit_edits import lift_comment
 from bringup_lint.graph.unit_edits import move_lines
-from bringup_lint.parsers.systemd_values import escape_path
-from bringup_lint.parsers.systemd_values import split_environment
 from bringup_lint.robot import Robot
 from bringup_lint.source import Located
 from bringup_lint.source import Source
@@ -41,7 +39,6 @@ __all__ = [
     "delete_lines",
     "directives",
     "duration",
-    "escape_path",
     "finding",
     "fix",
     "is_example",
@@ -51,7 +48,6 @@ __all__ = [
     "nearest",
     "note",
     "rule",
-    "split_environment",
 ]
 
 Place = Located | Span | Source

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.accounts import Accounts
     from bringup_lint.graph.compose import Compose
     from bringup_lint.graph.dds import Dds
+    from bringup_lint.graph.env_files import UsedEnvFile
     from bringup_lint.graph.launch import Launch
     from bringup_lint.graph.sysctl import Sysctl
     from bringup_lint.graph.udev import Udev
@@ -89,6 +90,12 @@ class Robot:
         from bringup_lint.graph.units import load_units
 
         return load_units(self)
+
+    @cached_property
+    def env_files(self) -> list[UsedEnvFile]:
+        from bringup_lint.graph.env_files import used_env_files
+
+        return used_env_files(self)
 
     @cached_property
     def netplan(self) -> Netplan:

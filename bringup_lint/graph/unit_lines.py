@@ -15,14 +15,18 @@ from bringup_lint.model.unit import Assignment
 from bringup_lint.model.unit import UnitFile
 from bringup_lint.parsers.systemd_values import Command
 from bringup_lint.parsers.systemd_values import ValueProblem
+from bringup_lint.parsers.systemd_values import Variable
 from bringup_lint.parsers.systemd_values import check
 from bringup_lint.parsers.systemd_values import is_unit_name
 from bringup_lint.parsers.systemd_values import split_command_line
+from bringup_lint.parsers.systemd_values import split_environment
 from bringup_lint.parsers.systemd_values.words import extract
 from bringup_lint.source import Located
 
 _VARIABLE = re.compile(r"\$(?:\{[A-Za-z_][^}]*\}|[A-Za-z_][A-Za-z0-9_]*)")
-_FREE_TEXT = frozenset({"command", "any", "ignored", "base64", "credential-value", "string", "label", "condition-string"})
+_FREE_TEXT = frozenset(
+    {"command", "any", "ignored", "base64", "credential-value", "string", "label", "condition-string"}
+)
 _COMMENTS_ALLOWED = frozenset({"command", "any", "ignored", "base64", "credential-value"})
 _PROSE = frozenset({"Description", "StandardInputText", "LogFilterPatterns"})
 
@@ -54,6 +58,11 @@ class Line:
         if self.directive.type != "command" or self.assignment.opaque:
             return ()
         return split_command_line(self.value).commands
+
+    @property
+    def environment(self) -> tuple[Variable, ...]:
+        """What an Environment= line sets; nothing for other keys."""
+        return split_environment(self.value) if self.directive.type == "environment" else ()
 
     def consequence(self, problem: ValueProblem) -> str:
         """What happens on the robot, as a clause."""
@@ -89,7 +98,9 @@ def _line(file: UnitFile, assignment: Assignment, known: Directive, version: int
     comment = None
     if known.type not in _COMMENTS_ALLOWED and known.key not in _PROSE and ("#" in value or ";" in value):
         comment = trailing_comment(value, names=known.type in ("units", "install-units"))
-    variable = None if comment or known.type in _FREE_TEXT or "$" not in value else _variable(value, known.type)
+    variable = (
+        None if comment or known.type in _FREE_TEXT or "$" not in value else _variable(value, known.type)
+    )
     problems = () if comment or variable else tuple(check(known.type, value, version))
     return Line(file, assignment, known, comment, variable, problems)
 
@@ -102,7 +113,9 @@ def trailing_comment(value: Located, *, names: bool = False) -> Located | None:
         mark = value[start : start + 1]
         if mark == "#" or (mark == ";" and start):
             rest = value.part(start, len(value))
-            separator = mark == ";" and names and all(is_unit_name(word.strip(";")) for word in rest[1:].split())
+            separator = (
+                mark == ";" and names and all(is_unit_name(word.strip(";")) for word in rest[1:].split())
+            )
             return None if separator else rest
         found = extract(value, at, escapes="drop")
         if found.broken:

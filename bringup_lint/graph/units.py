@@ -142,6 +142,12 @@ class Units:
         target = self.robot.target
         return list(lines(self.files, target.systemd if target.systemd_known else NEWEST))
 
+    def mount_name(self, unit: Unit, where: str) -> str:
+        """The name that a mount or automount unit of this path must have."""
+        from bringup_lint.parsers.systemd_values import escape_path
+
+        return f"{escape_path(where)}.{unit.type}"
+
     @property
     def services(self) -> list[Unit]:
         return [unit for unit in self.judged if unit.type == "service"]

@@ -17,6 +17,8 @@ from bringup_lint.source import Source
 _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 _BLANK = " \t\r\n"
 _LINE_END = re.compile(r"[\r\n]|$")
+_COMMENT = re.compile(r"(?:\\.|[^\\\r\n])*", re.S)
+"""A backslash at the end of a comment joins the next line to it."""
 _ESCAPED_IN_QUOTES = '"\\`$'
 
 
@@ -33,7 +35,7 @@ def parse(source: Source) -> EnvFile:
             continue
         end = _LINE_END.search(text, at).start()
         if text[at] in "#;":
-            at = end + 1
+            at = _COMMENT.match(text, at).end() + 1
             continue
         equals = text.find("=", at, end)
         if equals == -1:

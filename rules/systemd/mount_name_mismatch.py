@@ -30,7 +30,6 @@ Where=/mnt/data
 """
 
 from bringup_lint.api import Robot
-from bringup_lint.api import escape_path
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
@@ -49,7 +48,7 @@ def mount_name_mismatch(robot: Robot):
             or unit.is_opaque(where)
         ):
             continue
-        right = f"{escape_path(where)}.{unit.type}"
+        right = robot.units.mount_name(unit, where)
         if right not in (unit.name, *unit.aliases):
             yield finding(
                 where,

@@ -41,14 +41,24 @@ from bringup_lint.api import rule
 
 ONLINE = "network-online.target"
 EARLY = ("network.target", "network-pre.target", "NetworkManager.service", "systemd-networkd.service")
-WAITS = re.compile(r"wait-online|nm-online|\bping\b|wait[-_ ]?for[-_ ]?(?:the[-_ ])?(?:net|ip\b|interface)|\bip (?:-\S+ )*(?:a|addr|route)\b")
+WAITS = re.compile(
+    r"wait-online|nm-online|\bping\b|wait[-_ ]?for[-_ ]?(?:the[-_ ])?(?:net|ip\b|interface)|\bip (?:-\S+ )*(?:a|addr|route)\b"
+)
 
 
-@rule("warning", fix="safe", symptoms=["does not match an available interface", "failed to find interfaces for \"udp\""])
+@rule(
+    "warning",
+    fix="safe",
+    symptoms=["does not match an available interface", 'failed to find interfaces for "udp"'],
+)
 def network_target(robot: Robot):
     units = robot.units
     for unit in (*units.dds, *units.presumed_ros):
-        lines = [*unit.naming("After", *EARLY), *unit.naming("Wants", *EARLY), *unit.naming("Requires", *EARLY)]
+        lines = [
+            *unit.naming("After", *EARLY),
+            *unit.naming("Wants", *EARLY),
+            *unit.naming("Requires", *EARLY),
+        ]
         if not lines or unit.manager == "user" or unit.unsure_of("After", "Wants", "Requires"):
             continue
         if units.waits_for(unit, ONLINE) or units.stays_local(unit):
@@ -64,8 +74,15 @@ def network_target(robot: Robot):
             "and DDS looks at the interfaces only once",
             advice=f"order after {ONLINE} and pull it in: Wants={ONLINE} and After={ONLINE}",
             related=[
-                *(note(other, "pulled in here, but nothing waits for it") for _, other in unit.naming("Wants", ONLINE)),
-                *(note(script, "presumably starts ROS 2: the script is not in this tree") for script in lost if not known),
+                *(
+                    note(other, "pulled in here, but nothing waits for it")
+                    for _, other in unit.naming("Wants", ONLINE)
+                ),
+                *(
+                    note(script, "presumably starts ROS 2: the script is not in this tree")
+                    for script in lost
+                    if not known
+                ),
             ],
             fix=fix(f"wait for {ONLINE}", *_edits(units, unit, line, word)),
             confidence="high" if known else "medium",

@@ -29,7 +29,6 @@ Environment=PATH=/opt/robot/bin:/usr/local/bin:/usr/bin:/bin
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
-from bringup_lint.api import split_environment
 
 _EXPANDED_BY_READER = ("CYCLONEDDS_URI",)
 _SECRET = ("PASS", "SECRET", "TOKEN", "KEY", "PSK")
@@ -52,7 +51,7 @@ def var_in_nonexec_key(robot: Robot):
 
 def _judged(line, variable):
     """Not variables that a later reader expands, nor passwords that happen to hold a dollar."""
-    names = [str(name) for name, value in split_environment(line.value) if variable in value]
+    names = [str(name) for name, value in line.environment if variable in value]
     name = names[0] if names else ""
     if name in _EXPANDED_BY_READER or any(word in name.upper() for word in _SECRET):
         return False

@@ -1,0 +1,43 @@
+"""A name that no environment variable can have.
+
+## What it finds
+An entry of a file that a unit reads with EnvironmentFile= whose name has other characters than letters,
+digits and _, or starts with a digit.
+
+## Why it matters on a robot
+systemd drops the entry when the process starts, without a message.
+
+## Bad
+```sh
+ROS-DOMAIN-ID=42
+```
+
+## Good
+```sh
+ROS_DOMAIN_ID=42
+```
+
+## References
+- systemd.exec(5), "EnvironmentFile="; environ(7)
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error")
+def bad_name(robot: Robot):
+    for file in robot.env_files:
+        for problem in file.model.problems:
+            name = problem.where
+            if problem.code != "bad-name" or file.source.template:
+                continue
+            shown = f"'{name}'" if len(name) <= 40 else f"'{name[:37]}...'"
+            yield finding(
+                name if name else problem.where,
+                f"{shown} is not the name of a variable: systemd drops the entry without a message",
+                advice="use letters, digits and _ only, and no digit in front",
+                related=[note(file.readers[0].value, "the service reads it here")],
+            )

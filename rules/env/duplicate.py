@@ -1,0 +1,87 @@
+"""A variable is set twice, and the last one wins.
+
+## What it finds
+One name twice in a file that a unit reads with EnvironmentFile=; with different values a warning, with the
+same value an info. A variable that Environment= and a file set differently, or two files of one unit, is an
+info: it may be an override on purpose.
+
+## Why it matters on a robot
+Somebody changes the first one and wonders why the robot does not care. Of Environment= and EnvironmentFile=
+the file wins, wherever the lines stand.
+
+## Bad
+```sh
+ROS_DOMAIN_ID=1
+RMW_IMPLEMENTATION=rmw_cyclonedds_cpp
+ROS_DOMAIN_ID=42
+```
+
+## Good
+```sh
+RMW_IMPLEMENTATION=rmw_cyclonedds_cpp
+ROS_DOMAIN_ID=42
+```
+
+## References
+- systemd.exec(5), "EnvironmentFile=": settings from these files override Environment=
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+_SECRET = re.compile(r"PASS|SECRET|TOKEN|KEY|PSK", re.I)
+
+
+@rule("warning")
+def duplicate(robot: Robot):
+    for file in robot.env_files:
+        yield from _within(file)
+    for unit in robot.units.judged:
+        yield from _across(robot, unit)
+
+
+def _within(file):
+    last = {str(entry.name): entry for entry in file.model.entries}
+    for entry in file.entries:
+        final = last[entry.name]
+        if entry is final:
+            continue
+        same = entry.value == final.value
+        ending = "to the same value" if same else f"and the last one{_shown(final.name, final.value)} wins"
+        yield finding(
+            entry.name,
+            f"{entry.name} is set twice in this file, {ending}",
+            advice="delete one of the two",
+            related=[
+                note(final.name, "set again here"),
+                note(file.readers[0].value, "the service reads the file here"),
+            ],
+            severity="info" if same else None,
+        )
+
+
+def _across(robot, unit):
+    """Environment= and files, or two files of one unit; only the setting that loses against another origin."""
+    environment = robot.units.environment(unit)
+    for name, chain in environment.chains.items():
+        settings = [variable for variable in chain if variable.text is not None]
+        if len(settings) < 2:
+            continue
+        lost, final = settings[-2], settings[-1]
+        if final.value.path == lost.value.path or final.text == lost.text:
+            continue
+        yield finding(
+            lost.value,
+            f"{name} is set twice for {unit.name}: {final.origin}{_shown(name, final.text)} wins over {lost.origin}",
+            advice="delete one of the two",
+            related=[note(final.value, "this one wins")],
+            severity="info",
+        )
+
+
+def _shown(name, value):
+    return "" if _SECRET.search(name) or len(value) > 40 else f" ({value})"

@@ -1,0 +1,73 @@
+"""A variable, command or ~ in an environment file is taken as it stands.
+
+## What it finds
+$NAME, ${NAME}, $(command), backquotes or a leading ~ in a value of a file that a unit reads with
+EnvironmentFile=. Values with placeholders that a deployment fills in, and passwords, are not judged.
+
+## Why it matters on a robot
+Environment files are no shell scripts: systemd puts the text into the environment letter by letter. The
+configuration file is not found, the log folder has a dollar in its name, PATH leads nowhere.
+
+## Bad
+```sh
+CYCLONEDDS_HOME=$HOME/dds
+PATH=/opt/robot/bin:$PATH
+```
+
+## Good
+```sh
+CYCLONEDDS_HOME=/home/robot/dds
+PATH=/opt/robot/bin:/usr/local/bin:/usr/bin:/bin
+```
+
+## References
+- systemd.exec(5), "EnvironmentFile=": no variable expansion is performed
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+_SHELL = re.compile(r"\$(?:\{[A-Za-z_]\w*[^}]*\}|[A-Za-z_]\w*|\()|`[^`]+`")
+_SECRET = re.compile(r"PASS|SECRET|TOKEN|KEY|PSK", re.I)
+_EXPANDED_BY_READER = ("CYCLONEDDS_URI",)
+
+
+@rule("error", symptoms=["No such file or directory", "does not exist"])
+def expansion(robot: Robot):
+    for file in robot.env_files:
+        for entry in file.entries:
+            if (
+                _SECRET.search(entry.name)
+                or entry.name in _EXPANDED_BY_READER
+                or _again(robot, file, entry.name)
+            ):
+                continue
+            found = _SHELL.search(entry.value)
+            word = entry.value.part(*found.span()) if found else None
+            if word is None and (entry.value == "~" or entry.value.startswith("~/")):
+                word = entry.value.part(0, 1)
+            if word is not None:
+                yield finding(
+                    word,
+                    f"Environment files are no shell scripts: {entry.name} takes '{word}' as it stands",
+                    advice="write the value in full",
+                    related=[note(file.readers[0].value, "the service reads it here")],
+                )
+
+
+def _again(robot, file, name):
+    """Whether a unit that reads the file hands the variable to a shell, which expands the text once more."""
+    uses = f"${{{name}}}"
+    return any(
+        uses in line
+        for reader in file.readers
+        for key in _KEYS
+        for line in reader.unit.values(key, "Service")
+    )
+
+
+_KEYS = ("ExecStartPre", "ExecStart", "ExecStartPost")

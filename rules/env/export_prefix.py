@@ -1,0 +1,52 @@
+"""systemd drops lines that start with export.
+
+## What it finds
+export NAME=VALUE in a file that a unit reads with EnvironmentFile=. Files that only shells read are not
+judged.
+
+## Why it matters on a robot
+systemd takes "export NAME" for the name, which is not valid, and drops it when the process starts, without
+a message. The node runs with another domain or RMW than the shells of the robot.
+
+## Bad
+```sh
+export ROS_DOMAIN_ID=42
+```
+
+## Good
+```sh
+ROS_DOMAIN_ID=42
+```
+
+## References
+- systemd.exec(5), "EnvironmentFile="
+- https://github.com/systemd/systemd/issues/2836
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", fix="safe")
+def export_prefix(robot: Robot):
+    for file in robot.env_files:
+        sourced = file.sourced_by
+        for problem in file.model.problems:
+            if problem.code != "export-prefix":
+                continue
+            name = problem.detail
+            start = problem.where.span.start
+            end = file.source.text.index(name, start)
+            advice = f"write {name}=... without export"
+            if sourced is not None:
+                advice += "; the shell that sources the file needs 'set -a' around it then"
+            yield finding(
+                problem.where,
+                f"systemd drops 'export {name}' without a message: {name} is not set",
+                advice=advice,
+                related=[note(file.readers[0].value, "the service reads it here")],
+                fix=fix("remove export", (file.source.span(start, end), ""), safe=sourced is None),
+            )

@@ -1,0 +1,59 @@
+"""A comment behind a value of an environment file becomes part of the value.
+
+## What it finds
+A blank and # behind a value, or behind its closing quote, in a file that a unit reads with
+EnvironmentFile=. A # without a blank before it, as in a URL or a colour, and a # in quotes are fine.
+
+## Why it matters on a robot
+ROS_DOMAIN_ID=42 # robot sets the domain to the whole text, and every node refuses to start. Shells that
+source the same file see 42, so the mistake is hard to believe.
+
+## Bad
+```sh
+ROS_DOMAIN_ID=42  # the robot's domain
+```
+
+## Good
+```sh
+# the robot's domain
+ROS_DOMAIN_ID=42
+```
+
+## References
+- systemd.exec(5), "EnvironmentFile=": comments are lines that start with # or ;
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", fix="safe", symptoms=["ROS_DOMAIN_ID is not an integral number", "Invalid domain ID"])
+def inline_comment(robot: Robot):
+    for file in robot.env_files:
+        for entry in file.entries:
+            comment = file.comment(entry)
+            if comment is None:
+                continue
+            start = entry.span.start
+            text = file.source.text
+            cut = comment.span.start
+            while text[cut - 1] in " \t":
+                cut -= 1
+            edits = (
+                (file.source.span(start, start), f"{comment}\n"),
+                (file.source.span(cut, comment.span.end), ""),
+            )
+            yield finding(
+                comment,
+                f"There are no trailing comments: {entry.name} takes '{_shortened(comment)}' as part of its value",
+                advice="put the comment on a line of its own above",
+                related=[note(file.readers[0].value, "the service reads it here")],
+                fix=fix("move the comment above", *edits) if "\n" not in entry.span.text else None,
+            )
+
+
+def _shortened(text):
+    return text if len(text) <= 30 else f"{text[:27]}..."

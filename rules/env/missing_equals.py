@@ -1,0 +1,49 @@
+"""A line of an environment file that sets nothing.
+
+## What it finds
+A line without = in a file that a unit reads with EnvironmentFile=, which is neither blank, nor a comment,
+nor part of a quoted value: source, set -a, a bare name.
+
+## Why it matters on a robot
+systemd ignores the line without a message. A source line brings in none of the variables of the other file.
+
+## Bad
+```sh
+source /opt/ros/jazzy/setup.bash
+ROS_DOMAIN_ID=42
+```
+
+## Good
+```sh
+ROS_DOMAIN_ID=42
+```
+
+## References
+- systemd.exec(5), "EnvironmentFile="
+- https://github.com/systemd/systemd/issues/2836
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error")
+def missing_equals(robot: Robot):
+    for file in robot.env_files:
+        for problem in file.model.problems:
+            if problem.code != "missing-equals" or file.source.template:
+                continue
+            word = problem.where.split()[0]
+            what = (
+                "no shell reads the file"
+                if word in ("source", ".", "set", "export", "if", "fi", "unset")
+                else "it has no ="
+            )
+            yield finding(
+                problem.where,
+                f"Not an assignment, {what}: systemd ignores the line without a message",
+                advice="write NAME=VALUE, or remove the line",
+                related=[note(file.readers[0].value, "the service reads it here")],
+            )

@@ -1,0 +1,58 @@
+"""docker run keeps the quotes that systemd takes off.
+
+## What it finds
+A file with quoted values that a unit reads with EnvironmentFile= and that a docker run --env-file of the
+tree reads too. Compose takes the quotes off and is not judged.
+
+## Why it matters on a robot
+In the container the quotes are part of the value: the RMW implementation "rmw_cyclonedds_cpp", with its
+quotes, does not exist, and the nodes fall back or stop.
+
+## Bad
+```sh
+RMW_IMPLEMENTATION="rmw_cyclonedds_cpp"
+```
+
+## Good
+```sh
+RMW_IMPLEMENTATION=rmw_cyclonedds_cpp
+```
+
+## References
+- docker run reference, "--env-file"; systemd.exec(5), "EnvironmentFile="
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning", fix="safe")
+def quotes_kept_by_docker(robot: Robot):
+    for file in robot.env_files:
+        reader = file.docker_run
+        if reader is None:
+            continue
+        for entry in file.model.entries:
+            if not entry.quoted:
+                continue
+            written = entry.span.text.partition("=")[2].strip()
+            plain = (
+                len(written) >= 2
+                and written[1:-1] == entry.value
+                and not set(entry.value) & set(" \t\n#'\"\\")
+            )
+            start = entry.span.end - len(entry.span.text.partition("=")[2])
+            edit = (file.source.span(start, entry.span.end), str(entry.value))
+            yield finding(
+                entry.name,
+                f"docker keeps the quotes of {entry.name} as part of the value, systemd takes them off",
+                advice="write the value without quotes",
+                related=[
+                    note(reader, "docker reads it here"),
+                    note(file.readers[0].value, "systemd reads it here"),
+                ],
+                fix=fix("remove the quotes", edit) if plain else None,
+            )

@@ -1,0 +1,43 @@
+"""Blanks around = in an environment file.
+
+## What it finds
+Blanks before or behind the = of an entry in a file that a unit reads with EnvironmentFile=.
+
+## Why it matters on a robot
+systemd takes the entry, every shell that sources the file takes the name for a command, and docker takes
+the blanks as part of the name: the same file means three things.
+
+## Bad
+```sh
+ROS_DOMAIN_ID = 42
+```
+
+## Good
+```sh
+ROS_DOMAIN_ID=42
+```
+
+## References
+- systemd.exec(5), "EnvironmentFile="; bash(1), "PARAMETERS"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning", fix="safe", symptoms=["command not found"])
+def spaces_around_eq(robot: Robot):
+    for file in robot.env_files:
+        for entry in file.model.entries:
+            blanks = list(file.blanks_around_equals(entry))
+            if blanks:
+                yield finding(
+                    entry.name,
+                    f"Blanks around the = of {entry.name}: systemd reads over them, a shell or docker does not",
+                    advice="remove the blanks",
+                    related=[note(file.readers[0].value, "the service reads it here")],
+                    fix=fix("remove the blanks", *((blank, "") for blank in blanks)),
+                )

@@ -1,0 +1,63 @@
+"""A quote that is not closed swallows the lines behind it.
+
+## What it finds
+A quote that opens a value of a file that a unit reads with EnvironmentFile= and is never closed, or is
+closed only behind lines that look like entries of their own.
+
+## Why it matters on a robot
+All lines up to the closing quote, or the end of the file, become part of one value: the variables that they
+should set are missing.
+
+## Bad
+```sh
+RMW_IMPLEMENTATION="rmw_cyclonedds_cpp
+ROS_DOMAIN_ID=42
+```
+
+## Good
+```sh
+RMW_IMPLEMENTATION="rmw_cyclonedds_cpp"
+ROS_DOMAIN_ID=42
+```
+
+## References
+- systemd.exec(5), "EnvironmentFile=": quoted values may span lines
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error")
+def unterminated_quote(robot: Robot):
+    for file in robot.env_files:
+        for problem in file.model.problems:
+            if problem.code == "unterminated-quote":
+                yield _finding(file, problem.where.part(0, 1), file.swallowed_lines(problem.where))
+        open_ended = {
+            problem.where.span.end for problem in file.model.problems if problem.code == "unterminated-quote"
+        }
+        for entry in file.model.entries:
+            count = (
+                file.swallowed_lines(entry.span) if entry.quoted and entry.span.end not in open_ended else 0
+            )
+            if count:
+                yield _finding(file, entry.name, count)
+
+
+def _finding(file, where, count):
+    rest = (
+        f"swallows the next {count} lines"
+        if count > 1
+        else "swallows the next line"
+        if count
+        else "is never closed"
+    )
+    return finding(
+        where,
+        f"The quote that opens in this line {rest}",
+        advice="close the quote on its own line",
+        related=[note(file.readers[0].value, "the service reads it here")],
+    )
