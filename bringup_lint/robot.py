@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.sysctl import Sysctl
     from bringup_lint.graph.udev import Udev
     from bringup_lint.graph.units import Units
+    from bringup_lint.model.dockerfile import Dockerfile
     from bringup_lint.model.netplan import Netplan
 
 Model = TypeVar("Model")
@@ -145,3 +146,9 @@ class Robot:
         from bringup_lint.graph.compose import load_compose
 
         return load_compose(self)
+
+    @cached_property
+    def dockerfiles(self) -> list[Dockerfile]:
+        from bringup_lint.parsers.dockerfile import parse
+
+        return self.parsed(parse, [source for source in self.of_kind("dockerfile") if not source.template])

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.model.compose import ComposeFile
 from bringup_lint.model.compose import Service
 from bringup_lint.model.compose import is_variable
+from bringup_lint.model.dockerfile import Stage
 from bringup_lint.parsers.compose import parse
 from bringup_lint.source import Source
 
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
 
 @dataclass(eq=False)
 class Compose:
-    """Every compose file of the tree. Each stands for itself: only the command line knows what is combined."""
+    """Every compose file of the tree. Each stands alone: what is combined only the command line knows."""
 
     robot: Robot
     files: list[ComposeFile] = field(default_factory=list)
@@ -48,6 +49,18 @@ class Compose:
         paths = (path for path in service.env_files if not is_variable(path))
         found = (self.robot.tree.beside(service.source, path) for path in paths)
         return [source for source in found if source is not None]
+
+    def stage(self, service: Service) -> Stage | None:
+        """The stage that the service's image is built from, when its Dockerfile is in the tree."""
+        build = service.build
+        if build is None or any(part is not None and is_variable(part) for part in build):
+            return None
+        path = f"{build.context or '.'}/{build.dockerfile or 'Dockerfile'}"
+        source = self.robot.tree.beside(service.source, path)
+        file = next((file for file in self.robot.dockerfiles if file.source is source), None)
+        if file is None:
+            return None
+        return file.stage(build.target) if build.target else file.final
 
 
 def load_compose(robot: Robot) -> Compose:

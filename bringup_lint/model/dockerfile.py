@@ -1,0 +1,116 @@
+"""Dockerfiles: stages and their instructions."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from dataclasses import field
+from functools import cached_property
+
+from bringup_lint.source import Located
+from bringup_lint.source import Problem
+from bringup_lint.source import Source
+
+_VARIABLE = re.compile(r"\$(?:\{(?P<braced>\w+)(?::-(?P<default>[^}]*))?\}|(?P<plain>\w+))")
+
+
+@dataclass(eq=False, slots=True)
+class Instruction:
+    """One instruction. ``value`` has its continued lines joined; comments between them are gone."""
+
+    name: str
+    """In capitals."""
+    keyword: Located
+    value: Located
+    flags: tuple[Located, ...] = ()
+    """``--mount=...`` and the like, which stand before the value."""
+    heredocs: list[Located] = field(default_factory=list)
+    """The texts of here-documents."""
+
+    @property
+    def exec_form(self) -> list[str] | None:
+        """The words of the JSON form; None for the shell form."""
+        if not self.value.startswith("["):
+            return None
+        try:
+            words = json.loads(str(self.value))
+        except ValueError:
+            return None
+        return words if isinstance(words, list) and all(isinstance(word, str) for word in words) else None
+
+    @property
+    def scripts(self) -> list[Located]:
+        """What a shell reads: the text of the shell form, or the here-documents that it is given."""
+        return self.heredocs if self.value.startswith("<<") else [self.value]
+
+
+@dataclass(eq=False)
+class Stage:
+    """What stands between one FROM and the next."""
+
+    start: Instruction
+    image: Located
+    name: Located | None = None
+    instructions: list[Instruction] = field(default_factory=list)
+    base: Stage | None = None
+    """The earlier stage that it builds on; None for an image from elsewhere."""
+    resolved: str = ""
+    """The image with the defaults of global ARGs put in; a variable without default stays as written."""
+
+    def all(self, *names: str) -> Iterator[Instruction]:
+        return (instruction for instruction in self.instructions if instruction.name in names)
+
+    @property
+    def chain(self) -> Iterator[Stage]:
+        """The stage and those that it builds on."""
+        stage: Stage | None = self
+        while stage is not None:
+            yield stage
+            stage = stage.base
+
+    def last(self, name: str) -> Instruction | None:
+        """The instruction that counts, looked for in the stages below too."""
+        for stage in self.chain:
+            found = list(stage.all(name))
+            if found:
+                return found[-1]
+        return None
+
+    @property
+    def origin(self) -> str:
+        """The image at the bottom of the chain."""
+        return list(self.chain)[-1].resolved
+
+
+@dataclass(eq=False)
+class Dockerfile:
+    source: Source
+    stages: list[Stage] = field(default_factory=list)
+    arguments: dict[str, Located | None] = field(default_factory=dict)
+    """ARGs before the first FROM, with their defaults."""
+    problems: list[Problem] = field(default_factory=list)
+
+    @property
+    def final(self) -> Stage | None:
+        """The stage that becomes the image when no target is named."""
+        return self.stages[-1] if self.stages else None
+
+    def stage(self, name: str) -> Stage | None:
+        return next(
+            (stage for stage in self.stages if stage.name and stage.name.lower() == name.lower()), None
+        )
+
+    @cached_property
+    def instructions(self) -> list[Instruction]:
+        return [instruction for stage in self.stages for instruction in stage.instructions]
+
+    def expand(self, text: str) -> str:
+        """Put in the defaults of the global arguments."""
+
+        def value(match: re.Match[str]) -> str:
+            default = self.arguments.get(match["braced"] or match["plain"])
+            return str(default) if default is not None else match["default"] or match[0]
+
+        return _VARIABLE.sub(value, text)

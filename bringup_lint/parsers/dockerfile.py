@@ -1,0 +1,183 @@
+"""Dockerfiles: instructions, continued lines, here-documents and stages (docs.docker.com/reference/dockerfile)."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from bringup_lint.model.dockerfile import Dockerfile
+from bringup_lint.model.dockerfile import Instruction
+from bringup_lint.model.dockerfile import Stage
+from bringup_lint.source import Located
+from bringup_lint.source import Problem
+from bringup_lint.source import Source
+from bringup_lint.source import Span
+
+NAMES = frozenset(
+    {
+        "ADD",
+        "ARG",
+        "CMD",
+        "COPY",
+        "ENTRYPOINT",
+        "ENV",
+        "EXPOSE",
+        "FROM",
+        "HEALTHCHECK",
+        "LABEL",
+        "MAINTAINER",
+        "ONBUILD",
+        "RUN",
+        "SHELL",
+        "STOPSIGNAL",
+        "USER",
+        "VOLUME",
+        "WORKDIR",
+    }
+)
+_DIRECTIVE = re.compile(r"#\s*(\w+)\s*=\s*(.+?)\s*$")
+_KEYWORD = re.compile(r"\s*([A-Za-z]+)(?:\s+|$)")
+_FLAG = re.compile(r"--[a-z][\w-]*(?:=(?:\"[^\"]*\"|\S*))?(?:\s+|$)")
+_HEREDOC = re.compile(r"(?<![<\w$(])<<(?P<dash>-?)(?P<quote>[\"']?)(?P<word>\w+)(?P=quote)")
+
+
+def parse(source: Source) -> Dockerfile:
+    """Read a Dockerfile. Problems: ``unknown-instruction``, ``no-stage`` and ``unterminated-heredoc``."""
+    file = Dockerfile(source)
+    for instruction in _instructions(file):
+        if instruction.name == "FROM":
+            _add_stage(file, instruction)
+        elif file.stages:
+            file.stages[-1].instructions.append(instruction)
+        elif instruction.name == "ARG":
+            name, equals, _ = instruction.value.partition("=")
+            text = instruction.value
+            file.arguments[name.strip()] = _unquoted(text.part(len(name) + 1, len(text))) if equals else None
+        else:
+            file.problems.append(Problem("no-stage", instruction.keyword))
+    return file
+
+
+def _add_stage(file: Dockerfile, instruction: Instruction) -> None:
+    words = list(instruction.value.words())
+    if not words:
+        file.problems.append(Problem("no-image", instruction.keyword))
+        return
+    name = words[2] if len(words) > 2 and words[1].lower() == "as" else None
+    stage = Stage(instruction, words[0], name)
+    stage.resolved = file.expand(words[0])
+    stage.base = file.stage(stage.resolved)
+    file.stages.append(stage)
+
+
+def _unquoted(text: Located) -> Located:
+    text = text.strip_located()
+    if len(text) > 1 and text[0] == text[-1] and text[0] in "\"'":
+        return text.part(1, len(text) - 1)
+    return text
+
+
+def _instructions(file: Dockerfile) -> Iterator[Instruction]:
+    source = file.source
+    lines = _lines(source)
+    escape = _escape(source)
+    at = 0
+    while at < len(lines):
+        start, end = lines[at]
+        text = source.text[start:end]
+        at += 1
+        if not text.strip() or text.lstrip().startswith("#"):
+            continue
+        chunks = []
+        while True:
+            body = source.text[start:end].rstrip()
+            continued = body.endswith(escape)
+            chunks.append((start, start + len(body) - (1 if continued else 0)))
+            if not continued or at >= len(lines):
+                break
+            at = _next_line(source, lines, at)
+            if at >= len(lines):
+                break
+            start, end = lines[at]
+            at += 1
+        whole = _joined(source, chunks)
+        instruction = _instruction(file, whole)
+        if instruction is None:
+            continue
+        if instruction.name in ("RUN", "COPY", "ADD"):
+            at = _heredocs(file, instruction, lines, at)
+        yield instruction
+
+
+def _lines(source: Source) -> list[tuple[int, int]]:
+    """Start and end of every line, without its line end."""
+    starts = source.line_starts
+    ends = [*starts[1:], len(source.text) + 1]
+    return [(start, end - 1) for start, end in zip(starts, ends, strict=True)]
+
+
+def _escape(source: Source) -> str:
+    """The continuation character, which a directive at the very top may change."""
+    for line in source.text.splitlines():
+        directive = _DIRECTIVE.match(line.strip())
+        if directive is None:
+            return "\\"
+        if directive[1].lower() == "escape" and directive[2] in ("\\", "`"):
+            return directive[2]
+    return "\\"
+
+
+def _next_line(source: Source, lines: list[tuple[int, int]], at: int) -> int:
+    """Pass over the comments and empty lines between continued lines."""
+    while at < len(lines):
+        text = source.text[slice(*lines[at])].strip()
+        if text and not text.startswith("#"):
+            break
+        at += 1
+    return at
+
+
+def _joined(source: Source, chunks: list[tuple[int, int]]) -> Located:
+    text = "".join(source.text[start:end] for start, end in chunks)
+    pieces, inner = [], 0
+    for start, end in chunks:
+        pieces.append((inner, start))
+        inner += end - start
+    span = Span(source, chunks[0][0], max(chunks[0][0], chunks[-1][1]))
+    return Located(text, span, tuple(pieces) if len(pieces) > 1 else None)
+
+
+def _instruction(file: Dockerfile, whole: Located) -> Instruction | None:
+    match = _KEYWORD.match(whole)
+    name = match[1].upper() if match else ""
+    if match is None or name not in NAMES:
+        file.problems.append(
+            Problem("unknown-instruction", whole.part(0, min(len(whole), 40)).strip_located())
+        )
+        return None
+    keyword, at = whole.part(match.start(1), match.end(1)), match.end()
+    if name == "ONBUILD":
+        inner = _instruction(file, whole.part(at, len(whole)))
+        return None if inner is None else Instruction("ONBUILD", keyword, whole.part(at, len(whole)))
+    flags = []
+    while flag := _FLAG.match(whole, at):
+        flags.append(whole.part(at, flag.end()).strip_located())
+        at = flag.end()
+    return Instruction(name, keyword, whole.part(at, len(whole)).strip_located(), tuple(flags))
+
+
+def _heredocs(file: Dockerfile, instruction: Instruction, lines: list[tuple[int, int]], at: int) -> int:
+    """Take the lines of the here-documents that the instruction opens; returns the line behind them."""
+    for opening in _HEREDOC.finditer(instruction.value):
+        first = at
+        while at < len(lines):
+            line = file.source.text[slice(*lines[at])].rstrip("\r")
+            at += 1
+            if (line.lstrip("\t") if opening["dash"] else line) == opening["word"]:
+                start = lines[first][0]
+                instruction.heredocs.append(file.source.located(start, max(start, lines[at - 1][0])))
+                break
+        else:
+            file.problems.append(Problem("unterminated-heredoc", instruction.value, opening["word"]))
+            return first
+    return at
