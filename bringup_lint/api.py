@@ -21,6 +21,10 @@ from bringup_lint.graph.settings import duration
 from bringup_lint.graph.unit_edits import delete_lines
 from bringup_lint.graph.unit_edits import lift_comment
 from bringup_lint.graph.unit_edits import move_lines
+from bringup_lint.model.dockerfile import Stage
+from bringup_lint.model.dockerfile import runs_as_root
+from bringup_lint.model.shell import Command
+from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.robot import Robot
 from bringup_lint.source import Located
 from bringup_lint.source import Source
@@ -36,10 +40,12 @@ __all__ = [
     "Robot",
     "Source",
     "Span",
+    "commands_of",
     "delete_lines",
     "directives",
     "duration",
     "finding",
+    "first_key",
     "fix",
     "is_example",
     "is_stand_in",
@@ -48,6 +54,7 @@ __all__ = [
     "nearest",
     "note",
     "rule",
+    "runs_as_root",
 ]
 
 Place = Located | Span | Source
@@ -148,3 +155,19 @@ def __getattr__(name: str) -> Any:
 
         return bringup_lint.graph.launch_words
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def commands_of(stage: Stage) -> Iterator[Command]:
+    """The shell commands of a Dockerfile stage's RUN instructions, in order."""
+    from bringup_lint.parsers.shell import commands
+
+    for instruction in stage.all("RUN"):
+        for script in instruction.scripts:
+            yield from commands(script)
+
+
+def first_key(mapping: Mapping, text: str) -> tuple[Span, str]:
+    """The edit that puts ``key: value`` first into a YAML mapping, in its own indentation or style."""
+    source, at = mapping.span.source, mapping.span.start + mapping.flow
+    gap = ", " if mapping.flow else "\n" + " " * (source.position(at).column - 1)
+    return source.span(at, at), text + gap

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from dataclasses import field
@@ -11,7 +12,9 @@ from bringup_lint.model.compose import ComposeFile
 from bringup_lint.model.compose import Service
 from bringup_lint.model.compose import is_variable
 from bringup_lint.model.dockerfile import Stage
+from bringup_lint.model.dockerfile import runs_as_root
 from bringup_lint.parsers.compose import parse
+from bringup_lint.source import Located
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
@@ -50,6 +53,29 @@ class Compose:
         found = (self.robot.tree.beside(service.source, path) for path in paths)
         return [source for source in found if source is not None]
 
+    def variables(self, service: Service, *names: str) -> list[tuple[str, Located]]:
+        """The values of these variables in the order of the names: ``environment`` wins over env files."""
+        found = []
+        for name in names:
+            own = service.environment.get(name)
+            if own is not None and own.value is not None:
+                found.append((name, own.value))
+            elif own is None:
+                lines = (value for source in self.env_files(service) for value in _assigned(source, name))
+                found += [(name, value) for value in list(lines)[-1:]]
+        return found
+
+    def image_user(self, service: Service) -> str | None:
+        """The user of the image: root for official images, the last USER of a Dockerfile, else None."""
+        stage = self.stage(service)
+        if stage is not None:
+            user = stage.last("USER")
+            if user is not None:
+                return user.value.partition(":")[0]
+            return "root" if runs_as_root(stage.origin) else None
+        image = service.image
+        return "root" if service.build is None and image is not None and runs_as_root(image) else None
+
     def stage(self, service: Service) -> Stage | None:
         """The stage that the service's image is built from, when its Dockerfile is in the tree."""
         build = service.build
@@ -61,6 +87,12 @@ class Compose:
         if file is None:
             return None
         return file.stage(build.target) if build.target else file.final
+
+
+def _assigned(source: Source, name: str) -> Iterator[Located]:
+    """The values that an env file gives to a variable."""
+    for match in re.finditer(rf"^[ \t]*(?:export[ \t]+)?{name}=(.*?)[ \t\r]*$", source.text, re.M):
+        yield source.located(match.start(1), match.end(1))
 
 
 def load_compose(robot: Robot) -> Compose:

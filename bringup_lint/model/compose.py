@@ -21,9 +21,12 @@ from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
 
-SERIAL = re.compile(r"/dev/(?:tty(?:USB|ACM)\d+|serial/)")
 ROS_IMAGE = re.compile(r"(?:^|/)(?:ros|osrf/ros|ros2|ros-core|ros-base)(?::|$)|\bros2?[-_:]|(?:^|/)osrf/")
-ROS_VARIABLES = ("ROS_DOMAIN_ID", "RMW_IMPLEMENTATION", "CYCLONEDDS_URI", "FASTRTPS_DEFAULT_PROFILES_FILE")
+ROS1_IMAGE = re.compile(r"noetic|melodic|kinetic|indigo")
+ROS2_VARIABLE = re.compile(
+    r"ROS_(?:DOMAIN_ID|SECURITY_\w+|LOCALHOST_ONLY|AUTOMATIC_DISCOVERY_RANGE|STATIC_PEERS|DISCOVERY_SERVER)|RMW_\w+"
+    r"|CYCLONEDDS_URI|FAST(?:RTPS|DDS)_\w+|RCUTILS_\w+"
+)
 WordsOf = Callable[[Located], Iterable[Located]]
 """Splits a command line into words as a shell does."""
 _DURATION = re.compile(r"(\d+(?:\.\d+)?)(us|ms|s|m|h)")
@@ -232,7 +235,9 @@ class Service:
     @cached_property
     def is_ros(self) -> bool:
         """It certainly runs something of ROS 2."""
-        if any(name in self.environment for name in ROS_VARIABLES):
+        if "ROS_MASTER_URI" in self.environment or ROS1_IMAGE.search(self.image or ""):
+            return False
+        if any(ROS2_VARIABLE.fullmatch(name) for name in self.environment):
             return True
         if self.image is not None and ROS_IMAGE.search(self.image):
             return True

@@ -114,3 +114,13 @@ class Dockerfile:
             return str(default) if default is not None else match["default"] or match[0]
 
         return _VARIABLE.sub(value, text)
+
+
+_ROOT_IMAGE = re.compile(
+    r"(?:docker\.io/)?(?:library/)?(?:(?:arm64v8|amd64|arm32v7)/)?(?:ros|ubuntu|debian|python|osrf/ros2?)(?:[:@]|$)"
+)
+
+
+def runs_as_root(image: str) -> bool:
+    """Whether this is an official image that sets no USER."""
+    return bool(_ROOT_IMAGE.match(image))

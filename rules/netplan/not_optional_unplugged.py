@@ -29,6 +29,7 @@ ethernets:
 
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import first_key
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
@@ -53,13 +54,7 @@ def not_optional_unplugged(robot: Robot):
             f"Without link on {interface.name}, {name} starts two minutes late",
             advice="set optional: true, unless DDS needs this interface",
             related=[note(word, f"{name} waits for the network here")],
-            fix=_optional(interface.definitions[0].body),
+            fix=fix(
+                "set optional: true", first_key(interface.definitions[0].body, "optional: true"), safe=False
+            ),
         )
-
-
-def _optional(body):
-    """Insert ``optional: true`` as the first key."""
-    at = body.span.start + body.flow
-    source = body.span.source
-    gap = ", " if body.flow else "\n" + " " * (source.position(at).column - 1)
-    return fix("set optional: true", (source.span(at, at), f"optional: true{gap}"), safe=False)

@@ -1,0 +1,70 @@
+"""ROS services of one file are in networks that do not reach each other.
+
+## What it finds
+A ROS service on a bridge network while another ROS service of the same file has `network_mode: host`,
+without a discovery server or Zenoh; and `ports:` beside `network_mode: host`, which Docker ignores.
+
+## Why it matters on a robot
+Multicast discovery does not leave the bridge: the two halves of the robot never see each other's nodes.
+
+## Bad
+```yaml
+nav:  {image: ros:jazzy, network_mode: host}
+slam: {image: ros:jazzy}
+```
+
+## Good
+```yaml
+nav:  {image: ros:jazzy, network_mode: host}
+slam: {image: ros:jazzy, network_mode: host}
+```
+
+## References
+- https://github.com/ros2/ros2/issues/1318
+- Docker documentation, host network driver
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+OTHER_WAYS = ("ROS_DISCOVERY_SERVER", "ROS_STATIC_PEERS", "CYCLONEDDS_URI", "ZENOH_ROUTER_CONFIG_URI")
+
+
+@rule("warning")
+def bridge_network_ros(robot: Robot):
+    for file in robot.compose.files:
+        if file.source.template:
+            continue
+        yield from _apart(
+            robot, [service for service in file.services if service.is_ros and service.is_whole]
+        )
+        for service in file.services:
+            if service.is_on_host_network and service.key("ports") is not None:
+                yield finding(
+                    service.key("ports"),
+                    f"'{service.name}' is on the host network: its ports are ignored",
+                    advice="remove ports:",
+                    related=[note(service.key("network_mode"), "the host network")],
+                )
+
+
+def _apart(robot, services):
+    host = [service for service in services if service.is_on_host_network]
+    for service in services:
+        if not host or service.network_mode is not None or _finds_others(robot, service):
+            continue
+        yield finding(
+            service.name,
+            f"'{service.name}' is on a bridge network, '{host[0].name}' on the host's: they never meet",
+            advice="use network_mode: host in both, or a discovery server",
+            related=[note(host[0].key("network_mode"), f"'{host[0].name}' is on the host network")],
+        )
+
+
+def _finds_others(robot, service) -> bool:
+    if len(robot.compose.env_files(service)) < len(service.env_files) or service.restart == "no":
+        return True
+    rmw = robot.compose.variables(service, "RMW_IMPLEMENTATION")
+    return bool(robot.compose.variables(service, *OTHER_WAYS)) or any("zenoh" in value for _, value in rmw)

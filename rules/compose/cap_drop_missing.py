@@ -1,0 +1,41 @@
+"""A container keeps the default capabilities.
+
+## What it finds
+A service without `cap_drop: [ALL]`. Privileged services have a rule of their own.
+
+## Why it matters on a robot
+The default set allows raw sockets, changing owners and more. Few nodes need any of it.
+
+## Bad
+```yaml
+driver:
+  image: robot/driver:1.2
+```
+
+## Good
+```yaml
+driver:
+  image: robot/driver:1.2
+  cap_drop: [ALL]
+```
+
+## References
+- robotics-security guide, container hardening
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("info")
+def cap_drop_missing(robot: Robot):
+    for service in robot.compose.whole_services:
+        if service.is_privileged:
+            continue
+        if "ALL" not in [item.upper() for item in service.items("cap_drop")]:
+            yield finding(
+                service.name,
+                f"Service '{service.name}' keeps Docker's default capabilities",
+                advice="add cap_drop: [ALL], and cap_add for what it needs",
+            )

@@ -1,0 +1,43 @@
+"""A container sees every device of the host.
+
+## What it finds
+`/dev` as a volume or device together with `privileged: true`, or without `device_cgroup_rules`. With rules
+for the majors that are needed, `/dev` is the right way to survive a replug.
+
+## Why it matters on a robot
+The node can write the disks and the watchdog. Without privileges and rules it is the other way round: the
+nodes are there, and opening them fails with EPERM.
+
+## Bad
+```yaml
+volumes: [/dev:/dev]
+privileged: true
+```
+
+## Good
+```yaml
+volumes: [/dev:/dev]
+device_cgroup_rules: ["c 188:* rmw", "c 166:* rmw"]
+```
+
+## References
+- Docker documentation, device cgroup rules
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("warning", tags=["CWE-250"])
+def dev_mount_all(robot: Robot):
+    for service in robot.compose.whole_services:
+        mounts = [volume.where for volume in service.volumes if volume.source == "/dev"]
+        mounts += [device.where for device in service.devices if device.host == "/dev"]
+        if mounts and (service.is_privileged or not service.items("device_cgroup_rules")):
+            limits = "and is privileged" if service.is_privileged else "and no device_cgroup_rules limit it"
+            yield finding(
+                mounts[0],
+                f"Service '{service.name}' gets the whole /dev of the host, {limits}",
+                advice='drop privileged; add device_cgroup_rules for what it needs: "c 188:* rmw" for ttyUSB',
+            )

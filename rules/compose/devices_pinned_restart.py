@@ -1,0 +1,50 @@
+"""devices: pins a device that may be plugged anew.
+
+## What it finds
+A USB serial device in `devices:` of a service with a restart policy. UARTs on the board (`ttyAMA`, `ttyS`,
+`ttyTHS`), i2c, gpio and spi do not come and go.
+
+## Why it matters on a robot
+Docker resolves the path once, when the container is made. After a replug the container has a dead node, and
+when the device is missing at boot it cannot start at all: `error gathering device information`.
+
+## Bad
+```yaml
+devices: [/dev/ttyUSB0:/dev/ttyUSB0]
+restart: unless-stopped
+```
+
+## Good
+```yaml
+volumes: [/dev:/dev]
+device_cgroup_rules: ["c 188:* rmw", "c 166:* rmw"]
+restart: unless-stopped
+```
+
+## References
+- https://github.com/moby/moby/issues/46608, https://github.com/moby/moby/issues/35359
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+REPLUGGED = re.compile(r"/dev/(?:tty(?:USB|ACM)\d+|serial/by-(?:id|path)/.+)")
+
+
+@rule("warning", symptoms=["error gathering device information while adding custom device"])
+def devices_pinned_restart(robot: Robot):
+    for service in robot.compose.services:
+        if not service.restarts:
+            continue
+        for device in service.devices:
+            if REPLUGGED.fullmatch(device.host) and device.where.span.start >= service.body.span.start:
+                yield finding(
+                    device.where,
+                    f"{device.host} is resolved once: after a replug '{service.name}' has lost it",
+                    advice='mount /dev and add device_cgroup_rules: ["c 188:* rmw", "c 166:* rmw"]',
+                    related=[note(service.restart, "restarted here")] if service.restart else [],
+                )

@@ -1,0 +1,42 @@
+"""A container controls the Docker daemon.
+
+## What it finds
+A volume of `docker.sock`. Read-only makes no difference: requests are written to the socket, not to the
+file.
+
+## Why it matters on a robot
+Whoever is in the container can start another one that mounts the host's root file system: it is root on the
+robot.
+
+## Bad
+```yaml
+volumes:
+  - /var/run/docker.sock:/var/run/docker.sock
+```
+
+## Good
+```yaml
+# nothing: no service needs the socket to drive a robot
+```
+
+## References
+- robotics-security guide, container hardening
+- CWE-250
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("error", tags=["CWE-250"])
+def docker_sock(robot: Robot):
+    for service in robot.compose.services:
+        for volume in service.volumes:
+            own = volume.where.span.start >= service.body.span.start
+            if own and volume.source is not None and volume.source.endswith("/docker.sock"):
+                yield finding(
+                    volume.where,
+                    f"Service '{service.name}' controls the Docker daemon, and with it the host",
+                    advice="remove the volume; update containers from outside",
+                )

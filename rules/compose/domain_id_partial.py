@@ -1,0 +1,62 @@
+"""Only some ROS services set the domain or the RMW.
+
+## What it finds
+`ROS_DOMAIN_ID` or `RMW_IMPLEMENTATION` in some ROS services of a file, while another ROS service, of the
+same image or of an official ROS image, sets neither it nor an env file.
+
+## Why it matters on a robot
+Nodes of different domains never meet, and those of different RMWs meet only by luck. The service without
+the variable runs in domain 0 with the default RMW.
+
+## Bad
+```yaml
+nav:  {image: ros:jazzy, environment: {ROS_DOMAIN_ID: 42}}
+slam: {image: ros:jazzy}
+```
+
+## Good
+```yaml
+x-ros: &ros {ROS_DOMAIN_ID: 42}
+services:
+  nav:  {image: ros:jazzy, environment: *ros}
+  slam: {image: ros:jazzy, environment: *ros}
+```
+
+## References
+- https://github.com/hucebot/g1pilot/issues/30
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+DEFAULTS = {"ROS_DOMAIN_ID": "0", "RMW_IMPLEMENTATION": "rmw_fastrtps_cpp"}
+
+
+@rule("warning", confidence="medium")
+def domain_id_partial(robot: Robot):
+    for file in robot.compose.files:
+        services = [] if file.source.template else [s for s in file.services if s.is_ros and s.is_whole]
+        for name, default in DEFAULTS.items():
+            setting = [service for service in services if name in service.environment]
+            for service in services:
+                first = next((s for s in setting if _comparable(s, service)), None)
+                if first is None or service.env_files or name in service.environment:
+                    continue
+                value = first.environment[name].value
+                if value is None or value in (default, f"${{{name}:-{default}}}"):
+                    continue
+                yield finding(
+                    service.name,
+                    f"Service '{service.name}' has no {name}, '{first.name}' uses {value}",
+                    advice="give all of them one env_file, or a common anchor",
+                    related=[note(value, f"set for '{first.name}'")],
+                    confidence="medium",
+                )
+
+
+def _comparable(one, other) -> bool:
+    """The image of the second brings no setting of its own: it is that of the first, or an official one."""
+    image = other.image or ""
+    return one is not other and (image == one.image or image.partition(":")[0] in ("ros", "osrf/ros"))

@@ -1,0 +1,75 @@
+"""Containers on the host network do not share memory.
+
+## What it finds
+Two or more ROS services with `network_mode: host` and Fast DDS, of which one has neither `ipc: host` nor a
+common `/dev/shm`, or whose `ipc` modes differ. A transport profile or `FASTDDS_BUILTIN_TRANSPORTS` may
+switch shared memory off: then nothing is said.
+
+## Why it matters on a robot
+On the host network the containers take each other for processes of one machine, and Fast DDS sends through
+shared memory that the other cannot see: `ros2 topic list` shows everything, `ros2 topic echo` nothing.
+
+## Bad
+```yaml
+nav:   {image: ros:jazzy, network_mode: host}
+slam:  {image: ros:jazzy, network_mode: host}
+```
+
+## Good
+```yaml
+nav:   {image: ros:jazzy, network_mode: host, ipc: host}
+slam:  {image: ros:jazzy, network_mode: host, ipc: host}
+```
+
+## References
+- https://github.com/eProsima/Fast-DDS/issues/2956, https://github.com/ros2/rmw_fastrtps/issues/812
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+TRANSPORTS = (
+    "FASTRTPS_DEFAULT_PROFILES_FILE",
+    "FASTDDS_DEFAULT_PROFILES_FILE",
+    "FASTDDS_BUILTIN_TRANSPORTS",
+    "ROS_DISCOVERY_SERVER",
+)
+
+
+@rule("warning", confidence="medium")
+def host_net_without_ipc(robot: Robot):
+    for file in robot.compose.files:
+        services = [s for s in file.services if s.is_ros and s.is_whole and s.is_on_host_network]
+        if (
+            len(services) < 2
+            or file.source.template
+            or not all(_is_fast_dds(robot, service) for service in services)
+        ):
+            continue
+        apart = [service for service in services if not _shares_memory(service)]
+        for service in apart:
+            other = next(each for each in services if each is not service)
+            yield finding(
+                service.key("network_mode"),
+                f"'{service.name}' shares the network with '{other.name}', but no memory: no data arrives",
+                advice="give all of them ipc: host and one user, or use a profile without shared memory",
+                related=[note(other.key("network_mode"), f"'{other.name}' is on the host network too")],
+                confidence="medium",
+            )
+
+
+def _is_fast_dds(robot, service) -> bool:
+    if len(robot.compose.env_files(service)) < len(service.env_files):
+        return False
+    if robot.compose.variables(service, *TRANSPORTS):
+        return False
+    rmw = robot.compose.variables(service, "RMW_IMPLEMENTATION")
+    return not rmw or all("fastrtps" in value for _, value in rmw)
+
+
+def _shares_memory(service) -> bool:
+    ipc = service.scalar("ipc")
+    shared = any(volume.target == "/dev/shm" for volume in service.volumes)
+    return shared or (ipc is not None and ipc not in ("private", "none"))

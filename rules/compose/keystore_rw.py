@@ -1,0 +1,48 @@
+"""A container can change the SROS2 keystore.
+
+## What it finds
+A keystore (the target of `ROS_SECURITY_KEYSTORE`, or a path with `keystore` in it) that is mounted without
+`ro`.
+
+## Why it matters on a robot
+A node only reads its enclave. With write access an intruder replaces the permissions of every other node.
+
+## Bad
+```yaml
+volumes:
+  - /opt/robot/keystore:/keystore
+```
+
+## Good
+```yaml
+volumes:
+  - /opt/robot/keystore/enclaves/robot/nav:/keystore/enclaves/robot/nav:ro
+```
+
+## References
+- robotics-security guide, container hardening
+- CWE-732
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule("warning", fix="safe", tags=["CWE-732"])
+def keystore_rw(robot: Robot):
+    for service in robot.compose.services:
+        named = service.environment.get("ROS_SECURITY_KEYSTORE")
+        for volume in service.volumes:
+            if volume.read_only or volume.source is None or volume.where.span.start < service.body.span.start:
+                continue
+            is_named = named is not None and volume.target is not None and volume.target == named.value
+            if is_named or any("keystore" in part.lower() for part in (volume.source, volume.target or "")):
+                short = volume.where.count(":") == 1 and "$" not in volume.where
+                yield finding(
+                    volume.where,
+                    f"'{service.name}' can change the keystore",
+                    advice="mount it read-only, and only the enclave that the service needs",
+                    fix=fix("mount it read-only", (volume.where, f"{volume.where}:ro")) if short else None,
+                )

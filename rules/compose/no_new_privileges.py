@@ -1,0 +1,49 @@
+"""A container may gain privileges.
+
+## What it finds
+A service whose `security_opt` lacks `no-new-privileges:true`.
+
+## Why it matters on a robot
+A setuid program in the image makes an intruder root in the container.
+
+## Bad
+```yaml
+driver:
+  image: robot/driver:1.2
+```
+
+## Good
+```yaml
+driver:
+  image: robot/driver:1.2
+  security_opt: ["no-new-privileges:true"]
+```
+
+## References
+- robotics-security guide, container hardening
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import first_key
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule("info", fix="safe")
+def no_new_privileges(robot: Robot):
+    for service in robot.compose.whole_services:
+        if service.is_privileged:
+            continue
+        if not any(
+            item.replace("=", ":") in ("no-new-privileges:true", "no-new-privileges")
+            for item in service.items("security_opt")
+        ):
+            yield finding(
+                service.name,
+                f"Service '{service.name}' may gain privileges through setuid programs",
+                advice='add security_opt: ["no-new-privileges:true"]',
+                fix=fix("add it", first_key(service.body, 'security_opt: ["no-new-privileges:true"]'))
+                if service.key("security_opt") is None
+                else None,
+            )

@@ -1,0 +1,45 @@
+"""Nothing restarts a ROS container.
+
+## What it finds
+A ROS service without restart policy. Services in a profile, or that say `restart: "no"`, are meant to be
+so.
+
+## Why it matters on a robot
+After a crash, or after a reboot of the robot, the container stays down.
+
+## Bad
+```yaml
+nav:
+  image: ros:jazzy
+```
+
+## Good
+```yaml
+nav:
+  image: ros:jazzy
+  restart: unless-stopped
+```
+
+## References
+- robot-bringup guide, checklist
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("info")
+def restart_missing(robot: Robot):
+    for service in robot.compose.whole_services:
+        if (
+            service.is_ros
+            and not service.restarts
+            and service.restart is None
+            and service.get("profiles") is None
+        ):
+            yield finding(
+                service.name,
+                f"Nothing restarts '{service.name}' after a crash or a reboot",
+                advice="add restart: unless-stopped",
+            )

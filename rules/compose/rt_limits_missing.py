@@ -1,0 +1,46 @@
+"""A real-time controller in a container cannot get its priority.
+
+## What it finds
+A service that starts `ros2_control_node` without `ulimits: rtprio` and `cap_add: SYS_NICE`. A privileged
+service has the capability.
+
+## Why it matters on a robot
+`pthread_setschedparam` fails, the control loop runs as an ordinary process and misses its period under
+load.
+
+## Bad
+```yaml
+control:
+  command: ros2 run controller_manager ros2_control_node
+```
+
+## Good
+```yaml
+control:
+  command: ros2 run controller_manager ros2_control_node
+  ulimits: {rtprio: 99, memlock: -1}
+  cap_add: [SYS_NICE]
+```
+
+## References
+- ros2_control documentation, "Determinism"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("warning", symptoms=["Could not enable FIFO RT scheduling policy"])
+def rt_limits_missing(robot: Robot):
+    for service in robot.compose.whole_services:
+        word = next((word for word in service.scripts if "ros2_control_node" in word), None)
+        limits = service.get("ulimits")
+        limited = hasattr(limits, "get") and limits.get("rtprio") is not None
+        may = {"SYS_NICE", "CAP_SYS_NICE", "ALL"} & {item.upper() for item in service.items("cap_add")}
+        if word is not None and not service.is_privileged and not limited and not may:
+            yield finding(
+                word,
+                f"'{service.name}' cannot get a real-time priority: no rtprio limit, no SYS_NICE",
+                advice="add ulimits: {rtprio: 99, memlock: -1} and cap_add: [SYS_NICE]",
+            )

@@ -1,0 +1,56 @@
+"""docker stop sends SIGTERM to ros2 launch.
+
+## What it finds
+A service that runs `ros2 launch` without `stop_signal: SIGINT`, unless its Dockerfile is in the tree and
+has `STOPSIGNAL SIGINT`.
+
+## Why it matters on a robot
+On SIGTERM `ros2 launch` ends without stopping its nodes; ten seconds later everything left is killed.
+Drivers do not park motors, bags are not closed.
+
+## Bad
+```yaml
+nav:
+  command: ros2 launch nav nav.launch.py
+```
+
+## Good
+```yaml
+nav:
+  command: ros2 launch nav nav.launch.py
+  stop_signal: SIGINT
+```
+
+## References
+- https://github.com/ros2/launch/issues/666
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import first_key
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule("warning", fix="safe", symptoms=["exited with code 137"])
+def stop_signal(robot: Robot):
+    for service in robot.compose.whole_services:
+        launch = service.launches
+        if (
+            launch is None
+            or launch.span.start < service.body.span.start
+            or service.scalar("stop_signal") is not None
+        ):
+            continue
+        stage = robot.compose.stage(service)
+        signal = stage.last("STOPSIGNAL") if stage else None
+        if service.build is not None and stage is None:
+            continue
+        if signal is not None and signal.value in ("SIGINT", "2"):
+            continue
+        yield finding(
+            launch,
+            f"docker stop sends SIGTERM to '{service.name}': ros2 launch leaves its nodes to be killed",
+            advice="add stop_signal: SIGINT",
+            fix=fix("add stop_signal: SIGINT", first_key(service.body, "stop_signal: SIGINT")),
+        )

@@ -1,0 +1,50 @@
+"""The entrypoint of the ROS image is replaced and nothing sources ROS.
+
+## What it finds
+An ENTRYPOINT on an official ROS image that is not `/ros_entrypoint.sh` and does not source a setup file:
+neither in its words, nor in a script of the tree that it starts, nor through ENV.
+
+## Why it matters on a robot
+Without `/ros_entrypoint.sh` the environment is empty: `ros2: command not found`, or nodes that do not find
+their libraries.
+
+## Bad
+```dockerfile
+FROM ros:jazzy
+ENTRYPOINT ["ros2", "launch", "base", "base.launch.py"]
+```
+
+## Good
+```dockerfile
+FROM ros:jazzy
+ENTRYPOINT ["/ros_entrypoint.sh", "ros2", "launch", "base", "base.launch.py"]
+```
+
+## References
+- docker-library ros image, ros_entrypoint.sh
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+OFFICIAL = re.compile(r"(?:^|/)(?:osrf/)?ros:(?:humble|iron|jazzy|kilted|lyrical|rolling)")
+SOURCES = re.compile(r"setup\.(?:ba|z)?sh|ros_entrypoint\.sh")
+
+
+@rule("info")
+def entrypoint_bypass(robot: Robot):
+    for file in robot.dockerfiles:
+        stage = file.final
+        entrypoint = stage.last("ENTRYPOINT") if stage else None
+        if entrypoint is None or not OFFICIAL.search(stage.origin) or SOURCES.search(file.source.text):
+            continue
+        words = entrypoint.exec_form or entrypoint.value.split()
+        if words and words[0].rpartition("/")[2] == "ros2":
+            yield finding(
+                entrypoint.value,
+                "This replaces /ros_entrypoint.sh: ROS is not sourced in the container",
+                advice='put "/ros_entrypoint.sh" in front',
+            )

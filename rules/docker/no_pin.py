@@ -1,0 +1,42 @@
+"""The base image is not pinned.
+
+## What it finds
+FROM without tag, or with `:latest`. Digests, earlier stages, `scratch` and variables are fine.
+
+## Why it matters on a robot
+The next build takes another Ubuntu, another ROS, another compiler, and nothing in the repository has
+changed.
+
+## Bad
+```dockerfile
+FROM ros
+```
+
+## Good
+```dockerfile
+FROM ros:jazzy-ros-base
+```
+
+## References
+- robotics-security guide, container hardening
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("warning")
+def no_pin(robot: Robot):
+    for file in robot.dockerfiles:
+        for stage in file.stages:
+            image = stage.resolved
+            if stage.base is not None or image == "scratch" or "@" in image or "$" in image:
+                continue
+            tag = image.rpartition("/")[2].partition(":")[2]
+            if tag in ("", "latest"):
+                yield finding(
+                    stage.image,
+                    f"The base image '{image}' is not pinned: the next build may take another one",
+                    advice="name a version tag or a digest",
+                )

@@ -1,0 +1,57 @@
+"""The container runs as root.
+
+## What it finds
+A last stage without USER on an image that certainly runs as root (the official ROS, Ubuntu, Debian and
+Python images), or with `USER root` as its last USER. Builder stages do not count, nor images whose
+entrypoint drops privileges with gosu, su-exec or setpriv.
+
+## Why it matters on a robot
+An intruder in one node is root in the container. With another user on the host, Fast DDS's shared memory
+cannot be opened from both sides: topics are listed, no data arrives.
+
+## Bad
+```dockerfile
+FROM ros:jazzy
+CMD ["ros2", "launch", "base", "base.launch.py"]
+```
+
+## Good
+```dockerfile
+FROM ros:jazzy
+RUN useradd --system robot
+USER robot
+CMD ["ros2", "launch", "base", "base.launch.py"]
+```
+
+## References
+- robotics-security guide, container hardening
+- CWE-250
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+from bringup_lint.api import runs_as_root
+
+DROPS = re.compile(r"\b(?:gosu|su-exec|setpriv|runuser|fixuid)\b")
+
+
+@rule("error", tags=["CWE-250"])
+def root_user(robot: Robot):
+    for file in robot.dockerfiles:
+        stage = file.final
+        if stage is None or DROPS.search(file.source.text):
+            continue
+        user = stage.last("USER")
+        if user is not None and user.value.partition(":")[0] in ("root", "0"):
+            yield finding(
+                user.value, "The container runs as root", advice="end with USER and a user of its own"
+            )
+        elif user is None and runs_as_root(stage.origin):
+            yield finding(
+                stage.start.keyword,
+                f"The container runs as root: {stage.origin} sets no USER, and neither does this file",
+                advice="add a user and USER",
+            )

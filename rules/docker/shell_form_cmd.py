@@ -1,0 +1,57 @@
+"""PID 1 is sh: signals do not reach ROS.
+
+## What it finds
+CMD or ENTRYPOINT in shell form in an image that runs ROS. `exec` in front of the last command makes it
+right. CMD behind an ENTRYPOINT in JSON form is only its argument and counts too; a CMD that an ENTRYPOINT
+in shell form hides does not.
+
+## Why it matters on a robot
+Docker runs `/bin/sh -c` and sends the stop signal to it. dash neither passes it on nor replaces itself by
+the command: `ros2 launch` never hears SIGINT and everything is killed after ten seconds.
+
+## Bad
+```dockerfile
+CMD ros2 launch base base.launch.py
+```
+
+## Good
+```dockerfile
+CMD ["ros2", "launch", "base", "base.launch.py"]
+```
+
+## References
+- Dockerfile reference, "Shell and exec form"
+- verified with dash 0.5.12
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+ROS = re.compile(r"\bros2\s|/ros_entrypoint\.sh|\.launch\.(?:py|xml)")
+EXEC = re.compile(r"(?:^|&&|;)\s*exec\s")
+
+
+@rule("warning", fix="unsafe")
+def shell_form_cmd(robot: Robot):
+    for file in robot.dockerfiles:
+        stage = file.final
+        for name in ("ENTRYPOINT", "CMD") if stage else ():
+            instruction = stage.last(name)
+            if instruction is None or instruction.exec_form is not None or not ROS.search(instruction.value):
+                continue
+            if EXEC.search(instruction.value) or any(s.last("SHELL") for s in stage.chain):
+                continue
+            words = instruction.value.split()
+            plain = all(char not in instruction.value for char in "&|;<>$*?`'\"\\~")
+            json = "[" + ", ".join(f'"{word}"' for word in words) + "]"
+            yield finding(
+                instruction.value,
+                f"{name} in shell form: PID 1 is sh, and the stop signal does not reach ROS",
+                advice=f"write {json}" if plain else "put exec before the last command",
+                fix=fix("write the JSON form", (instruction.value, json), safe=False) if plain else None,
+            )
+            break

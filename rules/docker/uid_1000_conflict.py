@@ -1,0 +1,73 @@
+"""uid 1000 is already taken by the user 'ubuntu'.
+
+## What it finds
+`useradd -u 1000` or `groupadd -g 1000` on an image based on Ubuntu 24.04 (ros:jazzy and later), unless the
+user `ubuntu` is removed before or `-o` allows it twice.
+
+## Why it matters on a robot
+Since 23.04 the Ubuntu image has a user `ubuntu` with uid and gid 1000: the build that worked for Humble
+stops with `UID 1000 is not unique`.
+
+## Bad
+```dockerfile
+FROM ros:jazzy
+RUN useradd -u 1000 -m robot
+```
+
+## Good
+```dockerfile
+FROM ros:jazzy
+RUN userdel -r ubuntu && useradd -u 1000 -m robot
+```
+
+## References
+- https://bugs.launchpad.net/cloud-images/+bug/2005129
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import commands_of
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+UBUNTU_24 = re.compile(
+    r"(?:^|/)(?:ubuntu:(?:2[3-9]\.|noble|questing|plucky|latest)|(?:osrf/)?ros:(?:jazzy|kilted|lyrical|rolling)\b|ubuntu$)"
+)
+OPTIONS = {
+    "useradd": ("-u", "--uid", "UID"),
+    "adduser": ("", "--uid", "UID"),
+    "groupadd": ("-g", "--gid", "GID"),
+}
+
+
+@rule("warning", symptoms=["UID 1000 is not unique", "GID '1000' already exists"])
+def uid_1000_conflict(robot: Robot):
+    for file in robot.dockerfiles:
+        for stage in file.stages:
+            if not UBUNTU_24.search(stage.origin):
+                continue
+            for command in commands_of(stage):
+                if (
+                    command.name in ("userdel", "deluser", "usermod", "groupmod")
+                    and "ubuntu" in command.words
+                ):
+                    break
+                word = _takes_1000(command)
+                if word is not None:
+                    kind = OPTIONS[command.name][2]
+                    yield finding(
+                        word,
+                        f"{kind} 1000 is taken by 'ubuntu' in {stage.origin}: the build stops",
+                        advice="remove that user first (userdel -r ubuntu), or take another id",
+                    )
+
+
+def _takes_1000(command):
+    if command.name not in OPTIONS or {"-o", "--non-unique"} & set(command.words):
+        return None
+    short, long, _ = OPTIONS[command.name]
+    for before, word in zip(command.words, command.words[1:], strict=False):
+        if before in (short, long) and word == "1000":
+            return word
+    return next((word for word in command.words if word in (f"{long}=1000", f"{short}1000") and short), None)
