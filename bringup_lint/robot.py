@@ -19,6 +19,7 @@ from bringup_lint.source import Source
 if TYPE_CHECKING:
     from bringup_lint.discover.tree import Tree
     from bringup_lint.graph.accounts import Accounts
+    from bringup_lint.graph.devices import Devices
     from bringup_lint.graph.compose import Compose
     from bringup_lint.graph.dds import Dds
     from bringup_lint.graph.env_files import UsedEnvFile
@@ -121,6 +122,12 @@ class Robot:
         from bringup_lint.graph.udev import load_udev
 
         return load_udev(self)
+
+    @cached_property
+    def devices(self) -> Devices:
+        from bringup_lint.graph.devices import load_devices
+
+        return load_devices(self)
 
     @cached_property
     def waiting_for_network(self) -> list[tuple[str, Located]]:

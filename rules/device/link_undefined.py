@@ -1,0 +1,58 @@
+"""A link below /dev is used that no udev rule makes.
+
+## What it finds
+A path in a folder where the tree's rules make links (such as /dev/robot/), used in a unit, a `.device`
+dependency, an environment, compose or launch file, that none of them makes. In a tree without any rule, paths
+in folders of one's own are told for information.
+
+## Why it matters on a robot
+The driver waits for a device that never appears, or ends with 'no such file'. A unit that depends on the
+device unit times out after 90 s.
+
+## Bad
+```ini
+# the rule says SYMLINK+="robot/lidar_front"
+Environment=LIDAR=/dev/robot/lidar-front
+```
+
+## Good
+```ini
+# the rule says SYMLINK+="robot/lidar_front"
+Environment=LIDAR=/dev/robot/lidar_front
+```
+
+## References
+- udev(7), SYMLINK
+- systemd.device(5)
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["Timed out waiting for device", "No such file or directory: '/dev/"])
+def link_undefined(robot: Robot):
+    for use, near in robot.devices.undefined:
+        yield finding(
+            use.path,
+            f"No udev rule makes {use.path}: the device never appears",
+            advice=f"did you mean {near.path}?"
+            if near
+            else "add a rule that makes the link, or correct the name",
+            related=[note(near.name, f"makes {near.path}")] if near else _neighbours(robot, use),
+        )
+    for use in robot.devices.without_rules:
+        yield finding(
+            use.path,
+            f"No udev rule in this tree makes {use.path}",
+            advice="ship the rules file with the rest",
+            severity="info",
+        )
+
+
+def _neighbours(robot: Robot, use):
+    folder = use.path.rpartition("/")[0]
+    links = [link for link in robot.udev.links if link.is_fixed and link.path.rpartition("/")[0] == folder]
+    return [note(link.name, f"a rule for {folder} is here") for link in links[:1]]

@@ -1,0 +1,50 @@
+"""A device is opened by a number that changes.
+
+## What it finds
+`/dev/ttyUSB0`, `/dev/ttyACM1`, `/dev/video2` in units, their environment files, compose and launch files; a
+warning in scripts and shell defaults, for information as the default of a launch argument. On-board ports
+(ttyS, ttyTHS, ttyAMA) and links by id or path pass, and so do files for simulation.
+
+## Why it matters on a robot
+The numbers follow the order in which devices are found. After a reboot the IMU is ttyUSB1 and the motor
+controller ttyUSB0: each driver talks to the wrong device.
+
+## Bad
+```ini
+[Service]
+Environment=IMU_PORT=/dev/ttyUSB0
+```
+
+## Good
+```ini
+[Service]
+Environment=IMU_PORT=/dev/robot/imu
+```
+
+## References
+- udev(7), SYMLINK
+- https://github.com/RoverRobotics-archive/roverrobotics_ros2/issues/16
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+_SEVERITY = {"script": "warning", "default": "warning"}
+
+
+@rule("error", symptoms=["could not open port /dev/ttyUSB0", "Could not open device /dev/ttyUSB0"])
+def unstable_path(robot: Robot):
+    for use, links in robot.devices.unstable:
+        severity = "info" if use.user == "the launch argument" else _SEVERITY.get(use.certainty)
+        names = " or ".join(link.path for link in links[:3])
+        yield finding(
+            use.path,
+            f"{use.path} is numbered by order of discovery: after a reboot it may be another device",
+            advice=f"use {names}"
+            if links
+            else "make a link with a udev rule, or use the path below /dev/serial/by-id",
+            related=[note(link.name, f"makes {link.path}") for link in links[:3]],
+            severity=severity,
+        )
