@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING
 from typing import NamedTuple
 
 from bringup_lint.graph.udev_rule import Link
-from bringup_lint.model.compose import split
 from bringup_lint.source import Located
 from bringup_lint.spelling import nearest
 
@@ -74,8 +73,8 @@ class Devices:
     @cached_property
     def uses(self) -> tuple[DeviceUse, ...]:
         found: dict[tuple[int, int], DeviceUse] = {}
-        for collect in COLLECTORS:
-            for use in collect(self.robot):
+        for kinds, collect in COLLECTORS:
+            for use in collect(self.robot) if self.robot.of_kind(*kinds) else ():
                 simulated = _SIMULATION.search(use.path.span.path)
                 if not simulated and (use.certainty == "host" or use.path not in self._inside_containers):
                     found.setdefault((id(use.path.span.source), use.path.span.start), use)
@@ -84,6 +83,10 @@ class Devices:
     @cached_property
     def _inside_containers(self) -> frozenset[str]:
         """Paths that compose gives to devices inside a container, other than their own."""
+        if not self.robot.of_kind("compose"):
+            return frozenset()
+        from bringup_lint.model.compose import split
+
         mappings = [
             split(device.where) for service in self.robot.compose.services for device in service.devices
         ]
@@ -210,12 +213,14 @@ def _of_value(value, user: str, certainty: str) -> Iterator[DeviceUse]:
         yield from _of_value(child, user, inner)
 
 
-COLLECTORS: tuple[Callable[[Robot], Iterator[DeviceUse]], ...] = (
-    _of_units,
-    _of_compose,
-    _of_env_files,
-    _of_launch,
+Collector = Callable[["Robot"], Iterator[DeviceUse]]
+COLLECTORS: tuple[tuple[tuple[str, ...], Collector], ...] = (
+    (("systemd-unit", "systemd-dropin"), _of_units),
+    (("compose",), _of_compose),
+    (("compose",), _of_env_files),
+    (("launch-python", "launch-xml", "launch-ros1", "launch-yaml"), _of_launch),
 )
+"""Who looks for uses, and the kinds of file without which there is nothing to look for."""
 
 
 def load_devices(robot: Robot) -> Devices:

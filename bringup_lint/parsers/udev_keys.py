@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from difflib import SequenceMatcher
-from difflib import get_close_matches
 from functools import cache
 from typing import NamedTuple
 
@@ -13,6 +11,7 @@ from bringup_lint import facts
 from bringup_lint.model.udev import Token
 from bringup_lint.parsers.udev_substitutions import substitution_problems
 from bringup_lint.source import Problem
+from bringup_lint.spelling import nearest
 
 _MODE = re.compile(r"[0-7]+\Z")
 _INTEGER = re.compile(r"[ \t]*[-+]?(?:0[xX][0-9a-fA-F]+|0[bB][01]+|0[oO]?[0-7]*|[1-9][0-9]*)\Z")
@@ -95,14 +94,9 @@ def _unknown_key(token: Token, key: Key | None) -> Problem:
 
 
 def _nearest(name: str) -> str:
-    """The key that was meant, when there is one that is much closer than all others."""
-    known = [key for key, row in keys().items() if row.operators]
-    near = get_close_matches(name.upper(), known, 2, 0.8)
-    if len(near) == 2 and name.upper() not in near:
-        closeness = [SequenceMatcher(None, name.upper(), one).ratio() for one in near]
-        if closeness[0] == closeness[1]:
-            return ""
-    return near[0] if near else ""
+    """The key that was meant, when one is closer than all others."""
+    near = nearest(name.upper(), (key for key, row in keys().items() if row.operators))
+    return near[0] if len(near) == 1 else ""
 
 
 def _prefix_of_assignment(token: Token, key: Key) -> Iterator[Problem]:
