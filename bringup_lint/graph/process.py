@@ -28,7 +28,7 @@ SHELLS = frozenset({"sh", "bash", "dash", "zsh", "ksh"})
 SCRIPT_DEPTH = 4
 """How many scripts that call each other are followed."""
 
-_SHELL_SCRIPT = re.compile(r"#!\s*\S*/(?:env\s+(?:-S\s+)?)?(sh|bash|dash|zsh|ksh)\b")
+SHELL_SCRIPT = re.compile(r"#!\s*\S*/(?:env\s+(?:-S\s+)?)?(sh|bash|dash|zsh|ksh)\b")
 _INSTALLED_NODE = re.compile(r"/install/(?:[^/]+/)?lib/[^/]+/[^/]+$|/opt/ros/[^/]+/lib/[^/]+/[^/]+$")
 _WRAPPERS = frozenset(
     "exec nice ionice chrt taskset stdbuf setsid env nohup time command sudo timeout setpriv runuser gosu prlimit".split()
@@ -173,7 +173,7 @@ def _followed(process: Process, command: Command, robot: Robot, depth: int) -> I
     name = words[0].rpartition("/")[2]
     if name in SHELLS:
         yield from _shell(process, name, words[1:], robot, depth)
-    elif "/" in words[0] and not ros_command(command):
+    elif "/" in words[0] and name != "ros2" and not _INSTALLED_NODE.search(words[0]):
         yield from _script(process, words[0], "", robot, depth)
     elif name in ("source", ".") and len(words) > 1 and not SETUP_FILE.search(words[1]):
         yield from _script(process, words[1], "bash", robot, depth)
@@ -192,7 +192,7 @@ def _shell(process: Process, name: str, words: list[Located], robot: Robot, dept
 
 def _script(process: Process, path: Located, shell: str, robot: Robot, depth: int) -> Iterator[Step]:
     source = robot.tree.find(path) if path.startswith("/") and "$" not in path and "%" not in path else None
-    shebang = _SHELL_SCRIPT.match(source.text) if source else None
+    shebang = SHELL_SCRIPT.match(source.text) if source else None
     if source is None or not (shell or shebang):
         process.opaque = True
         if source is None and (shell or path.endswith((".sh", ".bash"))):
@@ -223,7 +223,7 @@ def unwrapped(words: tuple[Located, ...]) -> tuple[Located, ...]:
 
 
 def ros_command(command: Command) -> Ros | None:
-    """The ROS 2 program that a command starts, if it is one."""
+    """The ROS 2 program that a command starts, if it is one; an entry script that is given ``ros2 launch ...`` execs it."""
     words = unwrapped(command.words)
     if not words:
         return None
@@ -242,4 +242,6 @@ def ros_command(command: Command) -> Ros | None:
         return Ros("cli", command, None, words[1])
     if _INSTALLED_NODE.search(words[0]):
         return Ros("node", command, None, words[0], words[1:])
+    if "/" in words[0] and len(words) > 2 and words[1] == "ros2" and words[2] in ("launch", "run"):
+        return ros_command(Command(words[1:]))
     return None

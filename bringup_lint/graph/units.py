@@ -27,6 +27,8 @@ from bringup_lint.graph.process import Process
 from bringup_lint.graph.process import processes
 from bringup_lint.graph.restart import RestartPolicy
 from bringup_lint.graph.restart import restart_policy
+from bringup_lint.graph.supervision import Supervision
+from bringup_lint.graph.supervision import supervision
 from bringup_lint.graph.unit import Unit
 from bringup_lint.graph.unit_lines import Line
 from bringup_lint.graph.unit_lines import lines
@@ -176,6 +178,16 @@ class Units:
         if id(unit) not in self._policies:
             self._policies[id(unit)] = restart_policy(unit, self.robot)
         return self._policies[id(unit)]
+
+    @cached_property
+    def _supervisions(self) -> dict[int, Supervision]:
+        return {}
+
+    def supervision(self, unit: Unit) -> Supervision:
+        """How systemd starts, watches and stops the service."""
+        if id(unit) not in self._supervisions:
+            self._supervisions[id(unit)] = supervision(unit, self.robot)
+        return self._supervisions[id(unit)]
 
     @cached_property
     def triggered(self) -> frozenset[str]:
