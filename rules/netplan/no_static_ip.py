@@ -1,0 +1,46 @@
+"""DDS peers expect fixed addresses, but the robot takes what DHCP gives.
+
+## What it finds
+A robot whose netplan has no static address at all while its Cyclone DDS file lists peers by address.
+
+## Why it matters on a robot
+The other machines list this robot by its address too. After a change of the lease they talk to nobody, and
+with multicast off nothing else finds the robot.
+
+## Bad
+```
+eth0: {dhcp4: true}                <Peer address="10.0.0.20"/>
+```
+
+## Good
+```
+eth0: {addresses: [10.0.0.10/24]}  <Peer address="10.0.0.20"/>
+```
+
+## References
+- robot-bringup guide, checklist
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("info")
+def no_static_ip(robot: Robot):
+    for configuration, domain in robot.dds.domains:
+        plan = robot.dds.plan_of(configuration)
+        peers = domain.all("Discovery/Peers/Peer@Address")
+        fixed = [peer for peer in peers if peer.effective and robot.dds.is_address(peer.effective)]
+        if plan is None or not fixed or any(i.addresses for i in plan.interfaces.values()):
+            continue
+        wired = [i for i in plan.interfaces.values() if i.kind == "ethernets" and i.dhcp4]
+        if wired:
+            flag = wired[0].flag("dhcp4")
+            yield finding(
+                flag.where,
+                f"DDS peers have fixed addresses, but {wired[0].name} takes whatever DHCP gives",
+                advice="give it a static address, or a reservation in the DHCP server",
+                related=[note(fixed[0].value, "a peer with a fixed address")],
+            )

@@ -1,0 +1,54 @@
+"""The control network runs over Wi-Fi.
+
+## What it finds
+A VLAN, bridge or bond that calls itself control (`control`, `ctrl`, `motion`, `safety`) on top of a Wi-Fi
+interface, or a Wi-Fi interface or access point of such a name.
+
+## Why it matters on a robot
+Velocity commands and stop signals wait behind retransmissions and roaming for seconds. A robot must stop
+when the Wi-Fi does.
+
+## Bad
+```yaml
+vlans:
+  control: {id: 10, link: wlan0}
+```
+
+## Good
+```yaml
+vlans:
+  control: {id: 10, link: eth0}
+```
+
+## References
+- robotics-security guide: control plane traffic never transits WiFi
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+CONTROL = re.compile(r"(?:^|[^a-z])(?:control|ctrl|motion|safety|estop|e-stop)(?:$|[^a-z])", re.IGNORECASE)
+
+
+@rule("warning", confidence="medium")
+def wifi_control_plane(robot: Robot):
+    for plan in robot.netplan.plans:
+        wifi = {str(i.name): i for i in plan.interfaces.values() if i.is_wifi}
+        for interface in plan.interfaces.values():
+            below = [
+                name for name in (interface.link, *interface.members) if name is not None and name in wifi
+            ]
+            if CONTROL.search(interface.name) and (below or interface.is_wifi):
+                related = [note(wifi[str(below[0])].name, "a Wi-Fi interface")] if below else []
+                yield finding(
+                    interface.name,
+                    f"Control traffic over Wi-Fi: {interface.name} "
+                    + (f"runs on {below[0]}" if below else "is Wi-Fi"),
+                    advice="put the control network on a wired interface",
+                    related=related,
+                    confidence="medium",
+                )
