@@ -10,6 +10,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from bringup_lint.facts import launch_api
+from bringup_lint.facts.node_roles import HARDWARE
 from bringup_lint.facts.node_roles import Role
 from bringup_lint.facts.node_roles import packages
 from bringup_lint.facts.node_roles import role_of
@@ -35,6 +36,7 @@ from bringup_lint.model.launch import LaunchFile
 from bringup_lint.model.launch import walk_actions
 from bringup_lint.model.launch_values import Condition
 from bringup_lint.model.launch_values import Value
+from bringup_lint.source import Located
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
@@ -42,9 +44,14 @@ if TYPE_CHECKING:
 
 KINDS = ("launch-python", "launch-xml", "launch-yaml")
 SIMULATION = re.compile(
-    r"(?:^|[/_.-])(?:sim|simulation|simulator|simulated|gazebo|gz|ros_gz|ignition|ign|webots|isaac\w*|mujoco|loopback|stage|unity"
-    r"|airsim|carla|awsim|tests?|demos?|examples?|tutorials?|display|view\w*|rviz\w*|rosbag\w*|replay|mock|fake)(?:$|[/_.-])"
+    r"(?:^|[/_.-])(?:sim|simulation|simulator|simulated|gazebo|gz|ign|ignition|webots|isaac\w*|mujoco|loopback|tests?|demos?"
+    r"|examples?|tutorials?|display|view\w*|rviz\w*|rosbag\w*|replay|mock|fake)(?:$|[/_.-])"
 )
+"""Paths of launch files that are not for a robot."""
+SIMULATORS = re.compile(
+    r"(?:^|_)(?:sim|simulation|simulator|gazebo|gz|ign|ignition|webots|isaac\w*|mujoco|airsim|carla|awsim|stage)(?:$|_)"
+)
+"""Packages of simulators."""
 PUBLIC = ("nav2_", "ros2_", "ros_", "rclcpp_", "tf2_", "launch_", "image_", "joint_", "moveit_", "rviz", "controller_")
 """How packages of ROS itself begin."""
 EXPANSIONS = 2_000
@@ -190,7 +197,7 @@ class Launch:
         expansion = self.expansion(file)
         packages = {str(literal_text(node.package)) for node in expansion.nodes}
         packages |= {place(include.file).package for include in expansion.includes if place(include.file)}
-        return any(SIMULATION.search(package) for package in packages)
+        return any(SIMULATORS.search(package) for package in packages)
 
     def visited(self, file: LaunchFile) -> Iterator[tuple[Action, LaunchFile]]:
         """The actions of a file itself, as it is launched without arguments."""
@@ -218,6 +225,40 @@ class Launch:
                     seen.add(str(depend))
                     todo.append(self.workspace.packages[str(depend)])
         return False
+
+    @cached_property
+    def _units(self) -> dict[int, list[Located]]:
+        found: dict[int, list[Located]] = {}
+        for unit in self.robot.units.judged:
+            processes = self.robot.units.processes(unit)
+            for _, command in (found for process in processes for found in process.launches):
+                file = self.named(command.package, command.target)
+                if file is not None:
+                    found.setdefault(id(file), []).append(command.where)
+        return found
+
+    def units_of(self, file: LaunchFile) -> list[Located]:
+        """The words of systemd units that launch a file."""
+        return self._units.get(id(file), [])
+
+    def named(self, package: str | None, target: str | None) -> LaunchFile | None:
+        """The file that ``ros2 launch package target`` starts; a path when there is no package."""
+        if not target:
+            return None
+        if package is None:
+            return self._only(file for file in self.files if f"/{target}".endswith("/" + file.source.basename))
+        owner = self.workspace.packages.get(str(package))
+        if owner is None:
+            return None
+        return self._only(file for file in self.files_of(owner) if file.source.basename == target)
+
+    def _only(self, files: Iterator[LaunchFile]) -> LaunchFile | None:
+        found = list(files)
+        return found[0] if len(found) == 1 else None
+
+    def drives(self, file: LaunchFile) -> bool:
+        """Whether hardware is started by a file."""
+        return any(self.role(node).role in HARDWARE for node in self.expansion(file).nodes)
 
     def conditions(self, file: LaunchFile) -> Iterator[Condition]:
         """Every condition in a file, of actions and components."""

@@ -74,7 +74,8 @@ class Started:
             text = literal_text(value)
             if text:
                 return text
-        return "the node"
+        program = literal_text(self.arguments[0]) if self.arguments else None
+        return program.split()[0].rpartition("/")[2] if program and program.split() else "the process"
 
 
 def literal_text(value: Value | None) -> Located | None:

@@ -7,6 +7,9 @@ from bringup_lint.graph.launch_resolve import truth
 from bringup_lint.graph.launch_started import Started
 from bringup_lint.graph.launch_started import exclusive
 from bringup_lint.graph.launch_started import literal_text
+from bringup_lint.graph.launch_supervision import check_of
+from bringup_lint.graph.launch_supervision import respawns
+from bringup_lint.graph.launch_supervision import watched
 from bringup_lint.model.launch import ComposableNode
 from bringup_lint.model.launch import DeclareArgument
 from bringup_lint.model.launch import Emit

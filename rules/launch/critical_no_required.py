@@ -1,0 +1,60 @@
+"""Nobody notices when a driver dies.
+
+## What it finds
+Nodes that drive hardware with neither `respawn` nor an exit action nor an `OnProcessExit` handler, in launch files that start
+more than the driver.
+
+## Why it matters on a robot
+If the driver ends, launch goes on and the service stays "active (running)": the robot is blind until somebody looks.
+`ros2 launch` even ends with status 0, so `Restart=on-failure` of a unit never fires.
+
+## Bad
+```python
+Node(package='sllidar_ros2', executable='sllidar_node', name='lidar')
+```
+
+## Good
+```python
+Node(package='sllidar_ros2', executable='sllidar_node', name='lidar', on_exit=Shutdown())
+```
+
+## References
+- https://github.com/ros2/launch/issues/174
+- https://github.com/ros/ros_comm/issues/919
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import launch
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+WATCHED_ROLES = ("driver", "hardware")
+ASIDE = ("tool", "state", "teleop", "container")
+BY_HAND = ("joy", "joy_linux", "spacenav")
+"""Input devices: without them a robot drives on by itself."""
+
+
+@rule("warning")
+def critical_no_required(robot: Robot):
+    for expansion in robot.launch.entries:
+        entry = expansion.entry
+        if robot.launch.simulated(entry):
+            continue
+        others = [node for node in expansion.nodes if robot.launch.role(node).role not in (*ASIDE, *WATCHED_ROLES)]
+        units = robot.launch.units_of(entry)
+        for node in expansion.nodes:
+            role = robot.launch.role(node).role
+            if role not in WATCHED_ROLES or not isinstance(node.action, launch.Node) or node.by_default is False:
+                continue
+            if launch.literal_text(node.package) in BY_HAND:
+                continue
+            if "respawn" in node.options or launch.watched(node, expansion) or not (others or units):
+                continue
+            yield finding(
+                node.span,
+                f"if {node.label()} dies, launch goes on and nothing notices: the service stays active without its {role}",
+                advice="set on_exit=Shutdown() and let the unit restart with Restart=always, or set respawn",
+                related=[note(place, "started by this unit") for place in units],
+                severity=None if units or not node.chain else "info",
+            )

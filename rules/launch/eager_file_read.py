@@ -1,0 +1,41 @@
+"""A file is read while the launch description is built.
+
+## What it finds
+`open()`, `yaml.safe_load()` and xacro calls in the entry function, outside of functions that launch calls later.
+
+## Why it matters on a robot
+The file must be there before any argument is known: `ros2 launch --show-args` fails without it, and an argument cannot choose
+another one.
+
+## Bad
+```python
+with open(urdf_path) as file:
+    description = file.read()
+```
+
+## Good
+```python
+description = ParameterValue(Command(['xacro ', urdf_path]), value_type=str)
+```
+
+## References
+- launch, `Command` and `OpaqueFunction`
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+READS = ("open", "xacro.process_file", "xacro.process")
+
+
+@rule("info", symptoms=["FileNotFoundError"])
+def eager_file_read(robot: Robot):
+    for file in robot.launch.judged:
+        for call in file.calls:
+            if call.name in READS and not call.deferred:
+                yield finding(
+                    call.span,
+                    f"{call.name}() reads a file while the description is built: --show-args fails when it is missing",
+                    advice="use Command(['xacro ', path]), or read it in an OpaqueFunction",
+                )

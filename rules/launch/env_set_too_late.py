@@ -1,0 +1,57 @@
+"""An environment variable is set after the nodes that should have it.
+
+## What it finds
+`SetEnvironmentVariable` (`<set_env>`) of a ROS or DDS variable behind the first node of the description.
+
+## Why it matters on a robot
+A process has the environment of the moment in which it starts. Nodes before the line run without the variable: another
+middleware, another domain, and the two halves of the robot do not see each other.
+
+## Bad
+```python
+LaunchDescription([
+    Node(package='demo', executable='driver'),
+    SetEnvironmentVariable('RMW_IMPLEMENTATION', 'rmw_cyclonedds_cpp'),
+])
+```
+
+## Good
+```python
+LaunchDescription([
+    SetEnvironmentVariable('RMW_IMPLEMENTATION', 'rmw_cyclonedds_cpp'),
+    Node(package='demo', executable='driver'),
+])
+```
+
+## References
+- launch, `SetEnvironmentVariable`
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import launch
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+PREFIXES = ("ROS_", "RMW_", "CYCLONEDDS_", "FASTRTPS_", "FASTDDS_", "RCUTILS_", "RCL_", "ZENOH_")
+
+
+@rule("warning")
+def env_set_too_late(robot: Robot):
+    for file in robot.launch.judged:
+        started = None
+        for action in file.actions:
+            if isinstance(action, launch.Node) and started is None and not action.conditions:
+                started = action
+            name = launch.literal(action.name) if isinstance(action, launch.SetEnv) else None
+            if started is None or name is None or not name.startswith(PREFIXES):
+                continue
+            later = file.actions[file.actions.index(action) + 1 :]
+            rest = any(isinstance(each, (launch.Process, launch.Include, launch.Group)) for each in launch.walk_actions(later))
+            what = "the nodes before it run without it" if rest else "no node gets it"
+            yield finding(
+                action.span,
+                f"{name} is set after nodes have started: {what}",
+                advice="set it first in the description",
+                related=[note(started.span, "already started")],
+            )

@@ -1,0 +1,39 @@
+"""A launch file looks into somebody's home folder.
+
+## What it finds
+`os.path.expanduser()` and `Path.home()` in launch files.
+
+## Why it matters on a robot
+Under systemd the home folder is that of `User=`, or none at all: another file than the one that was tested in the shell.
+
+## Bad
+```python
+config = os.path.expanduser('~/robot.yaml')
+```
+
+## Good
+```python
+config = LaunchConfiguration('config')   # passed by the unit, below /etc or the package's share folder
+```
+
+## References
+- systemd.exec(5), "User=" and `$HOME`
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("info")
+def expanduser(robot: Robot):
+    for file in robot.launch.judged:
+        if robot.launch.simulated(file):
+            continue
+        for call in file.calls:
+            if call.name == "os.path.expanduser":
+                yield finding(
+                    call.span,
+                    "under systemd the home folder is that of User=: another path than in your shell",
+                    advice="use an absolute path or an argument",
+                )

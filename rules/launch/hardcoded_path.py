@@ -1,0 +1,60 @@
+"""A path exists on one machine only.
+
+## What it finds
+Literal paths below `/home`, `/root` or `/opt/ros/<distribution>` in parameters, arguments, commands, includes and defaults.
+
+## Why it matters on a robot
+The path is right on the developer's machine. On the robot the user or the distribution is another one, and the file is
+missing.
+
+## Bad
+```python
+parameters=['/home/alice/ws/src/my_robot/config/motors.yaml']
+```
+
+## Good
+```python
+parameters=[PathJoinSubstitution([FindPackageShare('my_robot'), 'config', 'motors.yaml'])]
+```
+
+## References
+- launch_ros, `FindPackageShare`
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import launch
+from bringup_lint.api import rule
+
+PATH = re.compile(r"(?:^|(?<=[=: ,'\"]))/(?:home/[\w.-]+|root|opt/ros/(?!\$)\w+)/[\w./-]+")
+
+
+@rule("warning")
+def hardcoded_path(robot: Robot):
+    for file in robot.launch.judged:
+        for action, _ in robot.launch.visited(file):
+            for value in values(action):
+                for each in launch.walk(value):
+                    text = launch.literal(each)
+                    match = PATH.search(text) if text else None
+                    if match is not None:
+                        yield finding(
+                            text.part(*match.span()),
+                            f"{match[0]} exists only on one machine or distribution",
+                            advice="find it through the package's share folder, or make it an argument without a default",
+                        )
+
+
+def values(action):
+    if isinstance(action, launch.DeclareArgument):
+        yield from filter(None, [action.default])
+    elif isinstance(action, launch.Include):
+        yield action.file
+        yield from (value for _, value in action.arguments)
+    elif isinstance(action, launch.Process):
+        yield from (*action.cmd, *(value for _, value in action.additional_env))
+        yield from (*getattr(action, "parameters", ()), *getattr(action, "arguments", ()))
+        for component in getattr(action, "components", ()):
+            yield from component.parameters

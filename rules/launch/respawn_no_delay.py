@@ -1,0 +1,55 @@
+"""A process is restarted without a pause.
+
+## What it finds
+`respawn=True` without a `respawn_delay`, or with one of 0.
+
+## Why it matters on a robot
+A driver whose device is unplugged crashes and is restarted hundreds of times a minute: a core is lost, the log floods the
+disk, and the device gets no time to come back.
+
+## Bad
+```python
+Node(package='lidar', executable='lidar_node', respawn=True)
+```
+
+## Good
+```python
+Node(package='lidar', executable='lidar_node', respawn=True, respawn_delay=2.0)
+```
+
+## References
+- launch, `ExecuteLocal`: `respawn_delay` is 0.0 by default
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import launch
+from bringup_lint.api import rule
+
+
+@rule("warning", fix="safe")
+def respawn_no_delay(robot: Robot):
+    for node in robot.launch.nodes:
+        if not isinstance(node.action, launch.Process) or node.action.open or robot.launch.simulated(node.file):
+            continue
+        if robot.launch.role(node).role == "tool":
+            continue
+        value = node.action.options.get("respawn")
+        delay = node.options.get("respawn_delay")
+        if launch.respawns(node) is not True or (delay is not None and launch.text_of(delay) not in ("0", "0.0")):
+            continue
+        span = (node.action.options["respawn_delay"] if delay is not None else value).span
+        own = span.source is node.file.source and span.start >= node.span.start and span.end <= node.span.end
+        repair = None
+        if own and delay is None and node.file.format == "python":
+            repair = fix("pause for 2 s", (span.source.span(span.end, span.end), ", respawn_delay=2.0"))
+        elif own and delay is None and node.file.format == "xml":
+            end = span.end + 1
+            repair = fix("pause for 2 s", (span.source.span(end, end), ' respawn_delay="2.0"'))
+        yield finding(
+            value.span,
+            f"{node.label()} is restarted without a pause: a crash at start costs a core and floods the log",
+            advice="set respawn_delay to 2.0",
+            fix=repair,
+        )

@@ -1,0 +1,54 @@
+"""The simulation switch does not switch the hardware off.
+
+## What it finds
+Launch files that declare `use_sim`, `simulation` or the like and start hardware drivers that neither have a condition nor
+read the argument.
+
+## Why it matters on a robot
+`use_sim:=true` on the robot still starts the real motor driver: it moves while everybody believes to be in a simulation.
+
+## Bad
+```python
+DeclareLaunchArgument('use_sim', default_value='false'),
+Node(package='sllidar_ros2', executable='sllidar_node'),
+```
+
+## Good
+```python
+DeclareLaunchArgument('use_sim', default_value='false'),
+Node(package='sllidar_ros2', executable='sllidar_node', condition=UnlessCondition(LaunchConfiguration('use_sim'))),
+```
+
+## References
+- launch, conditions
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import launch
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+NAMES = ("use_sim", "sim", "simulation", "use_simulation", "is_sim", "is_simulation", "sim_mode", "use_mock", "use_fake")
+
+
+@rule("warning")
+def sim_arg_ignored(robot: Robot):
+    for file in robot.launch.judged:
+        expansion = robot.launch.expansion(file)
+        switches = [each for each in expansion.declared if each.file is file and each.name in NAMES]
+        if not switches or robot.launch.simulated(file):
+            continue
+        switch = switches[0]
+        for node in expansion.nodes:
+            if node.file is not file or node.action.conditions or node.conditions or robot.launch.role(node).role != "driver":
+                continue
+            values = [*node.action.parameters, *getattr(node.action, "arguments", ())]
+            read = {str(each.name) for value in values for each in launch.walk(value) if isinstance(each, launch.Argument)}
+            if switch.name not in read:
+                yield finding(
+                    node.span,
+                    f"{switch.name}:=true still starts the real {node.label()}",
+                    advice=f"give it condition=UnlessCondition(LaunchConfiguration('{switch.name}'))",
+                    related=[note(switch.action.span, "the switch is declared here")],
+                )

@@ -1,0 +1,55 @@
+"""A fixed delay stands in for an order.
+
+## What it finds
+`TimerAction` around nodes or includes.
+
+## Why it matters on a robot
+On a slow boot, with a full disk or a cold camera, the delay is too short and the consumer starts before the driver; on a good
+day it is wasted. A failed check before the timer does not stop it either.
+
+## Bad
+```python
+TimerAction(period=5.0, actions=[Node(package='nav2_planner', executable='planner_server')])
+```
+
+## Good
+```python
+RegisterEventHandler(OnStateTransition(target_lifecycle_node=driver, goal_state='active', entities=[planner]))
+```
+
+## References
+- launch, event handlers; nav2 lifecycle manager
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import launch
+from bringup_lint.api import rule
+
+
+@rule("warning")
+def timer_ordering(robot: Robot):
+    for file in robot.launch.judged:
+        if robot.launch.simulated(file):
+            continue
+        for action, _ in robot.launch.visited(file):
+            if not isinstance(action, launch.Timer):
+                continue
+            started = [
+                inner
+                for inner in launch.walk_actions(action.actions)
+                if isinstance(inner, (launch.Node, launch.Include, launch.LoadComponents))
+            ]
+            if not started:
+                continue
+            period = launch.text_of(robot.launch.resolved(action.period, file))
+            if period in ("0", "0.0"):
+                continue
+            what = "this" if period is None else f"a delay of {period} s"
+            yield finding(
+                action.span,
+                f"{what} is no ordering: on a slow boot these {len(started)} start before what they wait for"
+                if len(started) > 1
+                else f"{what} is no ordering: on a slow boot it starts before what it waits for",
+                advice="start it from an event handler, or let a lifecycle manager bring it up",
+            )

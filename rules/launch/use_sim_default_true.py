@@ -1,0 +1,55 @@
+"""A launch file of a real robot uses simulated time by default.
+
+## What it finds
+Arguments such as `use_sim_time`, `use_sim` or `simulation` with the default true, in launch files that are not for a
+simulator.
+
+## Why it matters on a robot
+Started without arguments, as a unit does, the nodes wait for a clock that nobody publishes: nothing moves, and nothing is
+logged.
+
+## Bad
+```python
+DeclareLaunchArgument('use_sim_time', default_value='true')
+```
+
+## Good
+```python
+DeclareLaunchArgument('use_sim_time', default_value='false')
+```
+
+## References
+- ROS 2 design, "Clock and Time"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import launch
+from bringup_lint.api import rule
+
+NAMES = ("use_sim_time", "use_sim", "sim", "simulation", "use_simulation", "is_sim", "is_simulation", "sim_mode")
+
+
+@rule("error", fix="unsafe")
+def use_sim_default_true(robot: Robot):
+    for file in robot.launch.judged:
+        if robot.launch.simulated(file):
+            continue
+        for action, _ in robot.launch.visited(file):
+            name = launch.literal(getattr(action, "name", None)) if isinstance(action, launch.DeclareArgument) else None
+            default = action.default if name in NAMES else None
+            if default is None or not isinstance(default, launch.Literal) or launch.truth(default) is not True:
+                continue
+            word = default.text
+            where = word if word.span.text == word else default.span
+            false = "false" if where is word else "'false'"
+            owner = robot.launch.workspace.owner(file.source)
+            bringup = owner is None or "bringup" in owner.name or robot.launch.units_of(file)
+            yield finding(
+                where,
+                f"{name} is true by default: started without arguments, the nodes wait for a simulated clock",
+                advice="make false the default and pass true in the simulation",
+                fix=fix("make false the default", (where, false), safe=False),
+                severity=None if bringup or robot.launch.drives(file) else "warning",
+            )
