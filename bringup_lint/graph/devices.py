@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING
 from typing import NamedTuple
 
 from bringup_lint.graph.udev_rule import Link
+from bringup_lint.parsers.systemd_values import escape_path
+from bringup_lint.parsers.systemd_values import unescape_path
 from bringup_lint.source import Located
 from bringup_lint.spelling import nearest
 
@@ -60,8 +62,14 @@ class DeviceUse(NamedTuple):
     user: str
     """Who opens it, in words."""
     certainty: str = "literal"
-    """``literal``, ``host`` for a device that is handed to a container; ``script`` and ``default`` when it may be only one
+    """``literal``, ``unit`` for the name of a device unit, ``host`` for a device that is handed to a container; ``script`` and ``default`` when it may be only one
     of several values."""
+
+
+class Meant(NamedTuple):
+    link: Link
+    unit: str
+    """The name of its device unit."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -105,9 +113,35 @@ class Devices:
         folders = {link.path.rpartition("/")[0] for link in self.robot.udev.links if link.is_fixed} - {"/dev"}
         names = {link.path: link for link in self.robot.udev.links if link.is_fixed}
         for use in self.uses:
-            if use.path.rpartition("/")[0] in folders and not self.robot.udev.links_to(use.path):
+            escaped = use.certainty == "unit" and self.meant_by(use.path.span.text) is not None
+            if (
+                use.path.rpartition("/")[0] in folders
+                and not escaped
+                and not self.robot.udev.links_to(use.path)
+            ):
                 near = nearest(use.path, names)
                 yield use, names[near[0]] if len(near) == 1 else None
+
+    def untagged(self, unit: str) -> list[Link]:
+        """The links behind a ``.device`` name when none of their devices becomes a device unit."""
+        links = [link for link in self.robot.udev.links_to(device_path(unit) or "") if link.is_fixed]
+        return links if links and not any(self._is_device_unit(link) for link in links) else []
+
+    def _is_device_unit(self, link: Link) -> bool:
+        """Whether systemd hears of the device, for sure or perhaps."""
+        rule = link.rule
+        tagged = rule.is_tagged_by_systemd(self.robot.target.systemd) is not False
+        return tagged or self.robot.udev.set_of(rule).sets_beside(rule, "TAG", "systemd")
+
+    def meant_by(self, unit: str) -> Meant | None:
+        """The link that a ``.device`` name was to stand for, when its dashes make it stand for a path without rule."""
+        path = device_path(unit)
+        if path is None or "/" not in path or self.robot.udev.links_to(path):
+            return None
+        for link in self.robot.udev.links:
+            if link.is_fixed and "-" in link.path and link.path.replace("-", "/") == path:
+                return Meant(link, escape_path(link.path) + ".device")
+        return None
 
     @property
     def without_rules(self) -> Iterator[DeviceUse]:
@@ -139,13 +173,18 @@ def _of_units(robot: Robot) -> Iterator[DeviceUse]:
                     yield from uses_in(word, f"the script of {unit.name}", "script")
 
 
+def device_path(unit: str) -> str | None:
+    """The path below /dev that a ``.device`` name stands for; None for other names."""
+    if not unit.startswith("dev-") or not unit.endswith(".device") or "%" in unit:
+        return None
+    return unescape_path(unit[: -len(".device")])
+
+
 def _of_device_units(value: Located, user: str) -> Iterator[DeviceUse]:
-    """``dev-ttyUSB0.device`` as the path that it stands for."""
     for word in value.words():
-        if word.startswith("dev-") and word.endswith(".device"):
-            name = word[: -len(".device")].replace("-", "/")
-            text = "/" + re.sub(r"\\x([0-9a-f]{2})", lambda found: chr(int(found[1], 16)), name)
-            yield DeviceUse(Located(text, word.span), user)
+        path = device_path(word)
+        if path is not None:
+            yield DeviceUse(Located(path, word.span), user, "unit")
 
 
 def _of_compose(robot: Robot) -> Iterator[DeviceUse]:

@@ -1,0 +1,58 @@
+"""A unit waits for a device that systemd never hears of.
+
+## What it finds
+`Requires=`, `BindsTo=`, `Requisite=`, `Wants=` or `After=` on a `.device` unit whose link a udev rule makes
+for a subsystem that 99-systemd.rules does not tag (video4linux, usb, hidraw, input, i2c-dev, spidev, gpio),
+without `TAG+="systemd"`.
+
+## Why it matters on a robot
+The device unit never becomes active. A required one is waited for 90 s (DefaultDeviceTimeoutSec=), then the
+service fails, although the device is there; an ordering alone does nothing.
+
+## Bad
+```ini
+# SUBSYSTEM=="video4linux", ATTRS{serial}=="C1", ATTR{index}=="0", SYMLINK+="robot/camera"
+[Unit]
+BindsTo=dev-robot-camera.device
+```
+
+## Good
+```ini
+# SUBSYSTEM=="video4linux", ATTRS{serial}=="C1", ATTR{index}=="0", SYMLINK+="robot/camera", TAG+="systemd"
+[Unit]
+BindsTo=dev-robot-camera.device
+```
+
+## References
+- systemd.device(5), "The udev Database"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+_KEYS = ("BindsTo", "Requires", "Requisite", "Wants", "After")
+
+
+@rule("warning", fix="safe", symptoms=["Timed out waiting for device", "Job dev-", "Dependency failed for"])
+def device_dep_needs_tag(robot: Robot):
+    for unit in robot.units.judged:
+        seen = set()
+        for key in _KEYS:
+            for word in unit.words(key):
+                links = robot.devices.untagged(word)
+                if links and word not in seen:
+                    seen.add(word)
+                    yield _finding(word, links[0])
+
+
+def _finding(word, link):
+    return finding(
+        word,
+        f"{word} never becomes active: its udev rule has no TAG+=\"systemd\", and systemd does not tag such devices",
+        advice='add TAG+="systemd" to the rule',
+        related=[note(link.name, f"makes {link.path}")],
+        fix=fix("tag the device", link.rule.before(link.token, 'TAG+="systemd"')),
+    )
