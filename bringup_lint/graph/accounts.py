@@ -54,7 +54,7 @@ class Accounts:
         )
 
     def _declared(self, kinds: str) -> frozenset[str]:
-        """Names that sysusers.d(5) lines of these types create; a user line creates a group of its name too."""
+        """Names that sysusers.d(5) lines of these types create; a user comes with a group of its name."""
         lines = (
             line.split() for source in self.robot.of_kind("sysusers") for line in source.text.splitlines()
         )

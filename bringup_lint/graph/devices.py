@@ -62,8 +62,8 @@ class DeviceUse(NamedTuple):
     user: str
     """Who opens it, in words."""
     certainty: str = "literal"
-    """``literal``, ``unit`` for the name of a device unit, ``host`` for a device that is handed to a container; ``script`` and ``default`` when it may be only one
-    of several values."""
+    """``literal``, ``unit`` for the name of a device unit, ``host`` for a device that a container is handed;
+    ``script`` and ``default`` when it may be only one of several values."""
 
 
 class Meant(NamedTuple):
@@ -74,7 +74,7 @@ class Meant(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Devices:
-    """All uses of device paths in units, their scripts and environment files, compose files and launch files."""
+    """All uses of device paths in units with their scripts and environments, compose and launch files."""
 
     robot: Robot
 
@@ -102,14 +102,14 @@ class Devices:
 
     @property
     def unstable(self) -> Iterator[tuple[DeviceUse, list[Link]]]:
-        """Uses of a name that changes with the order of discovery, with the links that may be meant instead."""
+        """Uses of a name that changes with the order of discovery, with the links that may be meant."""
         for use in self.uses:
             if _BY_DISCOVERY.fullmatch(use.path):
                 yield use, self.robot.udev.stable_names(use.path)
 
     @property
     def undefined(self) -> Iterator[tuple[DeviceUse, Link | None]]:
-        """Uses of a link that no rule makes, in a folder where rules do make links, with the one that is nearest."""
+        """Uses of a link that no rule makes in a folder where rules make links, with the nearest one."""
         folders = {link.path.rpartition("/")[0] for link in self.robot.udev.links if link.is_fixed} - {"/dev"}
         names = {link.path: link for link in self.robot.udev.links if link.is_fixed}
         for use in self.uses:
@@ -134,7 +134,7 @@ class Devices:
         return tagged or self.robot.udev.set_of(rule).sets_beside(rule, "TAG", "systemd")
 
     def meant_by(self, unit: str) -> Meant | None:
-        """The link that a ``.device`` name was to stand for, when its dashes make it stand for a path without rule."""
+        """The link that a ``.device`` name was to stand for, when its dashes make it mean another path."""
         path = device_path(unit)
         if path is None or "/" not in path or self.robot.udev.links_to(path):
             return None

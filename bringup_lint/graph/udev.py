@@ -94,7 +94,7 @@ class RuleSet:
         return all(_directory(file.source) in DIRECTORIES for file in self.files)
 
     def sets_beside(self, rule: UdevRule, key: str, *names: str) -> bool:
-        """Whether a rule that may fire for the same device assigns the key, such as ENV{names...} or TAG="names"."""
+        """Whether a rule that may fire for the same device assigns ENV{one of the names} or TAG="one"."""
         return any(
             _is_named(token, names) and may_both_fire(rule, other)
             for other in self.rules
@@ -157,9 +157,9 @@ class Udev:
             named = [token for token in own if token.name == "ENV{PRODUCT}" and token.operator == "=="]
             plain = all(token.key in ("SUBSYSTEM", "ACTION", "ENV") for token in own)
             claimed = [one for token in named[:1] for one in token.alternatives]
-            if "brltty" in other.source.basename and plain:
-                if any(matches(one, f"{vendor}/{product}/264") for one in claimed):
-                    return other.line
+            taken = any(matches(one, f"{vendor}/{product}/264") for one in claimed)
+            if "brltty" in other.source.basename and plain and taken:
+                return other.line
         return None
 
     @staticmethod
@@ -184,7 +184,7 @@ class Udev:
 
     @property
     def replacing(self) -> Iterator[tuple[RulesFile, Source | None, str]]:
-        """Files that replace one of the distribution by their name, with that file or the package that brings it."""
+        """Files that replace one of the distribution by their name, with that file or its package."""
         for one in self.sets:
             hidden = {winner.source.name: loser.source for loser, winner in one.shadowed}
             for file in one.files:

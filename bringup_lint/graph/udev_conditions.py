@@ -130,8 +130,8 @@ def _opposite(conditions: tuple[Condition, ...]) -> Condition | None:
 
 
 def contradict(one: Condition, other: Condition, *, one_rule: bool = False) -> bool:
-    """Whether no device fulfils both. A parent key counts as having one value along the chain, and in one rule its
-    opposites exclude each other too, since all parent keys of a rule speak of one device."""
+    """Whether no device fulfils both. A parent key counts as having one value along the chain. In one rule
+    its opposites exclude each other too: all parent keys of a rule speak of one device."""
     if one.subject != other.subject or one.key in _MANY_VALUED:
         return False
     if one.token.prefix or other.token.prefix or one.token.has_substitution or other.token.has_substitution:

@@ -175,7 +175,7 @@ class UdevRule:
 
     @property
     def generic_products(self) -> list[str]:
-        """Names of those devices whose id says nothing of what is behind it: bridge chips, boards with example ids."""
+        """Names of those devices whose id says nothing of what is behind it, such as bridge chips."""
         known = ((one, usb_ids().get(one)) for one in self.usb_ids)
         return [
             row["product"]
@@ -214,7 +214,7 @@ class UdevRule:
         return bool(names) and all(is_open_by_design(name) for name in names)
 
     def is_tagged_by_systemd(self, systemd: int) -> bool | None:
-        """Whether the devices become device units by 99-systemd.rules alone; None when the subsystem is unknown."""
+        """Whether 99-systemd.rules makes device units of them; None when the subsystem is unknown."""
         if not self.subsystems:
             return None
         return any(is_tagged_by_systemd(one, self.kernels, systemd) for one in self.subsystems)

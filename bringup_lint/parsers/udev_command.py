@@ -1,4 +1,4 @@
-"""The commands of RUN, PROGRAM and IMPORT{program}, split into words as udev splits them: quotes, but no shell."""
+"""The commands of RUN, PROGRAM and IMPORT{program}, split into words as udev does: quotes, no shell."""
 
 from __future__ import annotations
 

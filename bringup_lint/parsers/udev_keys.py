@@ -73,7 +73,7 @@ def words(kind: str) -> dict[str, str]:
 
 
 def token_problems(token: Token) -> Iterator[Problem]:
-    """What udev has against one token, in the order in which it looks, up to the first error that drops the line."""
+    """What udev has against one token, in its own order, up to the first error that drops the line."""
     key = keys().get(token.key)
     if key is None or not key.operators:
         yield _unknown_key(token, key)

@@ -51,7 +51,7 @@ def device_dep_needs_tag(robot: Robot):
 def _finding(word, link):
     return finding(
         word,
-        f"{word} never becomes active: its udev rule has no TAG+=\"systemd\", and systemd does not tag such devices",
+        f'{word} never becomes active: systemd hears of such devices only with TAG+="systemd"',
         advice='add TAG+="systemd" to the rule',
         related=[note(link.name, f"makes {link.path}")],
         fix=fix("tag the device", link.rule.before(link.token, 'TAG+="systemd"')),

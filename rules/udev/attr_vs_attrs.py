@@ -47,7 +47,7 @@ def attr_vs_attrs(robot: Robot):
                 subsystem = "/".join(sorted(line.subsystems))
                 yield finding(
                     token.key,
-                    f"A {subsystem} device has no {token.attribute}, its USB parent has: the rule never fires",
+                    f"A {subsystem} device has no {token.attribute}, its parent has: the rule never fires",
                     advice=f"write ATTRS{{{token.attribute}}}",
                     fix=fix("look at the parents", (token.key, "ATTRS")),
                 )

@@ -79,7 +79,8 @@ def _owner(line, token) -> str:
 
 def _advice(interface) -> str:
     if interface is not None:
-        return f'write KERNELS=="{_INTERFACE.sub(_device, interface.value)}", or match the port with ENV{{ID_PATH}}'
+        device = _INTERFACE.sub(_device, interface.value)
+        return f'write KERNELS=="{device}", or match the port with ENV{{ID_PATH}}'
     return "keep the parent keys of one device, and match the others with ENV{ID_...} or with ATTR or KERNEL"
 
 

@@ -41,7 +41,7 @@ def brltty_claims_device(robot: Robot):
                 yield finding(
                     where,
                     f"brltty takes the adapter {usb_id}: its ttyUSB appears and vanishes",
-                    advice=f"mask {claim.source.basename} with a link to /dev/null in /etc/udev/rules.d, or remove brltty",
+                    advice=f"mask {claim.source.basename} in /etc/udev/rules.d, or remove brltty",
                     related=[note(claim.span, "claims the adapter")],
                     severity="error",
                 )
@@ -49,6 +49,6 @@ def brltty_claims_device(robot: Robot):
                 yield finding(
                     where,
                     f"brltty of Ubuntu 22.04 takes the adapter {usb_id}: its ttyUSB appears and vanishes",
-                    advice="mask 85-brltty.rules with a link to /dev/null in /etc/udev/rules.d, or remove brltty",
+                    advice="mask 85-brltty.rules in /etc/udev/rules.d, or remove brltty",
                     severity="info",
                 )

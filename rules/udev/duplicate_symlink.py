@@ -40,7 +40,7 @@ def duplicate_symlink(robot: Robot):
                 seen.add(second)
                 yield finding(
                     second.name,
-                    f"Two rules make {second.path} and can match two devices: which one gets it is left to chance",
-                    advice='tell the devices apart in both rules, or give one of them OPTIONS+="link_priority="',
+                    f"Two rules make {second.path} and can match two devices: chance decides who gets it",
+                    advice='tell the devices apart, or give one rule OPTIONS+="link_priority="',
                     related=[note(first.name, "the other rule")],
                 )

@@ -42,5 +42,5 @@ def kernel_hardcoded(robot: Robot):
                 yield finding(
                     token.value,
                     f"{token.value} is a number by order of discovery: after a reboot it is another device",
-                    advice="match the device with ATTRS{idVendor}, ATTRS{idProduct} and ATTRS{serial}, or its port with KERNELS",
+                    advice="match the device with ATTRS{serial} and the like, or its port with KERNELS",
                 )

@@ -1,4 +1,4 @@
-"""ModemManager talks to a robot's serial port.
+r"""ModemManager talks to a robot's serial port.
 
 ## What it finds
 A rule for a USB serial device that ModemManager probes (STM32, Arduino, flight controllers and others)
@@ -16,7 +16,8 @@ SUBSYSTEM=="tty", ATTRS{idVendor}=="0483", ATTRS{idProduct}=="5740", KERNELS=="1
 
 ## Good
 ```udev
-SUBSYSTEM=="tty", ATTRS{idVendor}=="0483", ATTRS{idProduct}=="5740", KERNELS=="1-1.2", SYMLINK+="robot/base", ENV{ID_MM_DEVICE_IGNORE}="1"
+SUBSYSTEM=="tty", ATTRS{idVendor}=="0483", ATTRS{idProduct}=="5740", KERNELS=="1-1.2", \
+  SYMLINK+="robot/base", ENV{ID_MM_DEVICE_IGNORE}="1"
 ```
 
 ## References

@@ -35,7 +35,7 @@ def name_not_net(robot: Robot):
             subsystem = "/".join(sorted(line.subsystems))
             yield finding(
                 token.span,
-                f"NAME= renames network interfaces only: a {subsystem} device does not get the name '{token.value}'",
+                f"NAME= renames network interfaces only: no {subsystem} device gets the name '{token.value}'",
                 advice=f'write SYMLINK+="{token.value}"',
                 fix=fix(
                     "make a link",

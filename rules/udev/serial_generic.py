@@ -40,6 +40,6 @@ def serial_generic(robot: Robot):
             if common and not condition.inherited:
                 yield finding(
                     condition.token.value,
-                    f"The serial number '{common[0]}' is a factory default or placeholder: other adapters have it too",
-                    advice="match the port with KERNELS or ENV{ID_PATH}, or program serial numbers of your own",
+                    f"The serial number '{common[0]}' is a factory default: other adapters have it too",
+                    advice="match the port with KERNELS or ENV{ID_PATH}, or program a serial number",
                 )

@@ -33,7 +33,7 @@ def symlink_match(robot: Robot):
         for token in line.matches("SYMLINK"):
             yield finding(
                 token.operator,
-                f"SYMLINK{token.operator} only asks for '{token.value}': no link is made, the line has no effect",
+                f"SYMLINK{token.operator} only asks for '{token.value}': no link is made by this line",
                 advice='write SYMLINK+="..."',
                 fix=fix("make the link", (token.operator, "+=")),
             )

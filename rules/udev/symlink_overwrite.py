@@ -34,7 +34,7 @@ def symlink_overwrite(robot: Robot):
             if token.operator == "=":
                 yield finding(
                     token.operator,
-                    "SYMLINK= drops every link that rules before it gave the device, such as those by id and by path",
+                    "SYMLINK= drops the links that rules before it gave the device, such as those by id",
                     advice="write +=",
                     fix=fix("add the link", (token.operator, "+=")),
                 )

@@ -23,6 +23,8 @@ SUBSYSTEM=="video4linux", ATTRS{serial}=="C1", ATTR{index}=="0", SYMLINK+="robot
 - https://github.com/orbbec/OrbbecSDK_ROS2/issues/137
 """
 
+from itertools import pairwise
+
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -32,7 +34,7 @@ from bringup_lint.api import rule
 def symlink_space(robot: Robot):
     for line in robot.udev.judged:
         names = [link.name for link in line.links]
-        for first, second in zip(names, names[1:], strict=False):
+        for first, second in pairwise(names):
             if first.span.end < second.span.start <= first.span.end + 2 and _is_torn(first, second):
                 yield finding(
                     line.source.span(first.span.start, second.span.end),

@@ -1,4 +1,4 @@
-"""A link depends on vendor and product number only.
+r"""A link depends on vendor and product number only.
 
 ## What it finds
 A rule for a serial port or camera that makes a link and knows the device by `idVendor` and `idProduct` alone.
@@ -16,7 +16,8 @@ SUBSYSTEM=="tty", ATTRS{idVendor}=="0403", ATTRS{idProduct}=="6001", SYMLINK+="r
 
 ## Good
 ```udev
-SUBSYSTEM=="tty", ATTRS{idVendor}=="0403", ATTRS{idProduct}=="6001", ATTRS{serial}=="A5XK3RJT", SYMLINK+="robot/imu"
+SUBSYSTEM=="tty", ATTRS{idVendor}=="0403", ATTRS{idProduct}=="6001", ATTRS{serial}=="A5XK3RJT", \
+  SYMLINK+="robot/imu"
 ```
 
 ## References

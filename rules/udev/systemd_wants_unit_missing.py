@@ -9,7 +9,7 @@ The device appears, and systemd only logs that the unit was not found: the drive
 
 ## Bad
 ```udev
-SUBSYSTEM=="tty", ATTRS{serial}=="A1", TAG+="systemd", ENV{SYSTEMD_WANTS}+="base-drive.service"   # the file is base_driver.service
+SUBSYSTEM=="tty", ATTRS{serial}=="A1", TAG+="systemd", ENV{SYSTEMD_WANTS}+="base-drive.service"
 ```
 
 ## Good

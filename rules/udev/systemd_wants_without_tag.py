@@ -36,9 +36,10 @@ def systemd_wants_without_tag(robot: Robot):
             if token.attribute not in ("SYSTEMD_WANTS", "SYSTEMD_USER_WANTS") or not token.value:
                 continue
             if not robot.udev.set_of(line).sets_beside(line, "TAG", "systemd"):
+                subsystem = "/".join(sorted(line.subsystems))
                 yield finding(
                     token.span,
-                    f"systemd does not hear of {'/'.join(sorted(line.subsystems))} devices: {token.value} is never started",
+                    f"systemd does not hear of {subsystem} devices: {token.value} is never started",
                     advice='add TAG+="systemd"',
                     fix=fix("tag the device", line.before(token, 'TAG+="systemd"')),
                 )

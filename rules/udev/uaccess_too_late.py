@@ -42,6 +42,6 @@ def uaccess_too_late(robot: Robot):
             if token.value == "uaccess" and token.operator != "-=":
                 yield finding(
                     token.span,
-                    f"73-seat-late.rules has looked for this tag before {line.source.basename} is read: nobody gets access",
+                    f"73-seat-late.rules looks for this tag before {line.source.basename} is read: no access",
                     advice="move the rule to a file such as 70-robot.rules, or use GROUP and MODE",
                 )

@@ -35,10 +35,11 @@ def usb_subsystem_device_node(robot: Robot):
         subsystem = _NODES.get(line.usb_device["device"]) if line.usb_device else None
         if subsystem is None or not _is_for_usb_nodes(line):
             continue
+        product = line.usb_device["product"]
         for link in line.links:
             yield finding(
                 link.name,
-                f"{link.path} points to the raw USB node of the {line.usb_device['product']}: its driver cannot open it",
+                f"{link.path} points to the raw USB node of the {product}: its driver cannot open it",
                 advice=f'match SUBSYSTEM=="{subsystem}" and use ATTRS for the numbers',
             )
 

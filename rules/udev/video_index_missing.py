@@ -1,4 +1,4 @@
-"""A camera link may point to the node without pictures.
+r"""A camera link may point to the node without pictures.
 
 ## What it finds
 A link for a USB camera (`SUBSYSTEM=="video4linux"`) without `ATTR{index}` or `ENV{ID_V4L_CAPABILITIES}`.
@@ -14,7 +14,8 @@ SUBSYSTEM=="video4linux", ATTRS{idVendor}=="0c45", ATTRS{serial}=="C1", SYMLINK+
 
 ## Good
 ```udev
-SUBSYSTEM=="video4linux", ATTRS{idVendor}=="0c45", ATTRS{serial}=="C1", ATTR{index}=="0", SYMLINK+="robot/camera"
+SUBSYSTEM=="video4linux", ATTRS{idVendor}=="0c45", ATTRS{serial}=="C1", ATTR{index}=="0", \
+  SYMLINK+="robot/camera"
 ```
 
 ## References

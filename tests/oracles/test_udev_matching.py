@@ -1,4 +1,4 @@
-"""What rules match, against ``udevadm test`` on a made-up sysfs: random rules fire for the devices that we say."""
+"""What rules match, against ``udevadm test`` on a made-up sysfs: random rules fire when we say so."""
 
 from __future__ import annotations
 
@@ -237,8 +237,8 @@ def false_claims(rule: UdevRule, device: str, action: str) -> list[str]:
 
 
 def claims_on_pairs(rules: list[UdevRule]) -> list[str]:
-    """Rules that fired for one device and that we call disjoint. Parent keys are left out: we take them to speak of one
-    device in both rules, and so stay silent on rules that name the adapter here and its hub there."""
+    """Rules that fired for one device and that we call disjoint. Parent keys are left out: they are taken to
+    speak of one device in both rules, so that rules for an adapter and for its hub count as disjoint."""
     by_itself = [
         rule for rule in rules if not any(one.key in PARENT_KEYS for one in rule.conditions.positive)
     ]

@@ -1,4 +1,4 @@
-"""The parser against ``udevadm verify``: the same complaints at the same lines, over real and damaged rules."""
+"""The parser against ``udevadm verify``: the same complaints at the same lines of real and damaged rules."""
 
 from __future__ import annotations
 

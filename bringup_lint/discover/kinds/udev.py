@@ -10,7 +10,8 @@ from bringup_lint.templates import final_name
 
 _OTHERS = re.compile(r"/(?:polkit-1|polkit|audit|auditd|suricata|snort|prometheus)/|/audit[^/]*/rules\.d/")
 _KEY = re.compile(
-    r"^\ufeff?[ \t]*(?:ACTION|SUBSYSTEMS?|KERNELS?|DRIVERS?|DEVPATH|TAGS?|PROGRAM|(?:ATTRS?|ENV|IMPORT)\{[^}\n]+\})"
+    r"^\ufeff?[ \t]*(?:ACTION|SUBSYSTEMS?|KERNELS?|DRIVERS?|DEVPATH|TAGS?|PROGRAM"
+    r"|(?:ATTRS?|ENV|IMPORT)\{[^}\n]+\})"
     r"[ \t]*(?:==|!=|\+=|:=|=)[ \t]*[ei]{0,2}[\"']",
     re.M | re.I,
 )
