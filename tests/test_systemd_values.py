@@ -152,3 +152,9 @@ def test_specifiers_that_follow_from_the_name():
 def test_suggestions(kind, text, suggestion):
     (problem,) = values.check(kind, nowhere(text), 249)
     assert problem.suggestion == suggestion
+
+
+def test_unknown_capabilities_are_dropped_silently_and_still_reported():
+    assert not list(values.check("capabilities", nowhere("~CAP_SYS_ADMIN cap_net_raw 12"), 249))
+    (problem,) = values.check("capabilities", nowhere("CAP_NET_RAW CAP_SYS_NICEE"), 249)
+    assert (problem.where, problem.suggestion) == ("CAP_SYS_NICEE", "CAP_SYS_NICE")

@@ -128,8 +128,10 @@ class Units:
     """Files that a higher directory hides, with the unit that hides them."""
     orphans: list[UnitFile] = field(default_factory=list)
     """Drop-ins of units that neither the tree nor the distribution has."""
+    loose: list[UnitFile] = field(default_factory=list)
+    """Drop-ins of single instances and of groups of units that the tree does not hold."""
     files: list[UnitFile] = field(default_factory=list)
-    """All unit files and drop-ins as written, judged ones only."""
+    """All unit files and drop-ins that systemd reads, as written, judged ones only."""
     alias_links: dict[tuple[str, str], str] = field(default_factory=dict)
     """(manager, alias) -> the unit of the distribution that a link of the tree gives the name to."""
 
@@ -433,8 +435,7 @@ def _add_unit(units: Units, unit: Unit, sources: list[Source]) -> None:
 def _files(units: Units) -> Iterator[UnitFile]:
     for unit in units.all:
         yield from unit.files
-    yield from (file for file, _ in units.shadowed)
-    yield from units.orphans
+    yield from units.loose
 
 
 def dropin_folders(unit: Unit) -> list[str]:
@@ -466,8 +467,10 @@ def _add_dropins(units: Units, robot: Robot) -> None:
             and not units.candidates(name, manager)
         ):
             _add_extended(units, name, manager, files)
+    known: set[int] = set()
     for unit in units.all:
-        _extend(unit, by_folder, alone=len(units.candidates(unit.name, unit.manager)) == 1)
+        _extend(unit, by_folder, known, alone=len(units.candidates(unit.name, unit.manager)) == 1)
+    units.loose = [file for files in by_folder.values() for _, file in files if id(file) not in known]
 
 
 def _add_extended(units: Units, name: str, manager: str, files: list[tuple[_Place, UnitFile]]) -> None:
@@ -478,12 +481,15 @@ def _add_extended(units: Units, name: str, manager: str, files: list[tuple[_Plac
         units.orphans += [file for _, file in files]
 
 
-def _extend(unit: Unit, by_folder: dict[tuple[str, str], list[tuple[_Place, UnitFile]]], alone: bool) -> None:
+def _extend(
+    unit: Unit, by_folder: dict[tuple[str, str], list[tuple[_Place, UnitFile]]], seen: set[int], alone: bool
+) -> None:
     winners: dict[str, tuple[tuple[int, int], UnitFile]] = {}
     for specificity, folder in enumerate(dropin_folders(unit)):
         for place, file in by_folder.get((unit.manager, folder), ()):
             if place.root != unit.place and not (alone and folder == unit.name):
                 continue
+            seen.add(id(file))
             rank = (_order(place), specificity)
             known = winners.get(file.source.basename)
             if known is None or rank < known[0]:

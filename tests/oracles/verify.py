@@ -18,7 +18,7 @@ _CHUNK = 250
 
 class Messages(NamedTuple):
     lines: dict[tuple[str, int], list[str]]
-    """(file name, line) to what is said about it."""
+    """(path, line) to what is said about it."""
     units: dict[str, list[str]]
     """Unit name to what is said about it as a whole."""
 
@@ -54,7 +54,7 @@ def verify(units: Iterable[Path], *options: str, recursive: str = "no") -> Messa
         )
         for said in done.stderr.splitlines():
             if found := _LINE.match(said):
-                lines[Path(found["path"]).name, int(found["line"])].append(found["text"])
+                lines[found["path"], int(found["line"])].append(found["text"])
             elif found := _UNIT.match(said):
                 whole[found["unit"]].append(found["text"])
     return Messages(dict(lines), dict(whole))

@@ -357,6 +357,7 @@ GRAMMARS: dict[str, Grammar] = {
     "coredump-filter": lists.check_coredump_filter,
     "errno": lists.check_errno,
     "system-calls": lists.check_system_calls,
+    "system-call-names": lists.check_system_call_names,
 }
 
 

@@ -133,6 +133,15 @@ def check_errno(value: Located, version: int) -> Iterator[ValueProblem]:
         yield ValueProblem("invalid", value, "kill, or an error such as EPERM")
 
 
+def check_system_call_names(value: Located, version: int) -> Iterator[ValueProblem]:
+    """Like a filter, but no word takes an error."""
+    for word in split_words(_without_tilde(value), quotes=False).words:
+        if ":" in word:
+            yield ValueProblem("invalid", word, "a system call or a group, without an error", WORD)
+    if ":" not in value:
+        yield from check_system_calls(value, version)
+
+
 def check_system_calls(value: Located, version: int) -> Iterator[ValueProblem]:
     """Groups, and the shape of the rest: the names of calls depend on the kernel and the architecture."""
     denied = value.startswith("~")
