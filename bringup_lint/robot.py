@@ -28,11 +28,21 @@ if TYPE_CHECKING:
     from bringup_lint.graph.udev import Udev
     from bringup_lint.graph.units import Units
     from bringup_lint.model.dockerfile import Dockerfile
+    from bringup_lint.model.env_file import EnvFile
     from bringup_lint.model.netplan import Netplan
 
 Model = TypeVar("Model")
 
-_ROS_KINDS = ("launch-python", "launch-xml", "launch-yaml", "ros-param", "params", "cyclonedds", "fastdds", "sros2")
+_ROS_KINDS = (
+    "launch-python",
+    "launch-xml",
+    "launch-yaml",
+    "ros-param",
+    "params",
+    "cyclonedds",
+    "fastdds",
+    "sros2",
+)
 
 
 @dataclass(eq=False)
@@ -86,6 +96,13 @@ class Robot:
     def is_ros(self) -> bool:
         """Whether the tree has to do with ROS 2: something of it names a distribution, or is a kind that only ROS has."""
         return self.target.ros_why != "not known" or any(kind.startswith(_ROS_KINDS) for kind in self.kinds)
+
+    def environment_file(self, robot_path: str) -> EnvFile | None:
+        """The environment file at a path on the robot, when the tree holds it."""
+        from bringup_lint.parsers.env_file import parse
+
+        source = self.tree.find(robot_path)
+        return next(iter(self.parsed(parse, [source])), None) if source else None
 
     @cached_property
     def units(self) -> Units:

@@ -140,6 +140,11 @@ class Tree:
         for paths in self._paths.values():
             yield from paths
 
+    def under(self, folder: str) -> list[str]:
+        """The paths on the robot of all walked files in a folder such as ``/etc/default``."""
+        paths = (self.robot_path(path) for known in self._paths.values() for path in known)
+        return sorted({path for path in paths if path and path.rpartition("/")[0] == folder.rstrip("/")})
+
     def named(self, basename: str) -> Iterator[str]:
         """All walked paths with this last component."""
         yield from self._paths.get(basename, ())

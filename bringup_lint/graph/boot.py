@@ -30,7 +30,9 @@ def waits_for(units: Units, unit: Unit, name: str) -> list[Edge] | None:
         _nodes(units, unit),
         _named(units, unit, name),
         lambda node: (
-            (edge, edge.source) for edge in graph.into.get(node, ()) if edge.kind == "orders" and _counts(units, edge)
+            (edge, edge.source)
+            for edge in graph.into.get(node, ())
+            if edge.kind == "orders" and _counts(units, edge)
         ),
     )
 
@@ -75,7 +77,11 @@ def _nodes(units: Units, unit: Unit) -> set[Node]:
     place = units.node(unit).place
     prefix, suffix = unit.stem, "." + unit.type
     known = (*units.graph.out, *units.graph.into)
-    return {node for node in known if node.place == place and node.name.startswith(prefix) and node.name.endswith(suffix)}
+    return {
+        node
+        for node in known
+        if node.place == place and node.name.startswith(prefix) and node.name.endswith(suffix)
+    }
 
 
 def _named(units: Units, near: Unit, name: str) -> Node | None:

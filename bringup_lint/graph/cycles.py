@@ -165,7 +165,9 @@ def _written_first(edge: Edge) -> tuple[bool, str]:
 def _common_root(graph: Graph, members: set[Node], roots: Iterable[str]) -> Node | None:
     """Who pulls all members into one transaction: a boot target, a member, or another unit."""
     candidates = [*(Node("unit", name) for name in roots), *sorted(members)]
-    pullers = {edge.source for member in members for edge in graph.into.get(member, ()) if edge.kind in PULLING}
+    pullers = {
+        edge.source for member in members for edge in graph.into.get(member, ()) if edge.kind in PULLING
+    }
     for root in [*candidates, *sorted(pullers)]:
         if members <= graph.reachable(root, PULLING):
             return root

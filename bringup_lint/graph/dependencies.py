@@ -24,7 +24,13 @@ if TYPE_CHECKING:
     from bringup_lint.graph.units import Link
     from bringup_lint.graph.units import Units
 
-PULLS = {"Requires": "requires", "Requisite": "requisite", "BindsTo": "binds-to", "Wants": "wants", "Upholds": "upholds"}
+PULLS = {
+    "Requires": "requires",
+    "Requisite": "requisite",
+    "BindsTo": "binds-to",
+    "Wants": "wants",
+    "Upholds": "upholds",
+}
 HARD = frozenset({"requires", "binds-to"})
 PULLING = frozenset({"requires", "binds-to", "wants", "upholds"})
 """Edges that bring the target into the transaction of the source."""
@@ -100,7 +106,12 @@ def instances(units: Units) -> Iterator[Instance]:
 def _named_instances(units: Units) -> dict[tuple[str, str], set[str]]:
     """(manager, template) -> the instances that something in the tree names."""
     found: dict[tuple[str, str], set[str]] = {}
-    named = [(unit.manager, word) for unit in units.all for key in (*PULLS, "After", "Before") for word in unit.words(key)]
+    named = [
+        (unit.manager, word)
+        for unit in units.all
+        for key in (*PULLS, "After", "Before")
+        for word in unit.words(key)
+    ]
     for manager, word in [*named, *((link.manager, link.name) for link in units.links)]:
         parts = split_name(word)
         if parts.instance and "%" not in parts.instance:

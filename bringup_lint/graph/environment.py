@@ -24,7 +24,6 @@ from bringup_lint.parsers.systemd_values import split_words
 from bringup_lint.parsers.systemd_values import unit_specifiers
 from bringup_lint.source import Located
 from bringup_lint.source import Source
-from bringup_lint.source import Span
 
 if TYPE_CHECKING:
     from bringup_lint.graph.process import Process
@@ -36,7 +35,9 @@ SETUP_FILE = re.compile(r"(?:^|/)(?:local_)?setup\.(?:bash|sh|zsh)$")
 
 _ASSIGNMENT = re.compile(r"[A-Za-z_][A-Za-z0-9_]*=")
 _GLOB = re.compile(r"[*?\[]")
-_EXPANSION = re.compile(r"\\?\$(?:(?P<name>[A-Za-z_]\w*)|\{(?P<braced>[A-Za-z_]\w*)(?P<default>:?-[^{}]*)?\}|[({@*#?$!0-9])|`")
+_EXPANSION = re.compile(
+    r"\\?\$(?:(?P<name>[A-Za-z_]\w*)|\{(?P<braced>[A-Za-z_]\w*)(?P<default>:?-[^{}]*)?\}|[({@*#?$!0-9])|`"
+)
 
 
 class Variable(NamedTuple):
@@ -134,7 +135,9 @@ def environment_files(unit: Unit, robot: Robot) -> list[EnvironmentFile]:
     for value in unit.values("EnvironmentFile", unit.section):
         optional = value.startswith("-")
         name = value.part(1, len(value)) if optional else value
-        path = None if unit.is_opaque(value) or _GLOB.search(name) else expand(name, unit_specifiers(unit.name))
+        path = (
+            None if unit.is_opaque(value) or _GLOB.search(name) else expand(name, unit_specifiers(unit.name))
+        )
         source = robot.tree.find(path) if path else None
         there = True if source else robot.tree.has(path) if path else None
         found.append(EnvironmentFile(name, optional, path, source, None if there is None else not there))
@@ -152,7 +155,9 @@ def unit_environment(unit: Unit, robot: Robot) -> Environment:
         opaque = unit.is_opaque(value)
         environment.complete &= not opaque
         for name, word in split_environment(value):
-            environment.set(Variable(str(name), word, None if opaque else expand(word, known), "Environment="))
+            environment.set(
+                Variable(str(name), word, None if opaque else expand(word, known), "Environment=")
+            )
     for file in environment_files(unit, robot):
         _read(environment, file, robot)
     for value in unit.values("UnsetEnvironment", unit.section):
@@ -165,12 +170,10 @@ def _read(environment: Environment, file: EnvironmentFile, robot: Robot) -> None
     if file.source is None:
         environment.complete &= file.missing is True
         return
-    from bringup_lint.parsers.env_file import parse
-
-    for model in robot.parsed(parse, [file.source]):
-        for entry in model.entries:
-            text = None if file.source.template else str(entry.value)
-            environment.set(Variable(str(entry.name), entry.value, text, "EnvironmentFile="))
+    model = robot.environment_file(file.path)
+    for entry in model.entries if model else ():
+        text = None if file.source.template else str(entry.value)
+        environment.set(Variable(str(entry.name), entry.value, text, "EnvironmentFile="))
     environment.complete &= not file.source.template
 
 
@@ -198,7 +201,9 @@ def process_environment(process: Process, robot: Robot, until: Step | None = Non
     return found
 
 
-def after_commands(environment: Environment, commands: Iterable[Command], known: Callable[[str], bool]) -> Environment:
+def after_commands(
+    environment: Environment, commands: Iterable[Command], known: Callable[[str], bool]
+) -> Environment:
     """The environment after shell commands (``model.shell.Command``): assignments, ``export``, ``unset``. Those inside ``if``
     and the like may or may not run: they make a value unknown. ``known`` tells which sourced files hide nothing."""
     now = environment.copy()

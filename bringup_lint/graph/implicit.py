@@ -20,7 +20,21 @@ if TYPE_CHECKING:
 _GROUPING_TARGET = {"socket": "sockets.target", "timer": "timers.target", "path": "paths.target"}
 _TRIGGERS = {"timer": "Timer", "path": "Path", "socket": "Socket"}
 _NETWORK_MOUNTS = frozenset(
-    {"nfs", "nfs4", "cifs", "smb3", "smbfs", "sshfs", "fuse.sshfs", "ceph", "glusterfs", "9p", "davfs", "ncpfs", "ncp"}
+    {
+        "nfs",
+        "nfs4",
+        "cifs",
+        "smb3",
+        "smbfs",
+        "sshfs",
+        "fuse.sshfs",
+        "ceph",
+        "glusterfs",
+        "9p",
+        "davfs",
+        "ncpfs",
+        "ncp",
+    }
 )
 _FOLDERS = ("WorkingDirectory", "RootDirectory")
 
@@ -116,7 +130,9 @@ def _mount(unit: Unit, here: Node, enabled: bool) -> Iterator[Edge]:
         for name in ("network-online.target", "network.target"):
             yield _after(here, name, why)
     if "nofail" not in options:
-        yield Edge("orders", here, _sibling(here, "remote-fs.target" if network else "local-fs.target"), None, why)
+        yield Edge(
+            "orders", here, _sibling(here, "remote-fs.target" if network else "local-fs.target"), None, why
+        )
 
 
 def _trigger(instance: Instance, units: Units) -> Iterator[Edge]:
@@ -175,7 +191,11 @@ def after_members(graph: Graph, units: Units) -> Iterator[Edge]:
         ordered = {edge.target for edge in edges if edge.kind == "orders"}
         ordered |= {edge.source for edge in graph.into.get(target, ()) if edge.kind == "orders"}
         for edge in edges:
-            if edge.kind in ("wants", "requires", "binds-to") and edge.target not in ordered and edge.target not in without:
+            if (
+                edge.kind in ("wants", "requires", "binds-to")
+                and edge.target not in ordered
+                and edge.target not in without
+            ):
                 why = f"implicit: {target.name} is ordered after what it pulls in"
                 why = f"{why} ({edge.why})" if edge.where else why
                 yield Edge("orders", edge.target, target, edge.where, why, edge.of_package)

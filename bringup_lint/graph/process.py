@@ -9,6 +9,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from dataclasses import field
+from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -23,16 +24,54 @@ from bringup_lint.source import Source
 if TYPE_CHECKING:
     from bringup_lint.robot import Robot
 
-EXEC_KEYS = ("ExecCondition", "ExecStartPre", "ExecStart", "ExecStartPost", "ExecReload", "ExecStop", "ExecStopPost")
+EXEC_KEYS = (
+    "ExecCondition",
+    "ExecStartPre",
+    "ExecStart",
+    "ExecStartPost",
+    "ExecReload",
+    "ExecStop",
+    "ExecStopPost",
+)
+_SHELL_OPTIONS = re.compile(r"[-+][A-Za-z]*[oO]|--rcfile|--init-file")
+"""Options of shells that take a value."""
 SHELLS = frozenset({"sh", "bash", "dash", "zsh", "ksh"})
 SCRIPT_DEPTH = 4
 """How many scripts that call each other are followed."""
 
+_PROFILE = re.compile(r"(?:^|/)(?:\.bashrc|\.bash_profile|\.profile|\.zshrc|bash\.bashrc|profile)$")
+_LOGIN = re.compile(r"-[a-z]*[li][a-z]*")
 SHELL_SCRIPT = re.compile(r"#!\s*\S*/(?:env\s+(?:-S\s+)?)?(sh|bash|dash|zsh|ksh)\b")
 _INSTALLED_NODE = re.compile(r"/install/(?:[^/]+/)?lib/[^/]+/[^/]+$|/opt/ros/[^/]+/lib/[^/]+/[^/]+$")
-_WRAPPERS = frozenset(
-    "exec nice ionice chrt taskset stdbuf setsid env nohup time command sudo timeout setpriv runuser gosu prlimit".split()
-)
+_WRAPPERS = {
+    "exec": ("-a", 0),
+    "command": ("", 0),
+    "nohup": ("", 0),
+    "setsid": ("", 0),
+    "time": ("-f -o", 0),
+    "nice": ("-n", 0),
+    "ionice": ("-c -n", 0),
+    "chrt": ("-T -P -D", 1),
+    "taskset": ("", 1),
+    "timeout": ("-k -s", 1),
+    "stdbuf": ("-i -o -e", 0),
+    "env": ("-u -C", 0),
+    "sudo": ("-u -g -h -p -C -r -t -U -D -R", 0),
+    "setpriv": (
+        "--reuid --regid --ruid --euid --rgid --egid --groups --inh-caps --ambient-caps --bounding-set",
+        0,
+    ),
+    "runuser": ("-u -g -G", 0),
+    "gosu": ("", 1),
+    "su-exec": ("", 1),
+    "prlimit": ("", 0),
+    "unshare": ("", 0),
+    "systemd-inhibit": ("", 0),
+    "systemd-cat": ("-t -p", 0),
+    "dbus-run-session": ("", 0),
+    "xvfb-run": ("-e -f -n -p -s -w", 0),
+}
+"""Programs that run another one: their options that take a value, and how many words of their own they need."""
 _ROS1_TEXT = re.compile(r"/opt/ros/(?:noetic|melodic|kinetic|lunar|jade|indigo)\b|\broslaunch\b|\broscore\b")
 _ROS_TEXT = re.compile(r"\bros2 |/opt/ros/|install/(?:local_)?setup\.(?:bash|sh)|component_container")
 
@@ -52,6 +91,11 @@ class Ros:
     @property
     def where(self) -> Located:
         return self.target or self.command.words[-1]
+
+    @property
+    def program(self) -> Located:
+        """What is started, wrappers such as ``exec`` and ``nice`` left out."""
+        return unwrapped(self.command.words)[0]
 
 
 @dataclass(frozen=True)
@@ -100,7 +144,8 @@ class Process:
     @cached_property
     def ros(self) -> list[tuple[Step, Ros]]:
         """The ROS 2 programs that the steps start."""
-        return [(step, found) for step in self.steps if (found := ros_command(step.command))]
+        programs = ((step, found) for step in self.steps if (found := ros_command(step.command)))
+        return list({found.where.span: (step, found) for step, found in programs}.values())
 
     @cached_property
     def launches(self) -> list[tuple[Step, Ros]]:
@@ -116,10 +161,22 @@ class Process:
             if SETUP_FILE.search(step.command.words[1])
         ]
 
+    def sourced_before(self, step: Step) -> bool:
+        """Whether a setup file is sourced before the step."""
+        return any(self.steps.index(sourcing) < self.steps.index(step) for sourcing, _ in self.setup_files)
+
+    @cached_property
+    def profiles(self) -> list[tuple[Step, Located]]:
+        """Where a shell is told to read what is meant for people: a sourced ``.bashrc``, ``bash -l``, ``bash -i``."""
+        return list(_profiles(self.steps))
+
     @cached_property
     def texts(self) -> list[str]:
         """The line and the scripts it starts."""
-        return [str(self.line), *{id(step.script): step.script.text for step in self.steps if step.script}.values()]
+        return [
+            str(self.line),
+            *{id(step.script): step.script.text for step in self.steps if step.script}.values(),
+        ]
 
     @property
     def mentions_ros(self) -> bool:
@@ -141,9 +198,29 @@ class Process:
         """Whether the ROS program is the main process itself: run by systemd, exec'd, or the last of ``bash -c``."""
         for step, found in self.ros:
             words = [str(word) for word in found.command.words]
-            if step.depth == 0 or words[0] == "exec" or (step.depth == 1 and step.last and self.shell == "bash"):
+            if (
+                step.depth == 0
+                or words[0] == "exec"
+                or (step.depth == 1 and step.last and self.shell == "bash")
+            ):
                 return True
         return False
+
+
+def _profiles(steps: list[Step]) -> Iterator[tuple[Step, Located]]:
+    for step in steps:
+        words = unwrapped(step.command.words)
+        name = words[0].rpartition("/")[2] if words else ""
+        if name in ("source", ".") and len(words) > 1 and _PROFILE.search(words[1]):
+            yield step, words[1]
+        elif name in SHELLS:
+            for word in words[1:]:
+                if not word.startswith("-"):
+                    break
+                if word == "--login" or _LOGIN.fullmatch(word):
+                    yield step, word
+                if not word.startswith("--") and "c" in word:
+                    break
 
 
 def processes(unit: Unit, robot: Robot) -> list[Process]:
@@ -167,30 +244,42 @@ def _steps(process: Process, robot: Robot) -> Iterator[Step]:
 
 def _followed(process: Process, command: Command, robot: Robot, depth: int) -> Iterator[Step]:
     """The steps behind a command that is a shell or a script of the tree."""
-    words = list(unwrapped(command.words))
+    words = unwrapped(command.words)
     if not words or depth > SCRIPT_DEPTH:
         return
     name = words[0].rpartition("/")[2]
     if name in SHELLS:
         yield from _shell(process, name, words[1:], robot, depth)
+    elif name == "su":
+        process.opaque = True
     elif "/" in words[0] and name != "ros2" and not _INSTALLED_NODE.search(words[0]):
-        yield from _script(process, words[0], "", robot, depth)
+        yield from _script(process, words[0], "", words[1:], robot, depth)
     elif name in ("source", ".") and len(words) > 1 and not SETUP_FILE.search(words[1]):
-        yield from _script(process, words[1], "bash", robot, depth)
+        yield from _script(process, words[1], "bash", (), robot, depth)
 
 
-def _shell(process: Process, name: str, words: list[Located], robot: Robot, depth: int) -> Iterator[Step]:
-    for at, word in enumerate(words):
-        if word.startswith("-") and not word.startswith("--") and "c" in word and at + 1 < len(words):
-            yield from _text(process, words[at + 1], name, None, robot, depth)
+def _shell(
+    process: Process, name: str, words: tuple[Located, ...], robot: Robot, depth: int
+) -> Iterator[Step]:
+    at = 0
+    while at < len(words):
+        word = words[at]
+        if _SHELL_OPTIONS.fullmatch(word):
+            at += 2
+        elif word.startswith("-") and not word.startswith("--") and "c" in word and at + 1 < len(words):
+            yield from _text(process, words[at + 1], name, None, words[at + 3 :], robot, depth)
             return
-        if not word.startswith(("-", "+")):
-            yield from _script(process, word, name, robot, depth)
+        elif word.startswith(("-", "+")):
+            at += 1
+        else:
+            yield from _script(process, word, name, words[at + 1 :], robot, depth)
             return
     process.opaque = True
 
 
-def _script(process: Process, path: Located, shell: str, robot: Robot, depth: int) -> Iterator[Step]:
+def _script(
+    process: Process, path: Located, shell: str, arguments: tuple[Located, ...], robot: Robot, depth: int
+) -> Iterator[Step]:
     source = robot.tree.find(path) if path.startswith("/") and "$" not in path and "%" not in path else None
     shebang = SHELL_SCRIPT.match(source.text) if source else None
     if source is None or not (shell or shebang):
@@ -201,24 +290,36 @@ def _script(process: Process, path: Located, shell: str, robot: Robot, depth: in
     if any(step.script is source for step in process.steps):
         return
     text = source.located(0, len(source.text))
-    yield from _text(process, text, shell or shebang[1], source, robot, depth)
+    yield from _text(process, text, shell or shebang[1], source, arguments, robot, depth)
 
 
 def _text(
-    process: Process, text: Located, shell: str, script: Source | None, robot: Robot, depth: int
+    process: Process,
+    text: Located,
+    shell: str,
+    script: Source | None,
+    arguments: tuple[Located, ...],
+    robot: Robot,
+    depth: int,
 ) -> Iterator[Step]:
     found = commands(text)
     for at, command in enumerate(found):
+        if arguments and unwrapped(command.words) == ("$@",):
+            command = replace(command, words=(*command.words[:-1], *arguments))
         yield Step(command, shell, script, at == len(found) - 1 and command.depth == 0, depth)
         yield from _followed(process, command, robot, depth + 1)
 
 
 def unwrapped(words: tuple[Located, ...]) -> tuple[Located, ...]:
-    """The words without ``exec``, ``nice -n 5``, ``env A=1`` and the like in front."""
-    while words and words[0].rpartition("/")[2] in _WRAPPERS:
-        words = words[1:]
-        while words and (words[0].startswith("-") or "=" in words[0] or words[0].isdigit()):
-            words = words[1:]
+    """The words without ``exec``, ``nice -n 5``, ``sudo -u rover``, ``env A=1`` and the like in front."""
+    while words and (wrapper := _WRAPPERS.get(words[0].rpartition("/")[2])):
+        options, own = wrapper
+        at = 1
+        while at < len(words) and (words[at].startswith("-") or "=" in words[at]):
+            at += 2 if words[at] in options.split() else 1
+            if words[at - 1] == "--":
+                break
+        words = words[at + own :]
     return words
 
 

@@ -161,7 +161,9 @@ class Unit:
         """The blank-separated words of a list setting."""
         return [word for value in self.values(key, section) for word in value.words()]
 
-    def naming(self, key: str, *names: str, section: str | None = None) -> Iterator[tuple[Assignment, Located]]:
+    def naming(
+        self, key: str, *names: str, section: str | None = None
+    ) -> Iterator[tuple[Assignment, Located]]:
         """The lines of a list setting that hold one of the words, with the word."""
         for assignment in self.assignments(key, section):
             for word in assignment.value.words():
@@ -170,7 +172,9 @@ class Unit:
 
     def unsure_of(self, *keys: str, section: str | None = None) -> bool:
         """Whether a template may still change what these settings hold, so that nothing is missing from them."""
-        return self.uncertain or any(assignment.opaque for key in keys for assignment in self.assignments(key, section))
+        return self.uncertain or any(
+            assignment.opaque for key in keys for assignment in self.assignments(key, section)
+        )
 
     def new_line(self, section: str, line: str) -> tuple[Span, str]:
         """The edit that adds a line to a section of the unit's file, and the section when there is none."""

@@ -17,6 +17,8 @@ from bringup_lint.graph.cycles import Cycle
 from bringup_lint.graph.cycles import ordering_cycles
 from bringup_lint.graph.dependencies import dependency_graph
 from bringup_lint.graph.environment import Environment
+from bringup_lint.graph.environment import EnvironmentFile
+from bringup_lint.graph.environment import environment_files
 from bringup_lint.graph.environment import process_environment
 from bringup_lint.graph.environment import stays_local
 from bringup_lint.graph.environment import unit_environment
@@ -72,7 +74,9 @@ USER_PATH = (
 """Directories in the order in which they win (systemd.unit(5), "Unit File Load Path")."""
 
 _DDS_VARIABLE = re.compile(r"(?:ROS|RMW|CYCLONEDDS|FASTRTPS|FASTDDS|ZENOH)_(?!VERSION$|PYTHON_VERSION$)")
-_USER_FOLDER = re.compile(r"(?:^|/)(?:(?:systemd|units?|services?)[/_-]user|user[_-](?:systemd|units?|services?))(?:/|$)")
+_USER_FOLDER = re.compile(
+    r"(?:^|/)(?:(?:systemd|units?|services?)[/_-]user|user[_-](?:systemd|units?|services?))(?:/|$)"
+)
 _LINK_FOLDER = re.compile(r"([^/]+)\.(wants|requires|upholds)$")
 _RELATION = {"wants": "Wants", "requires": "Requires", "upholds": "Upholds"}
 GENERATED = re.compile(
@@ -165,6 +169,10 @@ class Units:
         if id(unit) not in self._environments:
             self._environments[id(unit)] = unit_environment(unit, self.robot)
         return self._environments[id(unit)]
+
+    def environment_files(self, unit: Unit) -> list[EnvironmentFile]:
+        """The environment files of a unit, in the order in which they are read."""
+        return environment_files(unit, self.robot)
 
     def stays_local(self, unit: Unit) -> bool:
         """Whether everything that the unit starts talks to this machine only."""
@@ -336,7 +344,8 @@ class Units:
     def has_vendor_units(self) -> bool:
         """Whether the tree holds the distribution's own units, so that no table has to stand in for them."""
         return self.robot.tree.complete and any(
-            unit.name == "multi-user.target" and unit.fragment and unit.fragment.source.robot_path for unit in self.all
+            unit.name == "multi-user.target" and unit.fragment and unit.fragment.source.robot_path
+            for unit in self.all
         )
 
     @cached_property
@@ -402,7 +411,9 @@ def load_units(robot: Robot) -> Units:
             [source for _, source in sorted(sources, key=lambda s: s[0])],
         )
     for place, name, target in aliases:
-        named = [u for u in units.all if u.name == target and u.manager == place.manager and u.place == place.root]
+        named = [
+            u for u in units.all if u.name == target and u.manager == place.manager and u.place == place.root
+        ]
         for unit in named:
             unit.aliases.append(name)
         if not named:

@@ -1,12 +1,12 @@
 """Wants=network-online.target without waiting for it.
 
 ## What it finds
-A unit with `Wants=`, `Requires=` or `BindsTo=` of `network-online.target` that is not ordered after it, neither itself nor
-through a unit that it is ordered after.
+A unit with `Wants=`, `Requires=` or `BindsTo=` of `network-online.target` that is not ordered after it,
+neither itself nor through a unit that it is ordered after.
 
 ## Why it matters on a robot
-A requirement does not order anything: systemd starts the service and the wait for the network at the same moment. The line
-looks like a cure for a start that comes too early, delays the boot, and cures nothing.
+A requirement does not order anything: systemd starts the service and the wait for the network at the same
+moment. The line looks like a cure for a start that comes too early, delays the boot, and cures nothing.
 
 ## Bad
 ```ini

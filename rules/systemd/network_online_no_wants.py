@@ -1,13 +1,13 @@
 """After=network-online.target without anything that pulls the target in.
 
 ## What it finds
-A unit ordered after `network-online.target` while neither the unit nor one that it depends on has `Wants=` or `Requires=` of
-it, and no other unit of the tree brings it in at boot.
+A unit ordered after `network-online.target` while neither the unit nor one that it depends on has `Wants=`
+or `Requires=` of it, and no other unit of the tree brings it in at boot.
 
 ## Why it matters on a robot
-`network-online.target` is not part of a normal boot: nothing starts it unless a unit asks for it. Ordering after something
-that is not started is void, so the service starts at once, before the interfaces have addresses. `systemd-analyze verify`
-says nothing.
+`network-online.target` is not part of a normal boot: nothing starts it unless a unit asks for it. Ordering
+after something that is not started is void, so the service starts at once, before the interfaces have
+addresses. `systemd-analyze verify` says nothing.
 
 ## Bad
 ```ini

@@ -1,16 +1,18 @@
 """network.target does not mean that the network is up.
 
 ## What it finds
-A service that runs ROS 2, or whose environment configures DDS, ordered after `network.target` (or after the network
-daemon) but not after `network-online.target`, neither itself nor through a unit that it is ordered after. Services of the
-user manager, services that wait for the network in a command of their own and services that are limited to the local
-machine are left out. A service of a ROS 2 tree whose script is not in the tree is taken for one with medium confidence.
+A service that runs ROS 2, or whose environment configures DDS, ordered after `network.target` (or after the
+network daemon) but not after `network-online.target`, neither itself nor through a unit that it is ordered
+after. Services of the user manager, services that wait for the network in a command of their own and
+services that are limited to the local machine are left out. A service of a ROS 2 tree whose script is not
+in the tree is taken for one with medium confidence.
 
 ## Why it matters on a robot
-`network.target` is reached as soon as the network daemon runs; no interface needs to have an address. DDS looks at the
-interfaces once, when the first node starts: CycloneDDS fails on an interface that is named in its configuration, Fast DDS
-goes on with the loopback alone and does not use interfaces that come later. It works on the desk, where the cable is
-plugged in and DHCP is fast, and fails on the robot after some of its boots.
+`network.target` is reached as soon as the network daemon runs; no interface needs to have an address. DDS
+looks at the interfaces once, when the first node starts: CycloneDDS fails on an interface that is named in
+its configuration, Fast DDS goes on with the loopback alone and does not use interfaces that come later. It
+works on the desk, where the cable is plugged in and DHCP is fast, and fails on the robot after some of its
+boots.
 
 ## Bad
 ```ini

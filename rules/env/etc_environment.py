@@ -1,0 +1,69 @@
+"""ROS variables in a file that services do not read.
+
+## What it finds
+`ROS_*`, `RMW_*`, CycloneDDS and Fast DDS variables in `/etc/environment`, while a ROS service of the tree
+neither reads that file (`EnvironmentFile=`, a script, PAM) nor gets the variable elsewhere.
+
+## Why it matters on a robot
+`/etc/environment` is read by PAM at login. A system service has no login: the shell of the developer is in
+domain 42 with CycloneDDS, and the robot's nodes are in domain 0 with the default middleware. `ros2 topic
+list` shows nothing, and nothing is reported as failed.
+
+## Bad
+```bash
+# /etc/environment
+ROS_DOMAIN_ID=42
+```
+
+## Good
+```ini
+[Service]
+EnvironmentFile=/etc/environment
+```
+
+## References
+- pam_env(8)
+- systemd.exec(5), "Environment Variables in Spawned Processes"
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+PATH = "/etc/environment"
+OF_ROS = re.compile(r"(?:ROS|RMW|CYCLONEDDS|FASTRTPS|FASTDDS|RCUTILS)_|AMENT_PREFIX_PATH$")
+
+
+@rule("warning")
+def etc_environment(robot: Robot):
+    units = robot.units
+    file = robot.environment_file(PATH) if units.ros else None
+    if file is None:
+        return
+    for entry in file.entries:
+        blind = [
+            unit for unit in units.ros if OF_ROS.match(entry.name) and _is_blind(units, unit, str(entry.name))
+        ]
+        if blind:
+            names = ", ".join(unit.name for unit in blind[:3]) + (" and others" if len(blind) > 3 else "")
+            yield finding(
+                entry.name,
+                f"system services do not read {PATH}: {entry.name} is not set for {names}",
+                advice=f"add EnvironmentFile={PATH} to the units, or keep the variables in a file of their own",
+                related=[note(unit.where, f"{unit.name} starts ROS without it") for unit in blind[:3]],
+            )
+
+
+def _is_blind(units, unit, name):
+    if unit.manager == "user" or any(
+        PATH in text for process in units.processes(unit) for text in process.texts
+    ):
+        return False
+    if any(file.path in (PATH, None) for file in units.environment_files(unit)):
+        return False
+    return units.environment(unit).defines(name) is False and not any(
+        re.search(rf"\b{name}=", text) for process in units.processes(unit) for text in process.texts
+    )

@@ -1,0 +1,117 @@
+"""ROS 2 started without its setup file.
+
+## What it finds
+A service that starts `ros2`, or an executable of a workspace, while nothing before it sources a setup file,
+no script that is not in the tree could do so, and the environment names no `AMENT_PREFIX_PATH`. Also a
+setup file that is sourced in `ExecStartPre=`, for a process of its own that ends there, while `ExecStart=`
+sources none.
+
+## Why it matters on a robot
+`ros2` is a Python program that is found only through the variables that `setup.bash` sets: without them it
+ends at once with `ModuleNotFoundError: No module named 'ros2cli'`, five times within a second, and then
+systemd gives up. Every `Exec` line is a process of its own: what one of them sources is gone when the next
+one starts.
+
+## Bad
+```ini
+[Service]
+ExecStartPre=/bin/bash -c 'source /opt/ros/jazzy/setup.bash'
+ExecStart=/opt/ros/jazzy/bin/ros2 launch rover_bringup rover.launch.py
+```
+
+## Good
+```ini
+[Service]
+ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rover_bringup rover.launch.py'
+```
+
+## References
+- systemd.service(5), "ExecStartPre="
+- ROS 2 documentation, "Configuring environment"
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+ENOUGH = ("AMENT_PREFIX_PATH", "PYTHONPATH", "LD_LIBRARY_PATH", "BASH_ENV")
+INTERPRETER = re.compile(r"python[0-9.]*$")
+DISTRO = re.compile(r"/opt/ros/[a-z]+")
+
+
+@rule(
+    "error",
+    fix="unsafe",
+    symptoms=["ModuleNotFoundError: No module named 'ros2cli'", "ros2: command not found"],
+)
+def ros2_not_sourced(robot: Robot):
+    units = robot.units
+    for unit in units.services:
+        lost = [
+            process
+            for process in units.processes(unit)
+            if process.key == "ExecStartPre" and sources_only(process)
+        ]
+        for process in lost:
+            _, word = process.setup_files[0]
+            started = units.started(unit)
+            if started and not any(other.setup_files for other in started):
+                yield finding(
+                    word,
+                    "ExecStartPre= is a process of its own: what it sources is gone when ExecStart= starts",
+                    advice="source the setup files in the ExecStart= line itself",
+                    related=[note(started[0].program, "starts without them")],
+                )
+        for process in units.started(unit):
+            environment = units.environment(unit)
+            if process.profiles or unit.uncertain or any(environment.get(name) for name in ENOUGH):
+                continue
+            found = [(step, ros) for step, ros in process.ros if not process.sourced_before(step)]
+            if found and not hidden(process, *found[0]):
+                step, ros = found[0]
+                name = ros.program.rpartition("/")[2]
+                yield finding(
+                    ros.program,
+                    f"nothing sources a setup file before {name}: "
+                    + (
+                        "it ends with \"No module named 'ros2cli'\""
+                        if name == "ros2"
+                        else "it finds no ROS packages and libraries"
+                    ),
+                    advice="start it with /bin/bash -c 'source /opt/ros/<distro>/setup.bash && exec ...'",
+                    related=[note(process.program, f"{unit.name} starts it here")] if step.script else (),
+                    fix=_fix(process, step),
+                    confidence="high" if environment.complete else "medium",
+                )
+            elif lost and not found and INTERPRETER.match(process.name) and not process.setup_files:
+                yield finding(
+                    process.program,
+                    f"{unit.name} starts without the ROS environment: only ExecStartPre= sources a setup file",
+                    advice="start it with /bin/bash -c 'source /opt/ros/<distro>/setup.bash && exec ...'",
+                    related=[
+                        note(lost[0].setup_files[0][1], "sourced here, for a process that ends at once")
+                    ],
+                )
+
+
+def sources_only(process):
+    """Whether the line sources setup files and does nothing with them."""
+    last = process.steps[-1].command.name
+    return bool(process.setup_files) and last in ("source", ".")
+
+
+def hidden(process, step, ros):
+    """Whether something that runs before the program and is not in the tree may source a setup file."""
+    return process.opaque and (process.steps.index(step) > 0 or ros.command is not step.command)
+
+
+def _fix(process, step):
+    match = DISTRO.match(process.program)
+    if step.depth or not match or "'" in process.line or process.prefixes:
+        return None
+    line = f"/bin/bash -c 'source {match[0]}/setup.bash && exec {process.line}'"
+    return fix("source the setup file first", (process.line, line), safe=False)

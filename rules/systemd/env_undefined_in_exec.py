@@ -1,0 +1,78 @@
+"""A variable in an Exec line that nothing defines.
+
+## What it finds
+`${NAME}` in an argument of an `Exec` line (and `$NAME` as an argument of its own), where no `Environment=`,
+no environment file and no `PassEnvironment=` of the unit defines it, systemd does not set it, and the line
+does not assign it. Silent as soon as an environment file is not in the tree.
+
+## Why it matters on a robot
+systemd replaces the variables before a shell sees them, and an undefined one becomes nothing: `source
+/opt/ros//setup.bash` fails, `--domain ${ID}` swallows the next argument. In a terminal, where `.bashrc`
+defined it, the same line works.
+
+## Bad
+```ini
+[Service]
+ExecStart=/bin/bash -c 'source /opt/ros/${ROS_DISTRO}/setup.bash && exec ros2 launch rover_bringup rover.launch.py'
+```
+
+## Good
+```ini
+[Service]
+Environment=ROS_DISTRO=jazzy
+ExecStart=/bin/bash -c 'source /opt/ros/${ROS_DISTRO}/setup.bash && exec ros2 launch rover_bringup rover.launch.py'
+```
+
+## References
+- systemd.service(5), "Command lines"
+- systemd.exec(5), "Environment Variables Set or Propagated by the Service Manager"
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+VARIABLE = re.compile(r"\$\$|\$\{([A-Za-z_]\w*)\}|^\$([A-Za-z_]\w*)$")
+OF_SYSTEMD = re.compile(
+    r"(?:PATH|LANG|LC_\w+|LANGUAGE|USER|LOGNAME|HOME|SHELL|INVOCATION_ID|XDG_\w+|MAINPID|MANAGERPID|SYSTEMD_\w+|TERM|NOTIFY_SOCKET"
+    r"|JOURNAL_STREAM|SERVICE_RESULT|EXIT_CODE|EXIT_STATUS|PIDFILE|REMOTE_\w+|RUNTIME_DIRECTORY|STATE_DIRECTORY|LOGS_DIRECTORY"
+    r"|CACHE_DIRECTORY|CONFIGURATION_DIRECTORY|CREDENTIALS_DIRECTORY|(?:WATCHDOG|MONITOR|LISTEN|TRIGGER|MEMORY_PRESSURE|FDSTORE)\w*)$"
+)
+
+
+@rule("error", symptoms=["Referenced but unset environment variable evaluates to an empty string"])
+def env_undefined_in_exec(robot: Robot):
+    units = robot.units
+    for unit in units.services:
+        environment = units.environment(unit)
+        if unit.manager == "user" or not environment.complete:
+            continue
+        seen = set()
+        for process in units.processes(unit):
+            if ":" in process.prefixes or unit.is_opaque(process.line):
+                continue
+            for word in process.argv[1:]:
+                for match in VARIABLE.finditer(word):
+                    name = match[1] or match[2]
+                    if name is None or name in seen or environment.get(name) or OF_SYSTEMD.match(name):
+                        continue
+                    if re.search(rf"\b{name}=|\b(?:for|read|select)\b[^;|&]*\b{name}\b", process.line):
+                        continue
+                    seen.add(name)
+                    yield finding(
+                        word.part(*match.span()),
+                        f"{name} is not defined: {_becomes(word, match)}",
+                        advice=f"define {name} with Environment= or in an environment file, or write $${{{name}}} if the shell is to expand it",
+                    )
+
+
+def _becomes(word, match):
+    start = max(word.rfind(blank, 0, match.start()) for blank in " \t\n;") + 1
+    ends = [at for blank in " \t\n;" if (at := word.find(blank, match.end())) != -1]
+    end = min(ends, default=len(word))
+    rest = word[start : match.start()] + word[match.end() : end]
+    if rest:
+        return f"{word[start:end]} becomes {rest}"
+    return "the program gets an empty argument" if match[1] else "the program does not get this argument"

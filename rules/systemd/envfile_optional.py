@@ -1,0 +1,66 @@
+"""An environment file is optional though the command needs it.
+
+## What it finds
+`EnvironmentFile=-...` on a file of the tree that alone defines a variable which an `Exec` line uses.
+
+## Why it matters on a robot
+The dash hides a missing file. On the robot where it was forgotten the variable is empty, and the service
+fails somewhere else, with another message: `source /opt/ros//setup.bash: No such file or directory`.
+
+## Bad
+```ini
+[Service]
+EnvironmentFile=-/etc/rover/ros.env
+ExecStart=/bin/bash -c 'source /opt/ros/${ROS_DISTRO}/setup.bash && exec ros2 launch rover_bringup rover.launch.py'
+```
+
+## Good
+```ini
+[Service]
+EnvironmentFile=/etc/rover/ros.env
+ExecStart=/bin/bash -c 'source /opt/ros/${ROS_DISTRO}/setup.bash && exec ros2 launch rover_bringup rover.launch.py'
+```
+
+## References
+- systemd.exec(5), "EnvironmentFile="
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("info", fix="unsafe")
+def envfile_optional(robot: Robot):
+    units = robot.units
+    for unit in units.services:
+        environment = units.environment(unit)
+        for file in units.environment_files(unit):
+            if not file.optional or file.source is None:
+                continue
+            chains = ((name, environment.chain(name)) for name in environment.chains)
+            only = {
+                name: chain[-1]
+                for name, chain in chains
+                if chain and all(v.value.span.source is file.source for v in chain)
+            }
+            for process in units.processes(unit):
+                used = next(
+                    (name for name in only if re.search(rf"(?<!\$)\$\{{{name}\}}", process.line)), None
+                )
+                if used:
+                    dash = file.value.span.source.span(file.value.span.start - 1, file.value.span.start)
+                    yield finding(
+                        file.value,
+                        f"{process.key}= needs {used} from this file, and without the file it is silently empty",
+                        advice="drop the '-'",
+                        related=[note(only[used].value, "defined here"), note(process.line, "used here")],
+                        fix=fix("make the file required", (dash, ""), safe=False)
+                        if dash.text == "-"
+                        else None,
+                    )
+                    break

@@ -1,0 +1,83 @@
+"""The unit names one ROS distribution and sources another.
+
+## What it finds
+A process that sources `/opt/ros/<distro>/setup.*`, or starts a program below it, while `ROS_DISTRO` in its
+environment (unit, environment files, exports before it) names another one. Also two distributions sourced
+by one process.
+
+## Why it matters on a robot
+After an upgrade half of the files still name the old release. Libraries of two releases do not mix: nodes
+crash with undefined symbols, or messages are not understood; whatever builds paths from `ROS_DISTRO` looks
+in the wrong place.
+
+## Bad
+```ini
+[Service]
+Environment=ROS_DISTRO=jazzy
+ExecStart=/bin/bash -c 'source /opt/ros/humble/setup.bash && exec ros2 launch rover_bringup rover.launch.py'
+```
+
+## Good
+```ini
+[Service]
+Environment=ROS_DISTRO=jazzy
+ExecStart=/bin/bash -c 'source /opt/ros/${ROS_DISTRO}/setup.bash && exec ros2 launch rover_bringup rover.launch.py'
+```
+
+## References
+- REP 2000, releases and target platforms
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+DISTRO = re.compile(r"/opt/ros/([a-z]+)(?:/|$)")
+
+
+@rule("error", symptoms=["undefined symbol: _ZN", "Package not found"])
+def ros_distro_mismatch(robot: Robot):
+    units = robot.units
+    for unit in units.services:
+        for process in units.processes(unit):
+            named = units.environment(unit).get("ROS_DISTRO")
+            chosen = (named.value, named.text) if named and named.text else None
+            for step, word in paths(process):
+                distro = DISTRO.match(word)[1]
+                if chosen is None:
+                    chosen = (word, distro)
+                elif distro != chosen[1]:
+                    yield _finding(unit, process, step, word, distro, chosen, chosen[0] != word and named)
+                    break
+
+
+def _finding(unit, process, step, word, distro, chosen, named):
+    there = note(chosen[0], f"{chosen[1]} is named here")
+    start = [note(process.program, f"{unit.name} starts it here")] if step.script else []
+    if named and named.text == chosen[1] and step.script:
+        return finding(
+            named.value,
+            f"ROS_DISTRO says {chosen[1]}, but {step.script.basename}, which {unit.name} starts, uses {distro}",
+            advice="name one distribution, best through ${ROS_DISTRO}",
+            related=[note(word, f"{distro} is used here"), *start],
+        )
+    return finding(
+        word,
+        f"{unit.name} uses {distro} here"
+        + (f" while ROS_DISTRO says {chosen[1]}" if named else f" after {chosen[1]}"),
+        advice="name one distribution, best through ${ROS_DISTRO}",
+        related=[there, *start],
+    )
+
+
+def paths(process):
+    """Programs and sourced files below /opt/ros, in order; those inside `if` and the like are alternatives."""
+    for step in process.steps:
+        words = step.command.words
+        words = words[1:2] if words and words[0] in ("source", ".", "exec") else words[:1]
+        for word in words:
+            if step.command.depth == 0 and DISTRO.match(word):
+                yield step, word

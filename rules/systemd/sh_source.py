@@ -1,0 +1,71 @@
+"""Bash words in /bin/sh.
+
+## What it finds
+`source` in text that `sh` reads, and a `setup.bash` or `.bashrc` read by `sh` with a dot: in the `-c` text
+of a unit, or in a script of the tree that a unit starts.
+
+## Why it matters on a robot
+On Ubuntu and Debian `/bin/sh` is dash. It has no `source` ("source: not found"), and a `setup.bash` fails
+in it at the first bash word. The service ends at once, or goes on without the ROS environment.
+
+## Bad
+```ini
+[Service]
+ExecStart=/bin/sh -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rover_bringup rover.launch.py'
+```
+
+## Good
+```ini
+[Service]
+ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rover_bringup rover.launch.py'
+```
+
+## References
+- dash(1)
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+OF_BASH = re.compile(r"\.(?:bash|bashrc|bash_profile)$")
+SHEBANG = re.compile(r"#!\s*(/(?:usr/)?bin/(?:da)?sh)\b")
+
+
+@rule("error", fix="safe", symptoms=["source: not found", 'Syntax error: "(" unexpected'])
+def sh_source(robot: Robot):
+    for unit in robot.units.services:
+        for process in robot.units.processes(unit):
+            for step in process.steps:
+                words = step.command.words
+                if step.shell not in ("sh", "dash") or len(words) < 2:
+                    continue
+                if words[0] == "source":
+                    message = "/bin/sh is dash on Ubuntu and Debian and has no 'source'"
+                elif words[0] == "." and OF_BASH.search(words[1]):
+                    message = f"/bin/sh is dash on Ubuntu and Debian and cannot read {words[1]}"
+                else:
+                    continue
+                shell = _shell(process, step)
+                yield finding(
+                    words[0],
+                    f"{message}: the command fails and what follows has no ROS environment",
+                    advice="run it with /bin/bash",
+                    related=[note(process.program, f"{unit.name} starts it here")] if step.script else (),
+                    fix=fix("use /bin/bash", (shell, "/bin/bash")) if shell is not None else None,
+                )
+
+
+def _shell(process, step):
+    """The word that chooses sh, when it is this one and no other."""
+    if step.script is None:
+        return process.program if process.shell in ("sh", "dash") and step.depth == 1 else None
+    shebang = SHEBANG.match(step.script.text)
+    named = any(
+        other.depth == step.depth - 1 and other.command.name in ("sh", "dash") for other in process.steps
+    )
+    return step.script.span(*shebang.span(1)) if shebang and not named else None
