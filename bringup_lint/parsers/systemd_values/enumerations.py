@@ -35,8 +35,9 @@ def choices(name: str, version: int) -> str:
 
 def closest(word: str, known: Iterable[str]) -> str | None:
     """The one known word that was probably meant: another case, ``_`` for ``-``, or a near miss."""
-    meant = nearest(word.replace("_", "-"), [name for name in known if name != BOOLEAN])
-    return meant[0] if len(meant) == 1 else None
+    names = {name.replace("_", "-"): name for name in known if name != BOOLEAN}
+    meant = nearest(word.replace("_", "-"), names)
+    return names[meant[0]] if len(meant) == 1 else None
 
 
 def check_choice(name: str, value: Located, version: int, effect: str = LINE) -> Iterator[ValueProblem]:
