@@ -40,7 +40,7 @@ def trailing_comment(robot: Robot):
         if comment is None:
             continue
         changes = lift_comment(line.assignment, comment)
-        on_one_line = line.value.pieces is None and line.assignment.span.text.count("\n") == 0
+        on_one_line = "\n" not in line.assignment.span.text and comment != line.value
         yield finding(
             comment,
             f"systemd has no trailing comments: {line.key}= takes '{_shortened(comment)}' as part of the value",
