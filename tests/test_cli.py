@@ -227,3 +227,16 @@ def test_published_schema_is_current() -> None:
     from bringup_lint.config import schema
 
     assert json.loads((PROJECT / "docs/bringup-lint.schema.json").read_text()) == schema()
+
+
+def test_a_file_of_a_repository_is_judged_with_the_rest_as_context(tmp_path: Path) -> None:
+    subprocess.run(["git", "init", "-q"], cwd=tmp_path, check=True)
+    (tmp_path / "sockets").mkdir()
+    (tmp_path / "sockets/robot.socket").write_text("[Socket]\nListenStream=7411\n")
+    (tmp_path / "robot.service").write_bytes(LATIN1)
+    rules = "systemd/socket-missing-service,lint"
+    run = lint("--select", rules, "--output-format", "concise", "sockets/robot.socket", cwd=tmp_path)
+    assert run == (0, "", "")
+    (tmp_path / "robot.service").unlink()
+    run = lint("--select", rules, "--output-format", "concise", "sockets/robot.socket", cwd=tmp_path)
+    assert "[systemd/socket-missing-service]" in run.stdout

@@ -61,7 +61,10 @@ def discover(
         for file in walk(path, excluded, lambda folder, error: _unreadable(tree, folder, error)):
             _read_walked(tree, file, walked, judged=not _is_vendor(tree, file, path))
     if tree.root is not None:
-        _read_context(tree, walked)
+        _read_context(tree, walked, [os.path.join(tree.root, folder) for folder in ("etc", *VENDOR_FOLDERS)])
+    else:
+        files = [path for path in paths if not os.path.isdir(path)]
+        _read_context(tree, walked, sorted({top for path in files if (top := repository_of(path))}), excluded)
     tree.sources.sort(key=lambda source: source.name)
     return tree
 
@@ -180,7 +183,13 @@ def _is_vendor(tree: Tree, file: str, named: str) -> bool:
     return any(file.startswith(folder + "/") and not f"{named}/".startswith(folder + "/") for folder in folders)
 
 
-def _read_context(tree: Tree, walked: set[str]) -> None:
-    for folder in ("etc", *VENDOR_FOLDERS):
-        for path in walk(os.path.join(tree.root, folder)):
+def repository_of(path: str) -> str | None:
+    """The top of the git repository that a file lies in: the rest of it tells what the file alone cannot."""
+    return next((str(folder) for folder in Path(path).parents if (folder / ".git").exists()), None)
+
+
+def _read_context(tree: Tree, walked: set[str], folders: Iterable[str], excluded: Excluded = lambda path: False) -> None:
+    """Read what is needed to judge the rest, without judging it."""
+    for folder in folders:
+        for path in walk(folder, excluded):
             _read_walked(tree, path, walked, judged=False)
