@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.units import Units
     from bringup_lint.model.dockerfile import Dockerfile
     from bringup_lint.model.env_file import EnvFile
+    from bringup_lint.model.firewall import Firewall
     from bringup_lint.model.netplan import Netplan
 
 Model = TypeVar("Model")
@@ -176,3 +177,23 @@ class Robot:
         from bringup_lint.parsers.dockerfile import parse
 
         return self.parsed(parse, [source for source in self.of_kind("dockerfile") if not source.template])
+
+    @cached_property
+    def firewalls(self) -> list[Firewall]:
+        from bringup_lint.graph.firewall import load_firewalls
+
+        return load_firewalls(self)
+
+    @cached_property
+    def ssh_forwards(self) -> list[tuple[Source, int, Located]]:
+        """The ports that scripts forward over SSH, with the word that says so."""
+        from bringup_lint.graph.firewall import ssh_forwards
+
+        return list(ssh_forwards(self))
+
+    @cached_property
+    def dds_domain(self) -> tuple[int, Located] | None:
+        """The DDS domain that the tree sets, when all its files agree on one."""
+        from bringup_lint.graph.firewall import dds_domain
+
+        return dds_domain(self)

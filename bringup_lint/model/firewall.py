@@ -1,0 +1,42 @@
+"""What a firewall lets in, as far as scripts and rule files say it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from dataclasses import field
+
+from bringup_lint.source import Located
+from bringup_lint.source import Source
+from bringup_lint.source import Span
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Opening:
+    """One rule that accepts incoming packets."""
+
+    where: Located | Span
+    protocol: str
+    """``udp``, ``tcp``, or empty for every protocol."""
+    first: int | None
+    """The lowest port; None for all ports, or for one that cannot be told."""
+    last: int | None
+    certain: bool = True
+    """False when a port holds a variable that nothing sets."""
+
+
+@dataclass(eq=False, slots=True)
+class Firewall:
+    source: Source
+    tools: dict[str, Located] = field(default_factory=dict)
+    """The first use of ``ufw``, ``iptables``, ``ip6tables``, ``nft`` and the family ``inet`` of nftables."""
+    openings: list[Opening] = field(default_factory=list)
+    first_input: Located | Span | None = None
+    """The first rule about incoming packets."""
+    drops: bool = False
+    """What no rule accepts is dropped."""
+    opens_all: bool = False
+    """A whole subnet or interface is let in, or everything."""
+
+    @property
+    def udp(self) -> list[Opening]:
+        return [each for each in self.openings if each.protocol in ("udp", "") and each.first is not None]

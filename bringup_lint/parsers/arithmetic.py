@@ -1,0 +1,81 @@
+"""The arithmetic of shell scripts, for what can be told without running them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+
+_TOKEN = re.compile(r"\s*(?:(\d{1,9})|(\$?\{?[A-Za-z_]\w*\}?)|([-+*/%()]))")
+_NAME = re.compile(r"\$(?:\{(?P<braced>[A-Za-z_]\w*)(?::-(?P<default>[^}]*))?\}|(?P<plain>[A-Za-z_]\w*))\Z")
+_LIMIT = 200
+
+
+def evaluate(text: str, variables: Mapping[str, str]) -> int | None:
+    """The number that ``42``, ``$NAME``, ``${NAME:-42}`` or ``$((7400 + 250 * NAME))`` stands for.
+
+    None when it is no number, or when a name has no value.
+    """
+    text = text.strip().strip("\"'")
+    if text.isdigit() and len(text) < 10:
+        return int(text)
+    name = _NAME.match(text)
+    if name:
+        value = variables.get(name["braced"] or name["plain"], name["default"])
+        return int(value) if value is not None and value.isdigit() and len(value) < 10 else None
+    if text.startswith("$((") and text.endswith("))") and len(text) < _LIMIT:
+        return _Sum(text[3:-2], variables).value()
+    return None
+
+
+class _Sum:
+    """A recursive descent over sums, products and brackets."""
+
+    def __init__(self, text: str, variables: Mapping[str, str]) -> None:
+        self.tokens: list[str] | None = []
+        at = 0
+        while at < len(text.rstrip()):
+            match = _TOKEN.match(text, at)
+            if match is None:
+                self.tokens = None
+                return
+            word = match[1] or match[3]
+            if word is None:
+                name = match[2].strip("${}")
+                word = variables.get(name, "")
+                if not word.isdigit() or len(word) > 9:
+                    self.tokens = None
+                    return
+            self.tokens.append(word)
+            at = match.end()
+
+    def value(self) -> int | None:
+        if not self.tokens:
+            return None
+        try:
+            found = self.sum()
+        except (IndexError, ValueError, ZeroDivisionError):
+            return None
+        return found if not self.tokens else None
+
+    def sum(self) -> int:
+        found = self.product()
+        while self.tokens and self.tokens[0] in ("+", "-"):
+            sign = 1 if self.tokens.pop(0) == "+" else -1
+            found += sign * self.product()
+        return found
+
+    def product(self) -> int:
+        found = self.factor()
+        while self.tokens and self.tokens[0] in ("*", "/", "%"):
+            operator, other = self.tokens.pop(0), self.factor()
+            found = found * other if operator == "*" else found // other if operator == "/" else found % other
+        return found
+
+    def factor(self) -> int:
+        token = self.tokens.pop(0)
+        if token == "(":
+            found = self.sum()
+            if self.tokens.pop(0) != ")":
+                raise ValueError(token)
+            return found
+        return int(token)

@@ -1,0 +1,57 @@
+"""The firewall does not open the ports of the DDS domain.
+
+## What it finds
+UDP ranges that are opened for DDS (they begin at a port of some domain) but do not hold the ports of the
+domain that the tree sets with `ROS_DOMAIN_ID`: 7400 + 250 × domain, +0 and +1 for multicast, +10 + 2p and
++11 + 2p for participant p. Rules that let in a whole subnet or interface, and trees with several domains,
+are left alone.
+
+## Why it matters on a robot
+Discovery is dropped: from other machines the robot has no topics at all, and everything works on the robot
+itself.
+
+## Bad
+```sh
+# ROS_DOMAIN_ID=42
+ufw allow 7400:7700/udp
+```
+
+## Good
+```sh
+# ROS_DOMAIN_ID=42: 7400 + 250 * 42 = 17900
+ufw allow 17900:17999/udp
+```
+
+## References
+- DDSI-RTPS 2.5, section 9.6.2, "Port mapping"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning")
+def dds_ports(robot: Robot):
+    domain = robot.dds_domain
+    if domain is None:
+        return
+    number, place = domain
+    base = 7400 + 250 * number
+    for firewall in robot.firewalls:
+        ranges = [each for each in firewall.udp if each.last > each.first or each.first >= 7400]
+        for_dds = [each for each in ranges if each.first >= 7400 and (each.first - 7400) % 250 <= 11]
+        uncertain = any(not each.certain and each.protocol != "tcp" for each in firewall.openings)
+        if not for_dds or firewall.opens_all or uncertain:
+            continue
+        needed = (base, base + 1, base + 10, base + 11)
+        missing = [port for port in needed if not any(each.first <= port <= each.last for each in ranges)]
+        if missing:
+            opened = ", ".join(f"{e.first}-{e.last}" if e.last > e.first else f"{e.first}" for e in for_dds)
+            yield finding(
+                for_dds[0].where,
+                f"The firewall opens {opened}; domain {number} needs {base} to {base + 11} and up",
+                advice=f"open {base}:{base + 99}/udp",
+                related=[note(place, "the domain is set here")],
+            )

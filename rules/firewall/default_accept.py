@@ -1,0 +1,39 @@
+"""The firewall lets in everything that it does not list.
+
+## What it finds
+A script or rule file with rules for incoming packets that neither sets a default of DROP nor ends with one.
+ufw denies by default once it is enabled.
+
+## Why it matters on a robot
+The rules look like a wall and are none: every other port of the robot is open.
+
+## Bad
+```sh
+iptables -A INPUT -p tcp --dport 22 -j ACCEPT
+```
+
+## Good
+```sh
+iptables -P INPUT DROP
+iptables -A INPUT -p tcp --dport 22 -j ACCEPT
+```
+
+## References
+- robotics-security guide, firewall
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("info")
+def default_accept(robot: Robot):
+    for firewall in robot.firewalls:
+        uses = {"iptables", "nft"} & set(firewall.tools)
+        if uses and "ufw" not in firewall.tools and firewall.first_input is not None and not firewall.drops:
+            yield finding(
+                firewall.first_input,
+                "Everything that these rules do not list is let in",
+                advice="set the default: iptables -P INPUT DROP, or policy drop",
+            )

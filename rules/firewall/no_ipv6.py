@@ -1,0 +1,42 @@
+"""IPv6 is not filtered.
+
+## What it finds
+iptables rules for incoming packets in a tree that has neither ip6tables nor nftables `inet` rules and does
+not switch IPv6 off. ufw does both.
+
+## Why it matters on a robot
+Every interface has a link-local IPv6 address: who is on the same network passes the firewall by using it.
+
+## Bad
+```sh
+iptables -P INPUT DROP
+```
+
+## Good
+```sh
+iptables -P INPUT DROP
+ip6tables -P INPUT DROP
+```
+
+## References
+- robotics-security guide, firewall
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("info")
+def no_ipv6(robot: Robot):
+    tools = {tool for firewall in robot.firewalls for tool in firewall.tools}
+    off = any("ipv6.disable=1" in source.text or "disable_ipv6" in source.text for source in robot.sources)
+    if tools & {"ip6tables", "inet", "ufw"} or off:
+        return
+    for firewall in robot.firewalls:
+        if "iptables" in firewall.tools and firewall.drops and firewall.first_input is not None:
+            yield finding(
+                firewall.first_input,
+                "IPv6 is unfiltered: these rules are for IPv4 only",
+                advice="add ip6tables rules, or switch IPv6 off",
+            )

@@ -1,0 +1,40 @@
+"""An SSH tunnel cannot carry DDS.
+
+## What it finds
+`ssh -L` or `ssh -R` with a port of a DDS domain: 7400 to 7450, or of the domain that the script or the tree
+sets.
+
+## Why it matters on a robot
+SSH forwards TCP only; DDS discovery and data are UDP. The tunnel stands, and carries nothing.
+
+## Bad
+```sh
+ssh -N -L 7400:localhost:7400 robot@robot-7
+```
+
+## Good
+```sh
+# a VPN, or zenoh-bridge-ros2dds over TCP
+```
+
+## References
+- ssh(1), -L
+- DDSI-RTPS 2.5, section 9.6.2
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("error")
+def ssh_tunnel_udp(robot: Robot):
+    for _, port, where in robot.ssh_forwards:
+        domain = robot.dds_domain[0] if robot.dds_domain else 0
+        bases = {7400, 7400 + 250 * domain}
+        if any(base <= port <= base + 50 for base in bases):
+            yield finding(
+                where,
+                f"SSH forwards TCP only, port {port} is DDS over UDP: the tunnel carries nothing",
+                advice="use a VPN, a zenoh bridge or a DDS router over TCP",
+            )
