@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.env_files import UsedEnvFile
     from bringup_lint.graph.launch import Launch
     from bringup_lint.graph.sysctl import Sysctl
+    from bringup_lint.graph.notify import Notify
     from bringup_lint.graph.udev import Udev
     from bringup_lint.graph.units import Units
     from bringup_lint.model.dockerfile import Dockerfile
@@ -153,6 +154,12 @@ class Robot:
         from bringup_lint.graph.network_online import waiting_for_network
 
         return waiting_for_network(self.units)
+
+    @cached_property
+    def notify(self) -> Notify:
+        from bringup_lint.graph.notify import Notify
+
+        return Notify(self)
 
     @cached_property
     def launch(self) -> Launch:

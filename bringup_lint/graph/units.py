@@ -32,6 +32,8 @@ from bringup_lint.graph.restart import restart_policy
 from bringup_lint.graph.supervision import Supervision
 from bringup_lint.graph.supervision import supervision
 from bringup_lint.graph.unit import Unit
+from bringup_lint.graph.waits import Wait
+from bringup_lint.graph.waits import longest_wait
 from bringup_lint.graph.unit_lines import Line
 from bringup_lint.graph.unit_lines import lines
 from bringup_lint.facts.directives import NEWEST
@@ -198,6 +200,10 @@ class Units:
         if id(unit) not in self._supervisions:
             self._supervisions[id(unit)] = supervision(unit, self.robot)
         return self._supervisions[id(unit)]
+
+    def longest_wait(self, process: Process) -> Wait:
+        """How long a command line may wait, by the loops and sleeps of its shells and scripts."""
+        return longest_wait(process, self.robot)
 
     @cached_property
     def triggered(self) -> frozenset[str]:

@@ -28,3 +28,23 @@ class Command:
     @property
     def background(self) -> bool:
         return self.ends == "&"
+
+
+@dataclass(frozen=True, slots=True)
+class Block:
+    """A stretch of a script with its structure kept."""
+
+    kind: str
+    """``command``, ``for``, ``loop`` (while, until), ``branches`` (if, case), ``group`` ({} and subshells), ``function``."""
+    command: Command | None = None
+    name: str = ""
+    """The variable of a ``for``, the name of a ``function``."""
+    items: tuple[Located, ...] = ()
+    """The words that a ``for`` goes through; for ``for ((...))`` the one arithmetic text."""
+    condition: tuple[Block, ...] = ()
+    bodies: tuple[tuple[Block, ...], ...] = ()
+    """The body; for ``branches`` every branch."""
+    arrays: tuple[tuple[str, int], ...] = ()
+    """Arrays that a command assigns: name and number of words."""
+    arithmetic: str = ""
+    """The text of ``((...))``."""

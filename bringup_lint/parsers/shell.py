@@ -14,13 +14,13 @@ _OPENING = frozenset({"if", "while", "until", "for", "case", "select", "{", "the
 _OPENS = frozenset({"if", "while", "until", "for", "case", "select", "{"})
 _CLOSES = frozenset({"fi", "done", "esac", "}"})
 _PREFIXES = _OPENING | {"!", "time"}
-_ASSIGNMENT = re.compile(r"[A-Za-z_][A-Za-z0-9_]*\+?=")
+ASSIGNMENT = re.compile(r"[A-Za-z_][A-Za-z0-9_]*\+?=")
 _OPERATOR = re.compile(r"&&|\|\||;;&?|;&|\|&|&>>?|<<<|<<-?|<>|<&|>&|>>|>\||[;&|<>()\n]")
-_REDIRECTS = frozenset({"<", ">", ">>", "<&", ">&", "<>", ">|", "&>", "&>>", "<<<"})
+REDIRECTS = frozenset({"<", ">", ">>", "<&", ">&", "<>", ">|", "&>", "&>>", "<<<"})
 _PLAIN = re.compile(r"[^\s\\'\"`$;&|<>()#]+")
 
 
-class _Token(NamedTuple):
+class Token(NamedTuple):
     text: Located
     operator: bool
 
@@ -32,7 +32,7 @@ def commands(script: Located) -> list[Command]:
     assignments: list[Located] = []
     depth = 0
     skip_word = False
-    for token in _tokens(script):
+    for token in tokens(script):
         text = str(token.text)
         if not token.operator:
             if skip_word:
@@ -41,12 +41,12 @@ def commands(script: Located) -> list[Command]:
                 depth = max(depth - 1, 0)
             elif not words and text in _PREFIXES and token.text.span.text == text:
                 depth += text in _OPENS
-            elif not words and _ASSIGNMENT.match(text):
+            elif not words and ASSIGNMENT.match(text):
                 assignments.append(token.text)
             else:
                 words.append(token.text)
             continue
-        if text in _REDIRECTS:
+        if text in REDIRECTS:
             skip_word = True
             if words and words[-1].isdigit() and words[-1].span.end == token.text.span.start:
                 words.pop()
@@ -63,7 +63,7 @@ def commands(script: Located) -> list[Command]:
     return found
 
 
-def _tokens(script: Located) -> Iterator[_Token]:
+def tokens(script: Located) -> Iterator[Token]:
     text = str(script)
     at, size = 0, len(text)
     heredocs: list[tuple[str, bool]] = []
@@ -76,7 +76,7 @@ def _tokens(script: Located) -> Iterator[_Token]:
         elif char == "#":
             at = _line_end(text, at)
         elif operator := _OPERATOR.match(text, at):
-            yield _Token(script.part(at, operator.end()), True)
+            yield Token(script.part(at, operator.end()), True)
             at = operator.end()
             if operator[0] in ("<<", "<<-"):
                 at, delimiter = _delimiter(text, at)
@@ -86,7 +86,7 @@ def _tokens(script: Located) -> Iterator[_Token]:
                 heredocs = []
         else:
             end, word = _word(script, at)
-            yield _Token(word, False)
+            yield Token(word, False)
             at = end
 
 

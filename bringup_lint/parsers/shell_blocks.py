@@ -1,0 +1,201 @@
+"""Shell scripts with their structure: loops, branches, functions (POSIX.1-2017, 2.9.4; bash(1), "Compound Commands")."""
+
+from __future__ import annotations
+
+from bringup_lint.model.shell import Block
+from bringup_lint.model.shell import Command
+from bringup_lint.parsers.shell import ASSIGNMENT
+from bringup_lint.parsers.shell import REDIRECTS
+from bringup_lint.parsers.shell import Token
+from bringup_lint.parsers.shell import tokens
+from bringup_lint.source import Located
+
+_DEPTH = 40
+_SEPARATORS = frozenset({";", "\n", "&", "&&", "||", "|"})
+_ENDS_BRANCH = frozenset({";;", ";&", ";;&"})
+
+
+def blocks(script: Located) -> tuple[Block, ...]:
+    """The statements of a script. Never raises; what cannot be read is passed over."""
+    return _Reader(list(tokens(script))).list(frozenset(), 0)
+
+
+class _Reader:
+    def __init__(self, found: list[Token]) -> None:
+        self.tokens = found
+        self.at = 0
+
+    def peek(self, ahead: int = 0) -> Token | None:
+        at = self.at + ahead
+        return self.tokens[at] if at < len(self.tokens) else None
+
+    def is_operator(self, text: str, ahead: int = 0) -> bool:
+        token = self.peek(ahead)
+        return token is not None and token.operator and token.text == text
+
+    def keyword(self) -> str:
+        """The next word when it is plain, so that it may be a reserved word."""
+        token = self.peek()
+        if token is None or token.operator or token.text.span.text != token.text:
+            return ""
+        return str(token.text)
+
+    def list(self, stops: frozenset[str], depth: int) -> tuple[Block, ...]:
+        """Statements up to one of the stop words, which is taken."""
+        found: list[Block] = []
+        while (token := self.peek()) is not None:
+            text = str(token.text)
+            if token.operator and text in stops or self.keyword() in stops:
+                self.at += 1
+                break
+            if token.operator and text in _SEPARATORS | _ENDS_BRANCH:
+                self.at += 1
+                continue
+            before = self.at
+            block = self.statement(depth)
+            if block is not None:
+                found.append(block)
+            if self.at == before:
+                self.at += 1
+        return tuple(found)
+
+    def statement(self, depth: int) -> Block | None:
+        word = self.keyword()
+        if depth > _DEPTH:
+            return self.simple()
+        if word in ("!", "time"):
+            self.at += 1
+            return self.statement(depth + 1)
+        if word in ("for", "select"):
+            return self.for_loop(depth)
+        if word in ("while", "until"):
+            self.at += 1
+            condition = self.list(frozenset({"do"}), depth + 1)
+            return Block("loop", condition=condition, bodies=(self.list(frozenset({"done"}), depth + 1),))
+        if word == "if":
+            return self.branches(depth)
+        if word == "case":
+            return self.case(depth)
+        if word == "{":
+            self.at += 1
+            return Block("group", bodies=(self.list(frozenset({"}"}), depth + 1),))
+        if word == "function" or self.is_operator("(", 1) and self.is_operator(")", 2):
+            return self.function(depth)
+        if self.is_operator("("):
+            if self.is_operator("(", 1):
+                return Block("command", arithmetic=self.arithmetic())
+            self.at += 1
+            return Block("group", bodies=(self.list(frozenset({")"}), depth + 1),))
+        return self.simple()
+
+    def arithmetic(self) -> str:
+        """The text between ``((`` and ``))``."""
+        start = self.tokens[self.at + 1].text.span
+        self.at += 2
+        end = start
+        while (token := self.peek()) is not None and not (self.is_operator(")") and self.is_operator(")", 1)):
+            end = token.text.span
+            self.at += 1
+        self.at += 2
+        return start.source.text[start.end : end.end]
+
+    def for_loop(self, depth: int) -> Block:
+        self.at += 1
+        name, items = "", []
+        if self.is_operator("(") and self.is_operator("(", 1):
+            start = self.tokens[self.at].text
+            self.arithmetic()
+            end = self.tokens[min(self.at, len(self.tokens)) - 1].text
+            source = start.span.source
+            items = [source.located(start.span.start, end.span.end)]
+        elif (token := self.peek()) is not None and not token.operator:
+            name = str(token.text)
+            self.at += 1
+            if self.keyword() == "in":
+                self.at += 1
+                while (token := self.peek()) is not None and not token.operator:
+                    items.append(token.text)
+                    self.at += 1
+            else:
+                items = [token.text.part(0, 0)] if token.text else []
+        self.list(frozenset({"do"}), depth + 1)
+        return Block("for", name=name, items=tuple(items), bodies=(self.list(frozenset({"done"}), depth + 1),))
+
+    def branches(self, depth: int) -> Block:
+        self.at += 1
+        condition: list[Block] = []
+        bodies: list[tuple[Block, ...]] = []
+        condition += self.list(frozenset({"then"}), depth + 1)
+        while True:
+            start = self.at
+            bodies.append(self.list(frozenset({"elif", "else", "fi"}), depth + 1))
+            ended = str(self.tokens[self.at - 1].text) if self.at > start else "fi"
+            if ended == "elif":
+                condition += self.list(frozenset({"then"}), depth + 1)
+            elif ended != "else":
+                return Block("branches", condition=tuple(condition), bodies=tuple(bodies))
+
+    def case(self, depth: int) -> Block:
+        while (token := self.peek()) is not None and self.keyword() != "in":
+            self.at += 1
+        self.at += 1
+        bodies = []
+        while (token := self.peek()) is not None and self.keyword() != "esac":
+            if token.operator and token.text == ")":
+                self.at += 1
+                bodies.append(self.list(_ENDS_BRANCH | {"esac"}, depth + 1))
+                if str(self.tokens[self.at - 1].text) == "esac":
+                    return Block("branches", bodies=tuple(bodies))
+            else:
+                self.at += 1
+        self.at += 1
+        return Block("branches", bodies=tuple(bodies))
+
+    def function(self, depth: int) -> Block:
+        if self.keyword() == "function":
+            self.at += 1
+        token = self.peek()
+        name = str(token.text) if token else ""
+        self.at += 1
+        while (token := self.peek()) is not None and token.operator and token.text in ("(", ")", "\n"):
+            self.at += 1
+        if self.keyword() == "{":
+            self.at += 1
+            return Block("function", name=name, bodies=(self.list(frozenset({"}"}), depth + 1),))
+        body = self.statement(depth + 1)
+        return Block("function", name=name, bodies=((body,) if body else (),))
+
+    def simple(self) -> Block | None:
+        words: list[Located] = []
+        assignments: list[Located] = []
+        arrays: list[tuple[str, int]] = []
+        while (token := self.peek()) is not None:
+            text = str(token.text)
+            if not token.operator:
+                if not words and ASSIGNMENT.match(text):
+                    if text.endswith("=") and self.is_operator("(", 1):
+                        arrays.append((text.rstrip("=").rstrip("+"), self.array()))
+                        continue
+                    assignments.append(token.text)
+                else:
+                    words.append(token.text)
+                self.at += 1
+            elif text in REDIRECTS:
+                self.at += 2
+            else:
+                break
+        if not (words or assignments or arrays):
+            return None
+        token = self.peek()
+        ends = str(token.text) if token is not None and token.operator else ""
+        return Block("command", Command(tuple(words), tuple(assignments), ends), arrays=tuple(arrays))
+
+    def array(self) -> int:
+        """The number of words of ``NAME=(...)``."""
+        self.at += 2
+        count = 0
+        while (token := self.peek()) is not None and not (token.operator and token.text == ")"):
+            count += not token.operator
+            self.at += 1
+        self.at += 1
+        return count

@@ -1,0 +1,47 @@
+"""A fixed sleep before the start hides a race.
+
+## What it finds
+ExecStartPre= that only sleeps.
+
+## Why it matters on a robot
+The delay is too short on the one cold morning when the device takes longer, and too long on every other day. It also says
+nothing about what is waited for.
+
+## Bad
+```ini
+[Service]
+ExecStartPre=/bin/sleep 10
+ExecStart=/opt/robot/bin/lidar-driver
+```
+
+## Good
+```ini
+[Unit]
+BindsTo=dev-rover-lidar.device
+After=dev-rover-lidar.device
+
+[Service]
+ExecStart=/opt/robot/bin/lidar-driver
+```
+
+## References
+- systemd.device(5)
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("info")
+def execstartpre_sleep(robot: Robot):
+    for unit in robot.units.services:
+        for process in robot.units.processes(unit):
+            commands = [step.command for step in process.steps if not step.depth or process.shell]
+            names = {command.name for command in commands} - {process.shell}
+            if process.key == "ExecStartPre" and names == {"sleep"}:
+                yield finding(
+                    process.line,
+                    f"a fixed sleep before {unit.name} hides what it waits for, and is too short one day",
+                    advice="wait for the thing itself: a device unit, a socket, or a check that ends when it is there",
+                )

@@ -1,0 +1,60 @@
+"""Type=notify, and nothing that is started ever reports readiness.
+
+## What it finds
+A ROS service with Type=notify and NotifyAccess=all (or exec) whose launched packages are in the tree and never talk to
+systemd: no sd_notify, systemd-notify or NOTIFY_SOCKET anywhere, or only in a node that no launch file on the way starts.
+
+## Why it matters on a robot
+systemd waits for READY=1, gives up after TimeoutStartSec= and kills a stack that was running well.
+
+## Bad
+```ini
+[Service]
+Type=notify
+NotifyAccess=all
+ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rover base.launch.py'
+```
+
+## Good
+```ini
+[Service]
+Type=exec
+ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rover base.launch.py'
+```
+
+## References
+- sd_notify(3); systemd.service(5), Type=notify
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import duration
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning", confidence="medium", symptoms=["start operation timed out. Terminating."])
+def notify_nobody_notifies(robot: Robot):
+    for unit in robot.units.ros:
+        service = robot.units.supervision(unit)
+        if not unit.complete or not service.notifies or service.access.value not in ("all", "exec"):
+            continue
+        if service.process is None or service.process.opaque or robot.notify.within(service.process):
+            continue
+        programs = [found for _, found in service.process.ros if found.kind in ("launch", "run")]
+        silent = [robot.notify.nobody(found) for found in programs]
+        if not silent or None in silent:
+            continue
+        why, idle = silent[0]
+        limit = service.start_timeout.value
+        yield finding(
+            service.type.at,
+            f"nothing that {unit.name} starts sends READY=1 ({why}): the start times out"
+            + (f" after {duration(limit)}" if limit and limit < 1e9 else ""),
+            advice="use Type=exec, or launch a node that reports readiness",
+            related=[
+                *(note(found.where, "what is started") for found in programs),
+                *(note(source, "would notify, but is not started") for source in idle[:3]),
+            ],
+            confidence="medium",
+        )

@@ -1,0 +1,63 @@
+"""The start check may wait longer than systemd lets it.
+
+## What it finds
+A command of ExecStartPre= (or ExecStart= of a service that counts as started only when it says so) whose loops and sleeps,
+read from the shell text or the script in the tree, add up to more than TimeoutStartSec=. Typical is a time-out for each device in
+a loop over several devices. systemd starts the clock anew for every command of the unit.
+
+## Why it matters on a robot
+systemd kills the check before it can say which device is missing; the journal only shows a start that timed out.
+
+## Bad
+```ini
+[Service]
+TimeoutStartSec=60
+# waits up to 30 s for each of four devices
+ExecStartPre=/usr/local/bin/wait-for-devices
+```
+
+## Good
+```ini
+[Service]
+TimeoutStartSec=150
+ExecStartPre=/usr/local/bin/wait-for-devices
+```
+
+## References
+- systemd.service(5), TimeoutStartSec= and ExecStartPre=
+- systemd, src/core/service.c: service_run_next_control() arms the timer for each command
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import duration
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+BEFORE = ("ExecCondition", "ExecStartPre")
+
+
+@rule("warning", symptoms=["start-pre operation timed out. Terminating."])
+def timeout_start_short(robot: Robot):
+    for unit in robot.units.services:
+        service = robot.units.supervision(unit)
+        limit = service.start_timeout
+        if not unit.complete or limit.value is None or service.type.unknown:
+            continue
+        counted = BEFORE if service.type.value in ("simple", "exec", "idle") else (*BEFORE, "ExecStart")
+        for process in robot.units.processes(unit):
+            wait = robot.units.longest_wait(process) if process.key in counted else None
+            if wait is None or wait.seconds <= limit.value:
+                continue
+            sum_ = f"{wait.times} × {duration(wait.each)} = " if wait.times > 1 and wait.times * wait.each == wait.seconds else ""
+            default = "" if limit.at else " (the default)"
+            yield finding(
+                limit.at or process.program,
+                f"{process.name} may wait {sum_}{duration(wait.seconds)}, TimeoutStartSec= is {duration(limit.value)}{default}: "
+                "systemd kills it before it can say what is missing",
+                advice=f"set TimeoutStartSec= above {duration(wait.seconds)}",
+                related=[
+                    *([note(process.program, "the command that waits")] if limit.at else ()),
+                    *([note(wait.where, "it waits here")] if wait.where and wait.where.source.name else ()),
+                ],
+            )

@@ -1,0 +1,52 @@
+"""A driver or safety service without a watchdog.
+
+## What it finds
+A ROS service whose name says that it drives hardware or guards it, without WatchdogSec=.
+
+## Why it matters on a robot
+A driver that hangs keeps its process and its unit "active": nobody notices that the emergency stop or the motors are not
+served any more.
+
+## Bad
+```ini
+# rover-motor-driver.service
+[Service]
+ExecStart=/opt/ros/jazzy/lib/rover/motor_driver
+```
+
+## Good
+```ini
+[Service]
+Type=notify
+ExecStart=/opt/ros/jazzy/lib/rover/motor_driver
+WatchdogSec=5
+Restart=on-failure
+```
+with a driver that sends WATCHDOG=1 from its control loop.
+
+## References
+- systemd.service(5), WatchdogSec=
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+CRITICAL = re.compile(r"(?:^|[-_.@])(?:drivers?|motors?|base|actuators?|safety|e?-?stop|estop|watchdog|hardware|hw|control(?:ler)?)(?=[-_.@]|$)")
+
+
+@rule("info")
+def watchdog_missing(robot: Robot):
+    for unit in robot.units.ros:
+        service = robot.units.supervision(unit)
+        if not unit.complete or service.watchdog.at is not None or unit.name in robot.units.triggered:
+            continue
+        if service.type.value == "oneshot" or service.in_container or not CRITICAL.search(unit.stem):
+            continue
+        yield finding(
+            unit.where,
+            f"nothing notices when {unit.name} hangs: it stays \"active\"",
+            advice="set WatchdogSec= and send WATCHDOG=1 from the control loop",
+        )

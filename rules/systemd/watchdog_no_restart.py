@@ -1,0 +1,52 @@
+"""The watchdog kills the service, and nothing starts it again.
+
+## What it finds
+WatchdogSec= together with Restart=no (the default), on-success or on-abort: none of them restarts after a watchdog timeout.
+
+## Why it matters on a robot
+The watchdog is there to get a hung driver going again. Without a restart it turns a hang into a dead driver.
+
+## Bad
+```ini
+[Service]
+Type=notify
+ExecStart=/opt/robot/bin/base-driver
+WatchdogSec=10
+```
+
+## Good
+```ini
+[Service]
+Type=notify
+ExecStart=/opt/robot/bin/base-driver
+WatchdogSec=10
+Restart=on-failure
+RestartSec=2
+```
+
+## References
+- systemd.service(5), table "Exit causes and the effect of the Restart= settings"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import duration
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+IDLE = ("no", "on-success", "on-abort")
+
+
+@rule("warning", symptoms=["Failed with result 'watchdog'"])
+def watchdog_no_restart(robot: Robot):
+    for unit in robot.units.services:
+        service, policy = robot.units.supervision(unit), robot.units.restart(unit)
+        if not unit.complete or not service.watchdog_on or policy.restart not in IDLE:
+            continue
+        yield finding(
+            service.watchdog.at,
+            f"after a watchdog timeout of {duration(service.watchdog.value)} {unit.name} stays dead: Restart={policy.restart} "
+            "does not start it again",
+            advice="set Restart=on-failure or on-watchdog",
+            related=[note(policy.restart_at, "does not restart after a watchdog timeout")] if policy.restart_at else (),
+        )

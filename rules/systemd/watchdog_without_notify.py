@@ -1,0 +1,94 @@
+"""WatchdogSec= without anybody who can feed the watchdog.
+
+## What it finds
+WatchdogSec= on a service whose main process never sends keep-alives (ros2 launch, ros2 run, a shell), while NotifyAccess= does
+not let its children send them; also NotifyAccess=all when nothing that is started talks to systemd. Setting WatchdogSec= makes
+systemd listen, but to the main process only. A script that is not in the tree, and a Python script that never talks to systemd, are
+reported with less confidence.
+
+## Why it matters on a robot
+The first keep-alive never arrives: a healthy stack is killed with SIGABRT every WatchdogSec= seconds, while driving.
+
+## Bad
+```ini
+[Service]
+ExecStart=/bin/bash /opt/robot/start-slam.sh
+WatchdogSec=30
+```
+
+## Good
+```ini
+[Service]
+ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rover slam.launch.py'
+WatchdogSec=30
+NotifyAccess=all
+```
+with a node in slam.launch.py that sends WATCHDOG=1. Such a node must not ask sd_watchdog_enabled(): WATCHDOG_PID names the
+main process.
+
+## References
+- systemd.service(5), WatchdogSec= and NotifyAccess=; sd_notify(3)
+- <https://github.com/systemd/systemd/issues/25961>: WATCHDOG_PID and children
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import delete_lines
+from bringup_lint.api import duration
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", fix="unsafe", symptoms=["Watchdog timeout (limit", "Failed with result 'watchdog'"])
+def watchdog_without_notify(robot: Robot):
+    for unit in robot.units.services:
+        service = robot.units.supervision(unit)
+        if not unit.complete or not service.watchdog_on or service.main is None or service.access.unknown:
+            continue
+        severity, why = _verdict(service, robot)
+        if not severity:
+            continue
+        yield finding(
+            service.watchdog.at,
+            f"no keep-alive reaches systemd, {why}: {unit.name} is killed every {duration(service.watchdog.value)}",
+            advice="let a process of the unit send WATCHDOG=1 and set NotifyAccess=all, or drop WatchdogSec=",
+            related=[
+                note(service.main.where, "the main process"),
+                *([note(service.type.at, "readiness")] if service.type.at and service.notifies else ()),
+                *([note(service.access.at, "who may notify")] if service.access.at else ()),
+            ],
+            fix=_fix(unit, service, robot) if unit.editable else None,
+            severity=severity,
+            confidence="high" if severity == "error" else "medium",
+        )
+
+
+def _verdict(service, robot):
+    main, access = service.main, service.access.value
+    if access == "all":
+        programs = [found for _, found in service.process.ros]
+        if service.notifies or not main.is_ros_tool or robot.notify.within(service.process) or len(programs) != 1:
+            return None, ""
+        silent = robot.notify.nobody(programs[0])
+        return ("warning", silent[0]) if silent else (None, "")
+    if robot.notify.within(service.process) and (access == "exec" or service.as_root):
+        return None, ""
+    if main.is_ros_tool:
+        return "error", f"for it listens to ros2 {main.kind} only, which sends none"
+    if main.kind == "shell":
+        return "error", "for it listens to the shell only, which sends none"
+    if main.kind == "lost":
+        return "warning", "for it listens to the shell script only"
+    if main.kind == "python" and main.script is not None and not robot.notify.sources:
+        return "warning", f"for {main.script.basename} sends none"
+    return None, ""
+
+
+def _fix(unit, service, robot):
+    if service.access.value != "all" and robot.notify.sources:
+        if service.access.at:
+            return fix("let every process send keep-alives", (service.access.at, "all"), safe=False)
+        return fix("let every process send keep-alives", unit.new_line("Service", "NotifyAccess=all"), safe=False)
+    lines = [line for line in unit.assignments("WatchdogSec", "Service") if line.value is service.watchdog.at]
+    return fix("drop the watchdog", *map(delete_lines, lines), safe=False) if lines else None
