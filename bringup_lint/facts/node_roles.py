@@ -43,3 +43,13 @@ def role_of(package: str | None, program: str | None, distribution: str | None) 
     if row["managed"].startswith("yes from ") and distribution in RANK:
         managed = RANK.index(distribution) >= RANK.index(row["managed"].split()[2].rstrip(","))
     return Role(row["role"], managed)
+
+
+@cache
+def lifecycle_names() -> frozenset[str]:
+    """Executables of lifecycle nodes whose node is called like the executable."""
+    return frozenset(
+        row["executable"]
+        for row in table("lifecycle_nodes")
+        if row["package"].startswith(("nav2_", "opennav_")) and row["managed"] == "yes"
+    )

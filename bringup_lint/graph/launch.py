@@ -17,6 +17,8 @@ from bringup_lint.facts.node_roles import role_of
 from bringup_lint.graph.launch_expand import Expander
 from bringup_lint.graph.launch_expand import Expansion
 from bringup_lint.graph.launch_expand import Included
+from bringup_lint.graph.launch_lifecycle import full_name
+from bringup_lint.graph.launch_lifecycle import managers
 from bringup_lint.graph.launch_references import Reference
 from bringup_lint.graph.launch_references import references
 from bringup_lint.graph.launch_resolve import Resolver
@@ -184,6 +186,28 @@ class Launch:
             if other.target is None:
                 return True
         return False
+
+    @cached_property
+    def all_names(self) -> frozenset[str]:
+        """The bare names of all nodes that any launch file of the tree starts."""
+        found = set()
+        for expansion in self.expansions:
+            for node in expansion.nodes:
+                name = full_name(node, self.role(node))
+                if name is not None:
+                    found.add(name.rpartition("/")[2])
+        return frozenset(found)
+
+    @cached_property
+    def managed_names(self) -> frozenset[str] | None:
+        """The bare names of all nodes that any lifecycle manager of the tree lists; None when a list is not known."""
+        found = set()
+        for expansion in self.expansions:
+            for manager in managers(expansion):
+                if manager.managed is None:
+                    return None
+                found.update(managed.fqn.rpartition("/")[2] for managed in manager.managed)
+        return frozenset(found)
 
     def role(self, node: Started) -> Role:
         """What is known about a node's program."""

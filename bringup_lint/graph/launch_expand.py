@@ -80,6 +80,7 @@ class Declared(NamedTuple):
     before: Binding | None
     """The value that the configuration already had, so that the default is not used."""
     conditions: tuple[Condition, ...]
+    chain: tuple[Span, ...]
 
 
 class Used(NamedTuple):
@@ -232,7 +233,7 @@ def _declare(self: Expander, action: DeclareArgument, resolver: Resolver, symbol
         self.result.open = True
         return
     before = self.scope.arguments.get(name)
-    self.result.declared.append(Declared(action, self.file, name, before, self.conditions))
+    self.result.declared.append(Declared(action, self.file, name, before, self.conditions, self.chain))
     self.note_unbound(action.default)
     if before is not None:
         return

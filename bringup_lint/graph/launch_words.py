@@ -2,6 +2,13 @@
 
 from __future__ import annotations
 
+from bringup_lint.facts.node_roles import lifecycle_names
+from bringup_lint.graph.launch_lifecycle import Manager
+from bringup_lint.graph.launch_lifecycle import full_name
+from bringup_lint.graph.launch_lifecycle import managers
+from bringup_lint.graph.launch_lifecycle import outside
+from bringup_lint.graph.launch_lifecycle import setting
+from bringup_lint.graph.launch_lifecycle import transitions_elsewhere
 from bringup_lint.graph.launch_resolve import text_of
 from bringup_lint.graph.launch_resolve import truth
 from bringup_lint.graph.launch_started import Started

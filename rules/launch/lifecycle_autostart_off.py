@@ -1,0 +1,55 @@
+"""A lifecycle manager does not start its nodes.
+
+## What it finds
+Lifecycle managers of nav2 whose `autostart` is false or not set (false is the default).
+
+## Why it matters on a robot
+All managed nodes stay unconfigured until somebody calls the manager's service by hand. After a boot without an operator
+nothing navigates.
+
+## Bad
+```python
+parameters=[{'node_names': ['map_server', 'amcl']}]
+```
+
+## Good
+```python
+parameters=[{'autostart': True, 'node_names': ['map_server', 'amcl']}]
+```
+
+## References
+- nav2, lifecycle manager parameters
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import launch
+from bringup_lint.api import rule
+
+
+@rule("warning", fix="none")
+def lifecycle_autostart_off(robot: Robot):
+    for expansion in robot.launch.expansions:
+        entry = expansion.entry
+        if robot.launch.simulated(entry):
+            continue
+        for manager in launch.managers(expansion):
+            value, known, name = manager.autostart
+            if manager.node.file is not entry or not known or launch.transitions_elsewhere(expansion, manager.node):
+                continue
+            if value is not None and launch.truth(value) is not False:
+                continue
+            passed = any(
+                isinstance(each, launch.Argument)
+                for source in manager.node.action.parameters
+                if isinstance(source, launch.DictValue)
+                for each in launch.walk(source.get("autostart") or launch.Unknown("", manager.node.span))
+            )
+            yield finding(
+                manager.node.span if name is None else name,
+                "autostart is off"
+                + (" by default" if passed or value is None else "")
+                + ": all managed nodes stay unconfigured until somebody calls the manager",
+                advice="set autostart to true",
+                severity="info" if passed else None,
+            )

@@ -1,0 +1,56 @@
+"""A lifecycle node is started and nobody configures it.
+
+## What it finds
+`LifecycleNode`s and nodes that are known to be lifecycle nodes (the servers of nav2, slam_toolbox from Jazzy) that are in no
+lifecycle manager's `node_names`, get no `ChangeState` event, and do not start themselves.
+
+## Why it matters on a robot
+The process runs, looks healthy in every process list, and does nothing: it stays unconfigured and publishes nothing.
+
+## Bad
+```python
+Node(package='nav2_planner', executable='planner_server', name='planner_server')
+```
+
+## Good
+```python
+Node(package='nav2_planner', executable='planner_server', name='planner_server'),
+Node(package='nav2_lifecycle_manager', executable='lifecycle_manager', name='lifecycle_manager_navigation',
+     parameters=[{'autostart': True, 'node_names': ['planner_server']}])
+```
+
+## References
+- ROS 2 design, "Managed nodes"
+- nav2, lifecycle manager
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import launch
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error")
+def lifecycle_node_unmanaged(robot: Robot):
+    elsewhere = robot.launch.managed_names
+    if elsewhere is None:
+        return
+    for expansion in robot.launch.entries:
+        if launch.outside(expansion) or robot.launch.simulated(expansion.entry):
+            continue
+        managers = launch.managers(expansion)
+        for node in expansion.nodes:
+            role = robot.launch.role(node)
+            lifecycle = getattr(node.action, "lifecycle", False)
+            name = launch.full_name(node, role)
+            if not (lifecycle or role.managed) or name is None or node.by_default is False:
+                continue
+            if name.rpartition("/")[2] in elsewhere or launch.transitions_elsewhere(expansion, node):
+                continue
+            yield finding(
+                node.span,
+                f"{name} is never configured: the node runs and does nothing",
+                advice="add it to the node_names of a lifecycle manager, or emit ChangeState events for it",
+                related=[note(manager.node.span, "this manager does not list it") for manager in managers[:3]],
+            )

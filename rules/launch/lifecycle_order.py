@@ -1,0 +1,53 @@
+"""Lifecycle nodes are brought up in the wrong order.
+
+## What it finds
+A lifecycle manager of nav2 that lists `amcl` before `map_server`, or `bt_navigator` before the servers it calls.
+
+## Why it matters on a robot
+Nodes are configured and activated in the order of the list. A node whose partner is not there yet waits, or its activation
+fails and the whole bring-up is aborted.
+
+## Bad
+```python
+'node_names': ['amcl', 'map_server']
+```
+
+## Good
+```python
+'node_names': ['map_server', 'amcl']
+```
+
+## References
+- nav2, lifecycle manager
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import launch
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+BEFORE = {
+    "amcl": (("map_server",), "it waits for a map"),
+    "bt_navigator": (
+        ("planner_server", "controller_server", "behavior_server", "smoother_server"),
+        "it looks for action servers that are not there yet",
+    ),
+}
+
+
+@rule("warning")
+def lifecycle_order(robot: Robot):
+    for expansion in robot.launch.expansions:
+        for manager in launch.managers(expansion):
+            managed = manager.managed if manager.node.file is expansion.entry else None
+            for index, (name, fqn) in enumerate(managed or ()):
+                needed, effect = BEFORE.get(fqn.rpartition("/")[2], ((), ""))
+                late = [later.name for later in managed[index + 1 :] if later.fqn.rpartition("/")[2] in needed]
+                if late:
+                    yield finding(
+                        name,
+                        f"{name} is activated before {late[0]}: {effect}",
+                        advice=f"list it behind {late[-1]}",
+                        related=[note(other, "listed later") for other in late],
+                    )

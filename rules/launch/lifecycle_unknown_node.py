@@ -1,0 +1,70 @@
+"""A lifecycle manager waits for a node that is not started.
+
+## What it finds
+Entries of `node_names` that are the name of no node of the launch graph, resolved in the manager's namespace.
+
+## Why it matters on a robot
+The manager waits for the services of a node that never comes, or aborts the bring-up: none of its nodes is activated.
+
+## Bad
+```python
+Node(package='my_camera', executable='camera', name='camera_front'),
+Node(package='nav2_lifecycle_manager', executable='lifecycle_manager', name='manager',
+     parameters=[{'autostart': True, 'node_names': ['camera_driver']}]),
+```
+
+## Good
+```python
+Node(package='my_camera', executable='camera', name='camera_front'),
+Node(package='nav2_lifecycle_manager', executable='lifecycle_manager', name='manager',
+     parameters=[{'autostart': True, 'node_names': ['camera_front']}]),
+```
+
+## References
+- https://github.com/ros-navigation/navigation2/issues/1447
+- https://github.com/ros-navigation/navigation2/issues/4350
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import launch
+from bringup_lint.api import nearest
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", fix="unsafe", symptoms=["Waiting for service", "Failed to change state for node"])
+def lifecycle_unknown_node(robot: Robot):
+    for expansion in robot.launch.entries:
+        if launch.outside(expansion):
+            continue
+        started = {launch.full_name(node, robot.launch.role(node)): node for node in expansion.nodes if node.is_node}
+        bare = {name.rpartition("/")[2]: node for name, node in started.items() if name is not None}
+        nav2 = launch.lifecycle_names() if expansion.open else ()
+        for manager in launch.managers(expansion):
+            for managed in manager.managed or ():
+                last = managed.fqn.rpartition("/")[2]
+                if managed.fqn in started or last in nav2:
+                    continue
+                alone = len(expansion.nodes) == len(launch.managers(expansion))
+                if (alone or None in started or expansion.open) and (last in robot.launch.all_names or alone):
+                    continue
+                if None in started and last not in bare and not nearest(last, bare):
+                    continue
+                near = [last] if last in bare else nearest(last, bare, 3)
+                elsewhere = last in bare
+                yield finding(
+                    managed.name,
+                    f"the manager looks for {managed.fqn}, the node is {launch.full_name(bare[last], robot.launch.role(bare[last]))}"
+                    if elsewhere
+                    else f"no node {managed.fqn} is started: the manager waits for it and brings nothing up",
+                    advice="put the manager into the namespace of its nodes"
+                    if elsewhere
+                    else (f"list '{near[0]}'" if near else "remove it from node_names, or start the node"),
+                    related=[note(bare[name].span, f"node '{name}' is started here") for name in near[:3]]
+                    or [note(manager.node.span, "the manager")],
+                    fix=fix(f"list '{near[0]}'", (managed.name, near[0]), safe=False)
+                    if len(near) == 1 and not elsewhere and managed.name.span.text == managed.name
+                    else None,
+                )

@@ -1,0 +1,51 @@
+"""A lifecycle node comes back unconfigured.
+
+## What it finds
+`respawn=True` on lifecycle nodes that no lifecycle manager with a bond brings up again.
+
+## Why it matters on a robot
+After a crash the process is back, and its state is not: the node stays unconfigured and silent, while everything looks
+restarted.
+
+## Bad
+```python
+LifecycleNode(package='my_lidar', executable='lidar', name='lidar', namespace='', respawn=True, respawn_delay=2.0)
+```
+
+## Good
+```python
+Node(package='nav2_lifecycle_manager', executable='lifecycle_manager', name='manager',
+     parameters=[{'autostart': True, 'bond_timeout': 4.0, 'node_names': ['lidar']}])
+```
+
+## References
+- nav2, lifecycle manager: `attempt_respawn_reconnection`
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import launch
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning")
+def respawn_lifecycle(robot: Robot):
+    for expansion in robot.launch.entries:
+        if launch.outside(expansion):
+            continue
+        managers = launch.managers(expansion)
+        for node in expansion.nodes:
+            lifecycle = getattr(node.action, "lifecycle", False) or robot.launch.role(node).managed
+            if not lifecycle or launch.respawns(node) is not True or getattr(node.action, "autostart", None) is not None:
+                continue
+            name = launch.full_name(node, robot.launch.role(node))
+            own = [each for each in managers if each.managed is None or any(name == item.fqn for item in each.managed)]
+            if name is None or any(each.watches is not False for each in own):
+                continue
+            yield finding(
+                node.action.options["respawn"].span,
+                f"{node.label()} comes back unconfigured after a crash and stays silent",
+                advice="let a lifecycle manager with bond_timeout above 0 bring it up again",
+                related=[note(each.node.span, "this manager keeps no bond") for each in own],
+            )
