@@ -47,9 +47,6 @@ def role_of(package: str | None, program: str | None, distribution: str | None) 
 
 @cache
 def lifecycle_names() -> frozenset[str]:
-    """Executables of lifecycle nodes whose node is called like the executable."""
-    return frozenset(
-        row["executable"]
-        for row in table("lifecycle_nodes")
-        if row["package"].startswith(("nav2_", "opennav_")) and row["managed"] == "yes"
-    )
+    """Executables of nav2's lifecycle nodes whose node is called like the executable."""
+    rows = (row for row in table("lifecycle_nodes") if row["package"].startswith("nav2_") and row["managed"] == "yes")
+    return frozenset(row["executable"] for row in rows) - {"map_saver_server", "nav2_costmap_2d"}
