@@ -166,7 +166,11 @@ class _Reader:
         elif name[0] == "xml":
             code = "bad-declaration" if start == 0 else "late-declaration"
             self.report(code, start, end, "" if start == 0 else "it must be the first thing in the file")
-        elif name[0].lower() == "xml" or ":" in name[0]:
+        else:
+            self.document.instructions.append(self.source.span(start, end))
+        if name is None or name[0] == "xml":
+            return
+        if name[0].lower() == "xml" or ":" in name[0]:
             self.report("bad-instruction", start, end, f"{name[0]} is reserved")
         elif self.text[name.end() : name.end() + 1] not in (*_BLANK, "?", ""):
             self.report("bad-instruction", start, end, "a blank is missing behind the name")
