@@ -134,7 +134,8 @@ class Dds:
 
     @property
     def old_discovery(self) -> bool:
-        """Whether only the file decides on discovery: no ROS_STATIC_PEERS, no discovery range, no index set by the RMW."""
+        """Whether only the file decides on discovery: no ROS_STATIC_PEERS, no discovery range, no index set
+        by the RMW."""
         return self.distro in BEFORE_DISCOVERY_OPTIONS
 
 

@@ -20,9 +20,10 @@ class Remark(NamedTuple):
     """Something that the library would say, or should have said."""
 
     code: str
-    """Of structure: ``xml``, ``root``, ``unknown-element``, ``unknown-attribute``, ``duplicate``, ``empty``, ``missing``,
-    ``comment``, ``instruction``, ``ignored``. Of values: ``bool``, ``enum``, ``number``, ``duration``, ``address``,
-    ``value``. Of profiles: ``profile-name``, ``profile-duplicate``, ``transport-undefined``, ``transport-duplicate``."""
+    """Of structure: ``xml``, ``root``, ``unknown-element``, ``unknown-attribute``, ``duplicate``, ``empty``,
+    ``missing``, ``comment``, ``instruction``, ``ignored``. Of values: ``bool``, ``enum``, ``number``,
+    ``duration``, ``address``, ``value``. Of profiles: ``profile-name``, ``profile-duplicate``,
+    ``transport-undefined``, ``transport-duplicate``."""
     where: Located | Span
     drops: bool
     """Whether the whole file is ignored."""

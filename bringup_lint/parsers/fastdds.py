@@ -1,6 +1,7 @@
 """Fast DDS profiles: read as a version of the library reads them, with every remark that it would make.
 
-On the first error the library ignores the whole file and runs with its defaults, exit status 0. This reader goes on, so that
+On the first error the library ignores the whole file and runs with its defaults, exit status 0. This reader
+goes on, so that
 all errors are found at once. Types are not read: they describe data, not the start of a robot.
 """
 
@@ -127,9 +128,9 @@ class _Reader:
                 self.remark("unknown-element", child.name, True, child.name, "profiles")
             elif child.name in UNSUPPORTED:
                 self.remark("ignored", child.name, False, child.name, "profiles")
-        if rooted and before == len(self.profiles.profiles) + len(self.profiles.transports):
-            if not any(child.name == "types" for child in element.children):
-                self.remark("empty", element.name, True, "no profile", "profiles")
+        empty = before == len(self.profiles.profiles) + len(self.profiles.transports)
+        if rooted and empty and element.find("types") is None:
+            self.remark("empty", element.name, True, "no profile", "profiles")
 
     def profile(self, element: Element) -> None:
         kind = PROFILE_KINDS[element.name]
@@ -179,25 +180,45 @@ class _Reader:
         for child in element.children:
             known = shape.children.get(str(child.name))
             if known is None:
-                passed = item.passes_over and not (item.name.endswith("List") and child is element.children[0])
+                passed = item.passes_over and not (
+                    item.name.endswith("List") and child is element.children[0]
+                )
                 if not passed:
                     self.remark("unknown-element", child.name, True, child.name, item.path)
                 continue
-            if str(child.name) in seen and known.once:
+            twin = f"{child.name} {child.get('port') if known.name == 'reception_thread' else ''}"
+            if twin in seen and known.once:
                 self.remark("duplicate", child.name, True, child.name, known.path)
-            seen.add(str(child.name))
+            seen |= {twin, str(child.name)}
             self.inside(child, known)
         if not element.children and item.not_empty:
             self.remark("empty", element.name, True, item.name, item.path)
             return
+        if item.check == "{AllocationConfig}":
+            self.allocation(element, item)
         for known in set(shape.children.values()):
             if known.required and not seen & {known.name, *known.aliases}:
                 self.remark("missing", element.name, True, known.name, known.path)
 
+    def allocation(self, element: Element, item: Item) -> None:
+        """Initial and largest number; a step of zero is fine when nothing can grow. The largest is 0 for no
+        limit."""
+        texts = {str(child.name): first_text(child) or "" for child in element.children}
+        if not all(text.strip().isdigit() for text in texts.values()):
+            return
+        initial = int(texts.get("initial", "0"))
+        maximum = int(texts.get("maximum", "0")) or None
+        if maximum is not None and initial > maximum:
+            self.remark("number", element.find("initial").text, True, "more than maximum", item.path)
+        elif int(texts.get("increment", "1")) == 0 and initial != maximum:
+            self.remark("number", element.find("increment").text, True, "zero", f"{item.path}/increment")
+
     def attributes(self, element: Element, item: Item, shape: Item) -> None:
         known = {**item.attributes, **shape.attributes}
         for attribute in element.attributes:
-            if attribute.name not in known and (item.name in STRICT_ATTRIBUTES or shape.path in STRICT_ATTRIBUTES):
+            if attribute.name not in known and (
+                item.name in STRICT_ATTRIBUTES or shape.path in STRICT_ATTRIBUTES
+            ):
                 self.remark("unknown-attribute", attribute.name, True, attribute.name, item.path)
         for needed in item.attributes.values():
             value = element.get(needed.name)
@@ -241,9 +262,9 @@ class _Reader:
                 self.remark("empty", element.name, True, item.name, item.path)
             return
         self.value(text, item)
-        if item.name == "transport_id" and "userTransports" in item.path and text not in self.known_transports:
-            if "${" not in text:
-                self.remark("transport-undefined", text, True, text, item.path)
+        undefined = item.path.endswith("userTransports/transport_id") and text not in self.known_transports
+        if undefined and "${" not in text:
+            self.remark("transport-undefined", text, True, text, item.path)
 
     def value(self, text: Located, item: Item) -> None:
         found = complaint(item, text)

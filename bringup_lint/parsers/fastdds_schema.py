@@ -15,7 +15,8 @@ class Item:
     path: str
     name: str
     check: str
-    """How the text is read: ``group``, a structure in braces, ``bool``, ``number``, ``enum``, ``text``, ..."""
+    """How the text is read: ``group``, a structure in braces, ``bool``, ``number``, ``enum``, ``text``, ...
+    """
     allowed: tuple[str, ...]
     required: bool
     passes_over: bool

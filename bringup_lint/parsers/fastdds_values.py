@@ -25,7 +25,8 @@ class Complaint(NamedTuple):
 
 
 def first_text(element: Element) -> Located | None:
-    """The text that TinyXML-2 gives: only when it is the first thing inside, untrimmed; a comment before it hides it."""
+    """The text that TinyXML-2 gives: only when it is the first thing inside, untrimmed; a comment before it
+    hides it."""
     run = next((run for run in element.texts if run.strip()), None)
     if run is None:
         return None
@@ -64,7 +65,11 @@ def _number(item: Item, text: str) -> Complaint | None:
     match = _NUMBER.match(text)
     if match is None:
         return Complaint("number", True)
-    value = int(match[2][:30], 0) if not match[2].startswith("0") or "x" in match[2].lower() else int(match[2][:30])
+    value = (
+        int(match[2][:30], 0)
+        if not match[2].startswith("0") or "x" in match[2].lower()
+        else int(match[2][:30])
+    )
     if match[1] == "-":
         value = -value
     if item.check in ("uint8", "uint16", "natural") and match[1] == "-":
@@ -101,7 +106,9 @@ def _octets(item: Item, text: str) -> Complaint | None:
 
 
 def _guid(item: Item, text: str) -> Complaint | None:
-    return None if _GUID.fullmatch(text.strip()) else Complaint("value", True, "twelve octets such as 44.53.00")
+    return (
+        None if _GUID.fullmatch(text.strip()) else Complaint("value", True, "twelve octets such as 44.53.00")
+    )
 
 
 _CHECKS = {

@@ -35,7 +35,11 @@ def enum_case(robot: Robot):
         right = next((word for word in known if word.lower() == text.lower()), None)
         change = fix(f"write {right}", (robot.dds.with_blanks(text), right)) if right else None
         blanks = text != robot.dds.with_blanks(text).text
-        says = f"'{text}' has blanks around it" if blanks and right == text else f"'{text}' is no word that Fast DDS knows here"
+        says = (
+            f"'{text}' has blanks around it"
+            if blanks and right == text
+            else f"'{text}' is no word that Fast DDS knows here"
+        )
         yield finding(
             text,
             f"{says}: the whole file is ignored, the robot runs with defaults",

@@ -33,7 +33,8 @@ def locator_bad_address(robot: Robot):
     for _, remark in robot.dds.fastdds_remarks("address"):
         yield finding(
             remark.where,
-            f"'{remark.where}' is no address ({remark.detail}): the whole file is ignored, the robot runs with defaults",
+            f"'{remark.where}' is no address ({remark.detail}): the whole file is ignored, the robot runs "
+            "with defaults",
             advice="write one plain address, with the port in an element of its own",
         )
     for port in robot.dds.locator_ports():

@@ -34,7 +34,12 @@ from bringup_lint.api import rule
 
 @rule("info", tags=["CWE-668"])
 def multicast_enabled(robot: Robot):
-    closing = {"avoid_builtin_multicast", "metatrafficUnicastLocatorList", "metatrafficMulticastLocatorList", "discoveryServersList"}
+    closing = {
+        "avoid_builtin_multicast",
+        "metatrafficUnicastLocatorList",
+        "metatrafficMulticastLocatorList",
+        "discoveryServersList",
+    }
     for profiles in robot.dds.profile_files:
         text = profiles.source.text
         if profiles.dropped or "dds.sec." in text or "127.0.0.1" in text:
@@ -45,5 +50,5 @@ def multicast_enabled(robot: Robot):
                 yield finding(
                     profile.element.name,
                     "Multicast shows the whole topic graph to every machine on the network",
-                    advice="list initialPeersList with a metatrafficUnicastLocatorList, or enable DDS security",
+                    advice="write initialPeersList and metatrafficUnicastLocatorList, or enable security",
                 )

@@ -28,7 +28,15 @@ from bringup_lint.api import fix
 from bringup_lint.api import rule
 
 
-@rule("error", fix="unsafe", symptoms=["maxMessageSize cannot be greater than receiveBufferSize", "getXMLUint XML_ERROR!", "getXMLInt XML_ERROR!"])
+@rule(
+    "error",
+    fix="unsafe",
+    symptoms=[
+        "maxMessageSize cannot be greater than receiveBufferSize",
+        "getXMLUint XML_ERROR!",
+        "getXMLInt XML_ERROR!",
+    ],
+)
 def number_with_unit(robot: Robot):
     sizes = {"k": 1 << 10, "kb": 1 << 10, "kib": 1 << 10, "m": 1 << 20, "mb": 1 << 20, "mib": 1 << 20, "b": 1}
     for _, remark in robot.dds.fastdds_remarks("number"):

@@ -39,7 +39,10 @@ def undefined_transport(robot: Robot):
         message = f"Transport '{remark.where}' is not defined"
         advice = "define it in transport_descriptors"
         if later is not None:
-            message, advice = f"Transport '{remark.where}' is defined below its use", "move transport_descriptors to the front"
+            message, advice = (
+                f"Transport '{remark.where}' is defined below its use",
+                "move transport_descriptors to the front",
+            )
         yield finding(
             remark.where,
             f"{message}: the whole file is ignored, the robot runs with defaults",

@@ -45,11 +45,16 @@ def unknown_element(robot: Robot):
         others = robot.dds.fastdds_versions(profiles, remark)
         places = robot.dds.fastdds_places(profiles, remark)
         parent = remark.path.rpartition("/")[2]
-        message = f"'{name}' is not allowed in {parent}: the whole file is ignored, the robot runs with defaults"
+        message = (
+            f"'{name}' is not allowed in {parent}: the whole file is ignored, the robot runs with defaults"
+        )
         advice = "delete it"
         severity = None
         if others:
-            message = f"{library} does not take '{name}' in {parent}, only {', '.join(others)} does: the whole file is ignored"
+            message = (
+                f"{library} does not take '{name}' in {parent}, only {', '.join(others)} does: the whole "
+                "file is ignored"
+            )
             severity = None if library.known else "info"
             advice = f"write what {library.version} knows, or set target-ros"
         elif near:
@@ -57,5 +62,9 @@ def unknown_element(robot: Robot):
         elif places:
             advice = f"move it into {places[0]}"
         safe = bool(near) and near.lower() == name.lower()
-        change = fix(f"rename to {near}", *robot.dds.renamed(name, near), safe=safe) if near and not others else None
+        change = (
+            fix(f"rename to {near}", *robot.dds.renamed(name, near), safe=safe)
+            if near and not others
+            else None
+        )
         yield finding(name, message, advice=advice, severity=severity, fix=change)

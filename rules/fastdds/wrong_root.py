@@ -34,7 +34,7 @@ from bringup_lint.api import rule
 
 @rule("error", fix="safe", symptoms=["Not found root tag"])
 def wrong_root(robot: Robot):
-    for profiles, remark in robot.dds.fastdds_remarks("root"):
+    for profiles, _ in robot.dds.fastdds_remarks("root"):
         root = profiles.document.root
         right = root.name.lower() if root.name.lower() in ("dds", "profiles") else None
         yield finding(

@@ -36,7 +36,7 @@ from bringup_lint.api import rule
 
 @rule("error", fix="safe", symptoms=["XMLPARSER Error", "Error opening", "Error parsing XML buffer"])
 def xml_not_wellformed(robot: Robot):
-    for profiles, remark in robot.dds.fastdds_remarks("xml", "instruction"):
+    for _, remark in robot.dds.fastdds_remarks("xml", "instruction"):
         problem, _, detail = remark.detail.partition(": ")
         if not remark.drops:
             message = "Fast DDS steps over the DOCTYPE: what it declares has no effect"
@@ -50,7 +50,8 @@ def xml_not_wellformed(robot: Robot):
             change = fix("move the declaration to the front", (span, ""), (start, f"{span.text}\n"))
         yield finding(
             remark.where,
-            f"Fast DDS cannot parse the file ({words}{f', {detail}' if detail else ''}): the whole file is ignored",
+            f"Fast DDS cannot parse the file ({words}{f', {detail}' if detail else ''}): the whole file is "
+            "ignored",
             advice="repair the XML",
             fix=change,
         )
