@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.compose import Compose
     from bringup_lint.graph.dds import Dds
     from bringup_lint.graph.env_files import UsedEnvFile
+    from bringup_lint.graph.fstab import NeededPath
     from bringup_lint.graph.launch import Launch
     from bringup_lint.graph.sysctl import Sysctl
     from bringup_lint.graph.notify import Notify
@@ -31,6 +32,7 @@ if TYPE_CHECKING:
     from bringup_lint.model.dockerfile import Dockerfile
     from bringup_lint.model.env_file import EnvFile
     from bringup_lint.model.firewall import Firewall
+    from bringup_lint.model.fstab import Fstab
     from bringup_lint.model.netplan import Netplan
 
 Model = TypeVar("Model")
@@ -204,3 +206,30 @@ class Robot:
         from bringup_lint.graph.firewall import dds_domain
 
         return dds_domain(self)
+
+    @cached_property
+    def fstabs(self) -> list[Fstab]:
+        from bringup_lint.parsers.fstab import parse
+
+        return self.parsed(parse, [source for source in self.of_kind("fstab") if not source.template])
+
+    @staticmethod
+    def mount_options(filesystem: str) -> list[str]:
+        """The mount options of a file system; empty when they are not known."""
+        from bringup_lint.graph.fstab import mount_options
+
+        return mount_options(filesystem)
+
+    @property
+    def lost_directories(self) -> list[NeededPath]:
+        """Directories that units need on a tmpfs and that nothing makes at boot."""
+        from bringup_lint.graph.fstab import lost_directories
+
+        return list(lost_directories(self))
+
+    @property
+    def read_only_writes(self) -> list[NeededPath]:
+        """Paths that units write to on a read-only root."""
+        from bringup_lint.graph.fstab import read_only_writes
+
+        return list(read_only_writes(self))

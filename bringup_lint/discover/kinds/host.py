@@ -1,0 +1,46 @@
+"""Files of the host that no other family reads: fstab, crontabs, audit rules, apt, fail2ban, limits."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+from bringup_lint.discover.kinds import Head
+from bringup_lint.discover.kinds import Kind
+
+_FSTAB = re.compile(r"(?:^|/)fstab(?:\.(?!d/)[\w-]+)?$|\.fstab$")
+_BACKUP = re.compile(r"(?:~|\.(?:bak|orig|old|rej|swp|save|md|dpkg-\w+|rpm\w+|ucf-\w+))$")
+_CRON = re.compile(r"(?:^|/)(?:cron\.d/[^/]+|etc/crontab)$")
+_AUDIT = re.compile(r"(?:^|/)audit/(?:rules\.d/[^/]+\.rules|audit\.rules)$")
+_APT = re.compile(r"(?:^|/)apt(?:\.conf\.d/[^/]+|/apt\.conf)$")
+_FAIL2BAN = re.compile(r"(?:^|/)fail2ban/(?:jail\.(?:conf|local)|jail\.d/[^/]+\.(?:conf|local))$")
+_LIMITS = re.compile(r"(?:^|/)(?:security/)?limits(?:\.conf|\.d/[^/]+\.conf)$")
+_LIMIT_LINE = re.compile(r"^\s*[@*%\w][\w@:.*%-]*\s+(?:soft|hard|-)\s+\w+\s+\S+", re.M)
+_TMPFILES = re.compile(r"(?:^|/)(?:user-)?tmpfiles\.d/[^/]+\.conf$")
+_OVERLAYROOT = re.compile(r"(?:^|/)overlayroot(?:\.local)?\.conf$")
+
+
+def _named(pattern: re.Pattern[str]) -> Callable[[str, Head], bool]:
+    return lambda path, head: bool(pattern.search(path)) and not _BACKUP.search(path)
+
+
+def _is_cron(path: str, head: Head) -> bool:
+    name = path.rpartition("/")[2]
+    return bool(_CRON.search(path)) and not _BACKUP.search(path) and not name.startswith((".", "README"))
+
+
+def _is_limits(path: str, head: Head) -> bool:
+    return bool(_LIMITS.search(path)) and ("/security/" in f"/{path}" or bool(_LIMIT_LINE.search(head())))
+
+
+KINDS = (
+    Kind("fstab", _named(_FSTAB)),
+    Kind("cron", _is_cron),
+    Kind("audit-rules", _named(_AUDIT)),
+    Kind("apt-conf", _named(_APT)),
+    Kind("fail2ban-jail", _named(_FAIL2BAN)),
+    Kind("limits-conf", _is_limits),
+    Kind("overlayroot", _named(_OVERLAYROOT)),
+    Kind("tmpfiles", _named(_TMPFILES)),
+    Kind("os-release", lambda path, head: f"/{path}".endswith(("/etc/os-release", "/usr/lib/os-release"))),
+)

@@ -1,0 +1,50 @@
+"""A mount option is mistyped.
+
+## What it finds
+An option that the file system does not know and that differs by one or two letters from one that it does,
+for ext4, vfat, exFAT, tmpfs, overlay and options that hold for every file system. Anything else unknown is
+left alone.
+
+## Why it matters on a robot
+The kernel refuses the mount: at boot the robot ends in the emergency shell, or comes up without its data.
+
+## Bad
+```
+UUID=… /data ext4 defaults,nofial 0 2
+```
+
+## Good
+```
+UUID=… /data ext4 defaults,nofail 0 2
+```
+
+## References
+- mount(8)
+- systemd.mount(5)
+- ext4(5), tmpfs(5)
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import nearest
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["Unknown parameter", "bad option"])
+def bad_option(robot: Robot):
+    for fstab in robot.fstabs:
+        for mount in fstab.mounts:
+            known = robot.mount_options(str(mount.type or ""))
+            for option in mount.options if known else ():
+                name = option.partition("=")[0]
+                near = (
+                    nearest(name, known)
+                    if name not in known and not name.startswith(("x-", "x.", "X-", "comment"))
+                    else []
+                )
+                if near:
+                    yield finding(
+                        option,
+                        f"Unknown mount option '{name}': the mount fails at boot",
+                        advice=f"did you mean {' or '.join(near)}?",
+                    )

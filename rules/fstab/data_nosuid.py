@@ -1,0 +1,48 @@
+"""A data mount allows setuid files and device nodes.
+
+## What it finds
+A tmpfs, or a block device below /data, /mnt, /media or /srv, without `nosuid` and `nodev`.
+
+## Why it matters on a robot
+Whoever can put a file there, by a stick or an upload, has a program that runs as root.
+
+## Bad
+```
+UUID=… /data ext4 defaults,nofail 0 2
+```
+
+## Good
+```
+UUID=… /data ext4 defaults,nofail,nosuid,nodev 0 2
+```
+
+## References
+- robotics-security guide, read-only root
+- mount(8)
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule("info", fix="safe", tags=["CWE-250"])
+def data_nosuid(robot: Robot):
+    for fstab in robot.fstabs:
+        for mount in fstab.mounts:
+            target = mount.target
+            if target is None or not mount.options or target in ("/run", "/dev/shm"):
+                continue
+            data = mount.is_block and target.startswith(("/data", "/mnt", "/media", "/srv"))
+            missing = [name for name in ("nosuid", "nodev") if not mount.has(name, "user", "users")]
+            if missing and (data or mount.is_tmpfs):
+                end = mount.last_option.span.source.span(
+                    mount.last_option.span.end, mount.last_option.span.end
+                )
+                yield finding(
+                    target,
+                    f"{target} allows setuid files and device nodes",
+                    advice=f"add {','.join(missing)}",
+                    fix=fix(f"add {','.join(missing)}", (end, "," + ",".join(missing))),
+                )

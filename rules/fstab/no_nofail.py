@@ -1,0 +1,52 @@
+"""A missing disk stops the boot.
+
+## What it finds
+A mount of a block device other than the system's own (/, /boot, /efi, /usr, /var, /home) without `nofail`,
+`noauto` or `x-systemd.automount`.
+
+## Why it matters on a robot
+When the disk is missing or its file system is damaged, systemd waits 90 seconds for the device and then
+opens the emergency shell: no network, no SSH, somebody must go to the robot.
+
+## Bad
+```
+UUID=… /data ext4 defaults 0 2
+```
+
+## Good
+```
+UUID=… /data ext4 defaults,nofail,x-systemd.device-timeout=10s 0 2
+```
+
+## References
+- systemd.mount(5), "nofail"
+- robotics-security guide, read-only root
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+SYSTEM = ("/boot", "/efi", "/usr", "/var", "/home", "/etc", "/opt", "/srv", "/tmp", "/root", "/nix", "/run")
+
+
+@rule("warning", fix="unsafe", symptoms=["You are in emergency mode", "Timed out waiting for device"])
+def no_nofail(robot: Robot):
+    for fstab in robot.fstabs:
+        for mount in fstab.mounts:
+            target = mount.target
+            if target is None or not mount.is_block or not target.startswith("/") or len(mount.fields) < 4:
+                continue
+            system = target.rstrip("/") == "" or any(
+                f"{target}/".startswith(f"{folder}/") for folder in SYSTEM
+            )
+            if system or mount.has("nofail", "noauto", "x-systemd.automount", "_netdev"):
+                continue
+            end = mount.last_option.span.source.span(mount.last_option.span.end, mount.last_option.span.end)
+            yield finding(
+                target,
+                f"Without {mount.device} the boot ends in the emergency shell after 90 s",
+                advice="add nofail,x-systemd.device-timeout=10s",
+                fix=fix("add nofail", (end, ",nofail,x-systemd.device-timeout=10s"), safe=False),
+            )

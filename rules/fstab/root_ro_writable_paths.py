@@ -1,0 +1,38 @@
+"""A service writes to a read-only root.
+
+## What it finds
+`/` is mounted `ro`, and a unit writes to a path that lies on no other mount: its `ROS_LOG_DIR`, or the file
+of `StandardOutput=`.
+
+## Why it matters on a robot
+`Read-only file system`: every node fails to open its log, or the unit ends with 209/STDOUT.
+
+## Bad
+```
+/dev/mmcblk0p2 / ext4 ro …   Environment=ROS_LOG_DIR=/opt/robot/log
+```
+
+## Good
+```
+/dev/mmcblk0p2 / ext4 ro …   Environment=ROS_LOG_DIR=/data/log
+```
+
+## References
+- robotics-security guide, read-only root
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning", symptoms=["Read-only file system"])
+def root_ro_writable_paths(robot: Robot):
+    for mount, path, where, unit in robot.read_only_writes:
+        yield finding(
+            where,
+            f"{unit.name} writes to {path}, and / is read-only",
+            advice="move it to a data partition or a tmpfs",
+            related=[note(mount.target, "mounted read-only")],
+        )

@@ -1,0 +1,50 @@
+"""/var/log on tmpfs is writable by everyone.
+
+## What it finds
+A tmpfs on `/var/log` without `mode=`: the default is 1777.
+
+## Why it matters on a robot
+logrotate refuses to rotate logs in a directory that others can write (`insecure permissions`), and every
+user can plant files there.
+
+## Bad
+```
+tmpfs /var/log tmpfs size=128M 0 0
+```
+
+## Good
+```
+tmpfs /var/log tmpfs size=128M,mode=0755 0 0
+```
+
+## References
+- tmpfs(5), "mode"
+- verified with logrotate 3.21
+- robotics-security guide, read-only root
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule("warning", fix="safe", symptoms=["because parent directory has insecure permissions"], tags=["CWE-732"])
+def tmpfs_varlog_mode(robot: Robot):
+    for fstab in robot.fstabs:
+        for mount in fstab.mounts:
+            if (
+                mount.is_tmpfs
+                and mount.target.rstrip("/") == "/var/log"
+                and not mount.has("mode")
+                and mount.options
+            ):
+                end = mount.last_option.span.source.span(
+                    mount.last_option.span.end, mount.last_option.span.end
+                )
+                yield finding(
+                    mount.target,
+                    "/var/log has mode 1777: everyone may write there, and logrotate refuses to rotate",
+                    advice="add mode=0755",
+                    fix=fix("add mode=0755", (end, ",mode=0755")),
+                )
