@@ -133,6 +133,14 @@ class Mapping:
                 yield first, key
 
 
+@dataclass(eq=False, slots=True)
+class Alias:
+    """``*name``, only where the reader was asked not to follow aliases."""
+
+    span: Span
+    size: int = 1
+
+
 Node = Scalar | Sequence | Mapping
 
 

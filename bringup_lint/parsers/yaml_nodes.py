@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 import yaml
 
+from bringup_lint.model.yaml_node import Alias
 from bringup_lint.model.yaml_node import Document
 from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.model.yaml_node import Node
@@ -28,15 +29,19 @@ FORBIDDEN = re.compile("[^\t\n\r\x20-\x7e\x85\xa0-\ud7ff\ue000-\ufffd\U00010000-
 LOADER = getattr(yaml, "CLoader", yaml.Loader)
 
 
-def parse(source: Source) -> YamlFile:
+def parse(source: Source, *, follow_aliases: bool = True) -> YamlFile:
     """Read all documents. Problems: ``syntax``, ``tab``, ``control-character``, ``undefined-alias``,
-    ``recursive-alias``, ``alias-bomb``, ``too-deep``; the detail is in the words of libyaml."""
-    return _Builder(source).build()
+    ``recursive-alias``, ``alias-bomb``, ``too-deep``; the detail is in the words of libyaml.
+
+    Aliases stand for their targets, or stay ``Alias`` nodes when they are not followed.
+    """
+    return _Builder(source, follow_aliases).build()
 
 
 class _Builder:
-    def __init__(self, source: Source) -> None:
+    def __init__(self, source: Source, follow_aliases: bool) -> None:
         self.file = YamlFile(source)
+        self.follow_aliases = follow_aliases
         text = source.text
         self.shift = 1 if text.startswith("\ufeff") else 0
         for match in FORBIDDEN.finditer(text):
@@ -132,7 +137,9 @@ class _Builder:
         value, span = content(self.file.source, start, end, event.value, style, named)
         return Scalar(value, span, style, event.tag or "")
 
-    def alias(self, event: yaml.AliasEvent) -> Node:
+    def alias(self, event: yaml.AliasEvent) -> Node | Alias:
+        if not self.follow_aliases:
+            return Alias(self.span(*self.range(event)))
         target = self.anchors.get(event.anchor)
         if target is None:
             self.problem("undefined-alias", *self.range(event), f"*{event.anchor} has no anchor before it")

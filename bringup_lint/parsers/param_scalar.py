@@ -1,0 +1,83 @@
+"""The type of a scalar as rcl_yaml_param_parser takes it: C's strtoll and strtod decide, not YAML's schema."""
+
+from __future__ import annotations
+
+import re
+from fractions import Fraction
+
+from bringup_lint.model.params import Value
+
+TRUE = frozenset(("Y", "y", "yes", "Yes", "YES", "true", "True", "TRUE", "on", "On", "ON"))
+FALSE = frozenset(("N", "n", "no", "No", "NO", "false", "False", "FALSE", "off", "Off", "OFF"))
+BLANK = " \t\n\v\f\r"
+STRING_TAG = "tag:yaml.org,2002:str"
+
+_INTEGER = re.compile(r"([+-]?)(?:0[xX]([0-9a-fA-F]+)|0([0-7]*)|([1-9][0-9]*))\Z")
+_DECIMAL = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?\Z")
+_HEXADECIMAL = re.compile(r"[+-]?0[xX](?:[0-9a-fA-F]+\.?[0-9a-fA-F]*|\.[0-9a-fA-F]+)(?:[pP][+-]?[0-9]+)?\Z")
+_WORD = re.compile(r"[+-]?(?:inf|infinity|nan|nan\([0-9A-Za-z_]*\))\Z", re.I)
+_YAML_WORD = re.compile(r"(?:\.(?:nan|NaN|NAN)|[+-]?\.(?:inf|Inf|INF))\Z")
+_FIRST = frozenset("0123456789+-.iInN" + BLANK)
+SMALLEST = 2.2250738585072014e-308
+"""The smallest normal double; what is rounded below it is out of range for strtod."""
+
+
+def scalar(text: str, style: str = "", tag: str = "") -> Value:
+    """``style`` is the sign that opens the scalar: a quote makes it a string, ``|`` and ``>`` do not."""
+    text = text.partition("\0")[0]
+    if tag == STRING_TAG or style in ("'", '"'):
+        return Value("string", text)
+    if text in TRUE:
+        return Value("bool", True)
+    if text in FALSE:
+        return Value("bool", False)
+    if text[:1] in _FIRST:
+        stripped = text.lstrip(BLANK)
+        number = integer(stripped)
+        if number is not None:
+            return Value("integer", number)
+        real = double(stripped, text)
+        if real is not None:
+            return Value("double", real)
+    return Value("string", text)
+
+
+def integer(text: str) -> int | None:
+    """As ``strtoll`` with base 0: ``0x`` is hexadecimal, a leading zero octal; None when it does not fit 64 bits."""
+    match = _INTEGER.match(text)
+    if match is None or len(text) > 400:
+        return None
+    sign, hexadecimal, octal, decimal = match.groups()
+    if hexadecimal is not None:
+        number = int(hexadecimal, 16)
+    else:
+        number = int(decimal) if decimal is not None else int(octal or "0", 8)
+    number = -number if sign == "-" else number
+    return number if -(2**63) <= number < 2**63 else None
+
+
+def double(text: str, whole: str) -> float | None:
+    """As ``strtod``: ``inf`` and ``nan`` need no dot; None when the number is out of range."""
+    if _DECIMAL.match(text):
+        return _in_range(float(text), text)
+    if _YAML_WORD.match(whole):
+        return float(whole.replace(".", ""))
+    if _WORD.match(text):
+        return float(text.partition("(")[0])
+    if _HEXADECIMAL.match(text):
+        try:
+            return float.fromhex(text)
+        except OverflowError:
+            return None
+    return None
+
+
+def _in_range(number: float, text: str) -> float | None:
+    if number in (float("inf"), float("-inf")):
+        return None
+    if abs(number) < SMALLEST:
+        digits = re.split("[eE]", text)[0]
+        if any(digit in "123456789" for digit in digits):
+            tiny = len(text) > 400 or number == 0 or Fraction(text) != Fraction(number)
+            return None if tiny else number
+    return number
