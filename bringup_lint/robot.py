@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.env_files import UsedEnvFile
     from bringup_lint.graph.fstab import NeededPath
     from bringup_lint.graph.launch import Launch
+    from bringup_lint.graph.params import Params
     from bringup_lint.graph.sysctl import Sysctl
     from bringup_lint.graph.notify import Notify
     from bringup_lint.graph.udev import Udev
@@ -168,6 +169,12 @@ class Robot:
         from bringup_lint.graph.launch import load_launch
 
         return load_launch(self)
+
+    @cached_property
+    def params(self) -> Params:
+        from bringup_lint.graph.params import load_params
+
+        return load_params(self)
 
     @cached_property
     def accounts(self) -> Accounts:

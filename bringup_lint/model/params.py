@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from dataclasses import field
 from typing import NamedTuple
@@ -20,19 +21,11 @@ TYPES = ("bool", "integer", "double", "string", "bool_array", "integer_array", "
 """The types of rcl, in the order in which one wins when a parameter was given several."""
 NOT_SET = "not_set"
 
-BROKEN = frozenset(
-    (
-        "syntax",
-        "tab",
-        "control-character",
-        "undefined-alias",
-        "yaml-version",
-        "no-key",
-        "list-at-root",
-        "internal",
-    )
+OPENING = re.compile(
+    r"(?:\ufeff?(?:[ \t]*(?:#[^\n]*)?|---[^\n]*|%[^\n]*|[ \t]*[\w/*\"'-]+[ \t]*:[ \t]*(?:#[^\n]*)?)\r?\n)*"
+    r"[ \t]+[\"']?ros__parameters[\"']?[ \t]*:"
 )
-"""Problems after which nothing of the file can be used, and that no rule of its own speaks of."""
+"""Nothing but bare keys above the first ``ros__parameters``, whatever is broken."""
 
 
 class Value(NamedTuple):
@@ -114,6 +107,13 @@ class ParameterFile:
     @property
     def accepted(self) -> bool:
         return not self.problems
+
+    @property
+    def is_certain(self) -> bool:
+        """Whether this is a parameter file at all, and not some other YAML that mentions the word."""
+        if self.blocks or any(problem.code in ("no-node-name", "misspelt-header") for problem in self.problems):
+            return True
+        return bool(self.problems) and bool(OPENING.match(self.source.text))
 
     @property
     def parameters(self) -> list[Parameter]:

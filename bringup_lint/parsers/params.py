@@ -30,15 +30,19 @@ from bringup_lint.source import Source
 from bringup_lint.source import Span
 
 LIMITS = ("too-deep",)
+MISSPELT = re.compile(r"ros?_{1,4}para?m[a-z]{0,8}\Z", re.I)
+"""A node key that can only mean ``ros__parameters``."""
+_STAR = re.compile(r"[ \t]*(\*[^\s:]*)[ \t]*:(?:[ \t\r\n]|\Z)")
 _VERSION = re.compile(r"^%YAML[ \t]+(?!1\.1[ \t]*(?:#|$))[^\r\n]*", re.M)
 
 
 def parse(source: Source) -> ParameterFile:
     """Read a parameter file. Every problem stops the process that loads the file; the detail is in the words of rcl.
 
-    Problems: those of YAML (``syntax``, ``tab``, ``control-character``, ``yaml-version``), ``no-key``, ``list-at-root``,
-    ``no-node-name``, ``node-key``, ``value-before-parameters``, ``empty-block``, ``after-empty-map``, ``no-value``,
-    ``alias``, ``mixed-list``, ``nested-list``, ``list-as-key``, ``list-before-parameters``, ``internal``.
+    Problems: those of YAML (``syntax``, ``tab``, ``control-character``, ``yaml-version``), ``unquoted-star``, ``no-key``,
+    ``list-at-root``, ``no-node-name``, ``node-key``, ``misspelt-header``, ``value-before-parameters``, ``empty-block``,
+    ``after-empty-map``, ``no-value``, ``alias``, ``mixed-list``, ``nested-list``, ``list-of-maps``, ``list-as-key``,
+    ``list-before-parameters``, ``internal``.
     """
     return _Reader(source).read()
 
@@ -53,7 +57,9 @@ class _Reader:
     def read(self) -> ParameterFile:
         tree = yaml_nodes.parse(self.source, follow_aliases=False)
         self.file.uncertain = any(problem.code in LIMITS for problem in tree.problems)
-        self.file.problems += [problem for problem in tree.problems if problem.code not in LIMITS]
+        for problem in tree.problems:
+            if problem.code not in LIMITS:
+                self.problem(*self.starred(problem))
         version = _VERSION.search(self.source.text) if "%YAML" in self.source.text else None
         if version:
             where = self.source.span(version.start(), version.end())
@@ -64,6 +70,15 @@ class _Reader:
         state = self.state
         self.file.nodes = {name: state.tables[index].entries for name, index in state.nodes.items()}
         return self.file
+
+    def starred(self, problem: Problem) -> Problem:
+        """A node key such as ``*:`` without quotes looks to YAML like a broken alias."""
+        line = self.source.line_text(problem.where.line)
+        match = _STAR.match(line) if problem.code == "syntax" else None
+        if match is None:
+            return problem
+        start = self.source.line_starts[problem.where.line - 1] + match.start(1)
+        return Problem("unquoted-star", self.source.located(start, start + len(match[1])), problem.detail)
 
     def root(self, node: Node | Alias) -> None:
         saved = self.state.save()
@@ -98,7 +113,7 @@ class _Reader:
                 self.refuse(refused, key)
                 state.restore(before)
                 return
-            self.refuse(refused, self.keys[-1].span)
+            self.refuse(refused, self.keys[-1])
             state.is_key = False
         if not isinstance(key, Scalar):
             block = None
@@ -132,12 +147,21 @@ class _Reader:
         try:
             self.feed(value)
         except Refused as refused:
-            empty = isinstance(value, Scalar) and value.value == "" and not value.style and self.keys
-            if empty and refused.code == "value-before-parameters":
-                self.problem("empty-block", self.keys[-1].span, refused.detail)
-            else:
-                self.refuse(refused, value)
+            self.early(refused, value)
             self.state.restore(before)
+
+    def early(self, refused: Refused, value: Node | Alias) -> None:
+        """A value before ``ros__parameters``: nothing at all, below a misspelt word, or really one."""
+        if refused.code in ("value-before-parameters", "list-before-parameters"):
+            misspelt = next((key for key in self.keys if MISSPELT.match(key) and not key.startswith(HEADER)), None)
+            if misspelt is not None:
+                if all(problem.where is not misspelt for problem in self.file.problems):
+                    self.problem("misspelt-header", misspelt, refused.detail)
+                return
+            if isinstance(value, Scalar) and value.value == "" and not value.style and self.keys:
+                self.problem("empty-block", self.keys[-1], refused.detail)
+                return
+        self.refuse(refused, value)
 
     def parameter(self, key: Scalar, value: Node | Alias, block: Block) -> None:
         state = self.state
@@ -193,12 +217,18 @@ class _Reader:
             return None
         raise Refused("alias", "Will not support aliasing")
 
-    def refuse(self, refused: Refused, where: Node | Alias | Span, code: str = "") -> None:
-        if isinstance(where, Sequence) and refused.code == "list-as-key":
-            code = code or "nested-list"
-        span = where if isinstance(where, Span) else where.span
-        self.problem(code or refused.code, span, refused.detail)
+    def refuse(self, refused: Refused, where: Node | Alias | Located, code: str = "") -> None:
+        if isinstance(where, Sequence) and not code and refused.code != "list-before-parameters":
+            code = _list_code(where)
+        place = where if isinstance(where, Located) else where.span
+        self.problem(code or refused.code, place, refused.detail)
 
     def problem(self, code: str, where: Located | Span, detail: str) -> None:
         if len(self.file.problems) < 1000:
             self.file.problems.append(Problem(code, where, detail))
+
+
+def _list_code(node: Sequence) -> str:
+    if any(isinstance(item, Mapping) for item in node.items):
+        return "list-of-maps"
+    return "nested-list" if any(isinstance(item, Sequence) for item in node.items) else ""

@@ -1,0 +1,114 @@
+"""What follows from the values of one parameter file: items of lists, duplicates, overridden blocks, tabs."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from bringup_lint.model.params import Data
+from bringup_lint.model.params import Parameter
+from bringup_lint.model.params import ParameterFile
+from bringup_lint.model.params import Value
+from bringup_lint.model.params import matches
+from bringup_lint.model.yaml_node import Mapping
+from bringup_lint.model.yaml_node import Scalar
+from bringup_lint.model.yaml_node import Sequence
+from bringup_lint.parsers.param_scalar import scalar
+from bringup_lint.parsers.params import parse
+from bringup_lint.source import Source
+from bringup_lint.source import Span
+
+TAB = re.compile(r"^[ \t]*\t[ \t]*", re.M)
+WIDTHS = (2, 4, 8)
+
+
+class Item(NamedTuple):
+    """A scalar of a parameter: the value itself, or an element of its list."""
+
+    type: str
+    data: Data
+    text: str
+    span: Span
+    quoted: bool
+
+
+def items(parameter: Parameter) -> list[Item]:
+    """The scalars of a value; empty when a list holds anything else."""
+    node = parameter.node
+    nodes = node.items if isinstance(node, Sequence) else [node]
+    if not all(isinstance(each, Scalar) for each in nodes):
+        return []
+    found = []
+    for each in nodes:
+        value = scalar(each.value, each.style, each.tag)
+        found.append(Item(value.type, value.data, str(each.value), each.span, bool(each.style or each.tag)))
+    return found
+
+
+def holds_maps(parameter: Parameter) -> bool:
+    node = parameter.node
+    return isinstance(node, Sequence) and any(isinstance(each, Mapping) for each in node.items)
+
+
+def is_flattened(parameter: Parameter) -> bool:
+    """Whether rcl takes the one inner list of a list for the whole, without a word."""
+    node = parameter.node
+    return isinstance(node, Sequence) and len(node.items) == 1 and isinstance(node.items[0], Sequence)
+
+
+def duplicates(file: ParameterFile) -> Iterator[tuple[Parameter, Parameter]]:
+    """Parameters that come again in the same block, each with the one before."""
+    for block in file.blocks:
+        seen: dict[str, Parameter] = {}
+        for parameter in block.parameters:
+            if parameter.name in seen:
+                yield seen[parameter.name], parameter
+            seen[parameter.name] = parameter
+
+
+def winner(file: ParameterFile, parameter: Parameter) -> Value | None:
+    """What rcl's table holds in the end for the name of a parameter in its block."""
+    entries = [entry for entry in file.nodes.get(parameter.block.name, ()) if entry.name == parameter.name]
+    return entries[-1].value if entries else None
+
+
+def taken_back(file: ParameterFile) -> Iterator[tuple[Parameter, Parameter]]:
+    """Values of a block for one node that a later block with a wildcard replaces by others."""
+    order = list(file.nodes)
+    lasting: dict[str, dict[str, Parameter]] = {}
+    for block in file.blocks:
+        for parameter in block.parameters:
+            lasting.setdefault(block.name, {})[parameter.name] = parameter
+    for at, general in enumerate(order):
+        if "*" not in general or general not in lasting:
+            continue
+        for specific in order[:at]:
+            if "*" in specific or specific not in lasting or not matches(general, specific):
+                continue
+            for name, lost in lasting[specific].items():
+                wins = lasting[general].get(name)
+                if wins is not None and wins.value != lost.value:
+                    yield lost, wins
+
+
+def indenting_tabs(file: ParameterFile) -> Iterator[Span]:
+    """Every tab in the blanks before a line."""
+    for match in TAB.finditer(file.source.text):
+        for at in range(match.start(), match.end()):
+            if file.source.text[at] == "\t":
+                yield Span(file.source, at, at + 1)
+
+
+def tab_width(file: ParameterFile) -> int | None:
+    """How many spaces a tab stands for, when the file can be read then and means the same with every usual width."""
+    if len(file.source.text) > 200_000:
+        return None
+    tables = []
+    for width in WIDTHS:
+        text = TAB.sub(lambda match: match[0].replace("\t", " " * width), file.source.text)
+        read = parse(Source(file.source.name, text))
+        if read.accepted:
+            tables.append((width, [(name, [(e.name, e.value) for e in entries]) for name, entries in read.nodes.items()]))
+    same = len(tables) == len(WIDTHS) and all(table == tables[0][1] for _, table in tables)
+    return tables[0][0] if same else None

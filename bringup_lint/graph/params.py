@@ -1,0 +1,120 @@
+"""The parameter layer: all parameter files of the tree, and who loads them."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from bringup_lint.graph import param_values
+from bringup_lint.graph.param_values import Item
+from bringup_lint.model.params import Parameter
+from bringup_lint.model.params import ParameterFile
+from bringup_lint.model.params import Value
+from bringup_lint.parsers.params import parse
+from bringup_lint.source import Located
+from bringup_lint.source import Problem
+from bringup_lint.source import Span
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.param_loads import Load
+    from bringup_lint.robot import Robot
+
+
+class Params:
+    """``files`` are the YAML files that hold ``ros__parameters``."""
+
+    def __init__(self, robot: Robot, files: list[ParameterFile]) -> None:
+        self.robot = robot
+        self.files = files
+
+    @cached_property
+    def judged(self) -> list[ParameterFile]:
+        """Those that findings may be about: really parameter files, neither context nor templates."""
+        return [file for file in self.files if file.source.judged and not file.source.template and file.is_certain]
+
+    def problems(self, *codes: str) -> Iterator[tuple[ParameterFile, Problem]]:
+        """What makes rcl refuse a judged file."""
+        for file in self.judged:
+            for problem in file.problems:
+                if problem.code in codes:
+                    yield file, problem
+
+    @property
+    def parameters(self) -> Iterator[tuple[ParameterFile, Parameter]]:
+        """Every value of the judged files, in the order of the text."""
+        for file in self.judged:
+            for parameter in file.parameters:
+                yield file, parameter
+
+    def at(self, file: ParameterFile, where: Located | Span) -> Parameter | None:
+        """The parameter whose value stands at a place."""
+        span = where.span if isinstance(where, Located) else where
+        return next((each for each in file.parameters if each.span == span), None)
+
+    def items(self, parameter: Parameter) -> list[Item]:
+        return param_values.items(parameter)
+
+    def holds_maps(self, parameter: Parameter) -> bool:
+        return param_values.holds_maps(parameter)
+
+    def is_flattened(self, parameter: Parameter) -> bool:
+        return param_values.is_flattened(parameter)
+
+    @property
+    def duplicates(self) -> Iterator[tuple[ParameterFile, Parameter, Parameter]]:
+        for file in self.judged:
+            for first, second in param_values.duplicates(file):
+                yield file, first, second
+
+    def winner(self, file: ParameterFile, parameter: Parameter) -> Value | None:
+        return param_values.winner(file, parameter)
+
+    def taken_back(self, file: ParameterFile) -> Iterator[tuple[Parameter, Parameter]]:
+        return param_values.taken_back(file)
+
+    def indenting_tabs(self, file: ParameterFile) -> Iterator[Span]:
+        return param_values.indenting_tabs(file)
+
+    def tab_width(self, file: ParameterFile) -> int | None:
+        return param_values.tab_width(file)
+
+    def declared_type(self, parameter: Parameter) -> str | None:
+        """The type that the workspace's sources declare for a parameter; None when it is not known."""
+        return None
+
+    @cached_property
+    def _loads(self) -> dict[int, list[Load]]:
+        if not self.files or not self.robot.launch.files:
+            return {}
+        from bringup_lint.graph.param_loads import loads_in
+
+        paths = {}
+        for file in self.files:
+            path = os.path.abspath(file.source.name)
+            for name in (path, os.path.realpath(path), file.source.robot_path):
+                if name:
+                    paths.setdefault(name, file)
+        found: dict[int, list[Load]] = {}
+        for expansion in self.robot.launch.expansions:
+            for load in loads_in(self.robot.launch, expansion):
+                file = paths.get(load.path) or paths.get(os.path.realpath(load.path))
+                if file is not None:
+                    found.setdefault(id(file), []).append(load)
+        return found
+
+    def loads(self, file: ParameterFile) -> list[Load]:
+        """The nodes of the tree's launch files that are given a file."""
+        return self._loads.get(id(file), [])
+
+    def reader(self, file: ParameterFile) -> str:
+        """``rcl`` when at least one node gets the file as it is, ``pyyaml`` when all get it through PyYAML, else empty."""
+        ways = {load.how for load in self.loads(file)}
+        if ways & {"rcl", "substituted"}:
+            return "rcl"
+        return "pyyaml" if ways else ""
+
+
+def load_params(robot: Robot) -> Params:
+    return Params(robot, robot.parsed(parse, robot.of_kind("params")))

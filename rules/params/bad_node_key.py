@@ -1,0 +1,60 @@
+"""A node key is not a node name.
+
+## What it finds
+Node keys with `-`, blanks, `~`, a leading digit, a trailing or repeated slash, a wildcard that is only part of a name
+(`cam*`), or `*` without quotes. `/**`, `"*"` and `/*/name` pass.
+
+## Why it matters on a robot
+rcl checks the name and refuses the whole file. Every node that gets it exits at start.
+
+## Bad
+```yaml
+motor-driver:
+  ros__parameters:
+    rate: 50
+```
+
+## Good
+```yaml
+motor_driver:
+  ros__parameters:
+    rate: 50
+```
+
+## References
+- rcl_yaml_param_parser, `_validate_name`
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule(
+    "error",
+    fix="safe",
+    symptoms=[
+        "node name must not contain characters other than alphanumerics or '_'",
+        "node name must not start with a number",
+        "contains repeated forward slash",
+    ],
+)
+def bad_node_key(robot: Robot):
+    for _, problem in robot.params.problems("unquoted-star"):
+        yield finding(
+            problem.where,
+            f"{problem.where} without quotes is a YAML alias: the process that loads the file exits at start",
+            advice=f'write "{problem.where}"',
+            fix=fix("Put it in quotes", (problem.where, f'"{problem.where}"')),
+        )
+    for file, problem in robot.params.problems("node-key"):
+        key = problem.where
+        if robot.params.reader(file) == "pyyaml" or any(sign in key for sign in "$<>{}%@"):
+            continue
+        name = next((block.name for block in file.blocks if block.key is key), key)
+        yield finding(
+            key,
+            f"'{name}' is no node name ({problem.detail}): the process that loads the file exits at start",
+            advice="use letters, digits and _, and a wildcard only for a whole name",
+        )

@@ -1,0 +1,51 @@
+"""A parameter is set twice in one block.
+
+## What it finds
+The same parameter twice below one `ros__parameters`: an error when the types differ, for information when the values are
+equal.
+
+## Why it matters on a robot
+With one type the last value counts. With two, rcl keeps both and hands over the one whose type comes first (bool, integer,
+double, string), wherever it stands.
+
+## Bad
+```yaml
+motors:
+  ros__parameters:
+    rate: 50
+    rate: fast
+```
+
+## Good
+```yaml
+motors:
+  ros__parameters:
+    rate: 50
+```
+
+## References
+- rcl_yaml_param_parser, `parse_value`
+- rclcpp, `parameter_value_from`
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning")
+def duplicate_key(robot: Robot):
+    for file, first, second in robot.params.duplicates:
+        wins = robot.params.winner(file, second)
+        same = first.value == second.value
+        differ = first.value.type != second.value.type and wins is not None
+        yield finding(
+            second.key,
+            f"'{second.name}' is set twice: the {wins.type.replace('_', ' ')} {wins.data!r} counts"
+            if differ
+            else f"'{second.name}' is set twice: " + ("both are equal" if same else "only the last value counts"),
+            advice="keep one of them",
+            related=[note(first.key, "set here before")],
+            severity="error" if differ else "info" if same else None,
+        )

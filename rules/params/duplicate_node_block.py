@@ -1,0 +1,45 @@
+"""A node has two blocks in one file.
+
+## What it finds
+The same node key twice in one parameter file.
+
+## Why it matters on a robot
+rcl merges the blocks and the later value counts. Somebody who edits the first block wonders why nothing changes.
+
+## Bad
+```yaml
+motors:
+  ros__parameters: {rate: 50}
+motors:
+  ros__parameters: {port: /dev/robot/motors}
+```
+
+## Good
+```yaml
+motors:
+  ros__parameters: {rate: 50, port: /dev/robot/motors}
+```
+
+## References
+- rcl_yaml_param_parser, `find_node`
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("info")
+def duplicate_node_block(robot: Robot):
+    for file in robot.params.judged:
+        seen = {}
+        for block in file.blocks:
+            first = seen.setdefault(block.name, block)
+            if first is not block:
+                yield finding(
+                    block.key,
+                    f"'{block.name}' has a second block here: the two are merged, and the later value counts",
+                    advice="merge them",
+                    related=[note(first.key, "the first block")],
+                )

@@ -1,0 +1,55 @@
+"""A parameter is an empty list or mapping.
+
+## What it finds
+`[]` and `{}` as values. An error for an empty mapping in front of other parameters: to rcl it ends the block, or it swallows
+the names that follow.
+
+## Why it matters on a robot
+An empty list has no type. The parameter counts as set without a value: a node that declares it with a type ends with an
+exception.
+
+## Bad
+```yaml
+planner:
+  ros__parameters:
+    plugins: []
+```
+
+## Good
+```yaml
+planner:
+  ros__parameters:
+    plugins: [""]
+```
+
+## References
+- rclcpp, `parameter_value_from`
+- rclpy, `Node.declare_parameter`: "Cannot declare a statically typed parameter with default value of type PARAMETER_NOT_SET"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("warning", symptoms=["No parameter value set", "statically typed parameter with default value of type PARAMETER_NOT_SET"])
+def empty_list(robot: Robot):
+    ended = set()
+    for file, problem in robot.params.problems("after-empty-map"):
+        if robot.params.reader(file) != "pyyaml":
+            ended.add(problem.where)
+            yield finding(
+                problem.where,
+                "To rcl the empty mapping ends the block: it takes the next parameter for a node, and the process that "
+                "loads the file exits at start",
+                advice="remove the empty mapping",
+                severity="error",
+            )
+    for _, parameter in robot.params.parameters:
+        if parameter.text in ("[]", "{}", "[ ]", "{ }") and parameter.span not in ended:
+            kind = "list" if parameter.text.startswith("[") else "mapping"
+            yield finding(
+                parameter.span,
+                f"'{parameter.name}' is an empty {kind} without a type: a node that declares it with a type ends with an exception",
+                advice="leave the line out, or write a list with one value of the type" if kind == "list" else "leave the line out",
+            )

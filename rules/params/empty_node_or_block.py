@@ -1,0 +1,48 @@
+"""A node or its parameter block is empty.
+
+## What it finds
+A node name or `ros__parameters` with nothing below, as it is left when all parameters are commented out. An explicit `{}`
+passes.
+
+## Why it matters on a robot
+rcl refuses the whole file: 'Cannot have a value before ros__parameters'. Every node that gets it exits at start.
+
+## Bad
+```yaml
+motors:
+  ros__parameters:
+    # rate: 50
+```
+
+## Good
+```yaml
+motors:
+  ros__parameters: {}
+    # rate: 50
+```
+
+## References
+- rcl_yaml_param_parser, `parse_file_events`
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule("error", fix="safe", symptoms=["Cannot have a value before ros__parameters"])
+def empty_node_or_block(robot: Robot):
+    for file, problem in robot.params.problems("empty-block"):
+        if robot.params.reader(file) == "pyyaml":
+            continue
+        key = problem.where
+        inner = "{}" if key.startswith("ros__parameters") else "{ros__parameters: {}}"
+        colon = file.source.text.find(":", key.span.end)
+        place = file.source.span(colon + 1, colon + 1)
+        yield finding(
+            key,
+            f"Nothing stands below '{key}': the process that loads the file exits at start",
+            advice=f"write {inner}, or remove the block",
+            fix=fix(f"Write {inner}", (place, f" {inner}")) if colon >= 0 else None,
+        )

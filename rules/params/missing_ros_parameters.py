@@ -1,0 +1,59 @@
+"""A value stands outside `ros__parameters`.
+
+## What it finds
+Values between a node name and `ros__parameters` or beside it, and misspellings such as `ros_parameters` or
+`ros__parameter`, in parameter files. Files that no launch file of the tree loads are judged only in a folder for
+configuration, with a warning.
+
+## Why it matters on a robot
+rcl refuses the whole file: 'Cannot have a value before ros__parameters'. Every node that gets it exits at start.
+
+## Bad
+```yaml
+motors:
+  ros_parameters:
+    rate: 50
+```
+
+## Good
+```yaml
+motors:
+  ros__parameters:
+    rate: 50
+```
+
+## References
+- rcl_yaml_param_parser, `parse_file_events`
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+_FOLDERS = ("config", "cfg", "conf", "param", "params")
+
+
+@rule("error", fix="safe", symptoms=["Cannot have a value before ros__parameters", "Couldn't parse params file"])
+def missing_ros_parameters(robot: Robot):
+    for file, problem in robot.params.problems("misspelt-header"):
+        if robot.params.reader(file) or any(not block.name.startswith("ros_") for block in file.blocks) or in_config(file):
+            yield finding(
+                problem.where,
+                f"'{problem.where}' is not ros__parameters, so its values have no place: the process exits at start",
+                advice="write ros__parameters, with two underscores",
+                fix=fix("Write ros__parameters", (problem.where, "ros__parameters")),
+            )
+    for file, problem in robot.params.problems("value-before-parameters", "list-before-parameters", "internal"):
+        known = robot.params.reader(file)
+        if known or in_config(file):
+            yield finding(
+                problem.where,
+                "A value outside ros__parameters: the process that loads the file exits at start",
+                advice="move it below ros__parameters of a node",
+                severity=None if known else "warning",
+            )
+
+
+def in_config(file):
+    return any(folder in _FOLDERS for folder in file.source.name.split("/")[:-1])

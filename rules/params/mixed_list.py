@@ -1,0 +1,60 @@
+"""A list mixes types.
+
+## What it finds
+Lists whose elements are of different types for rcl, such as `[0, 0.5]` or `[1, null]`; a warning in files that only PyYAML
+reads.
+
+## Why it matters on a robot
+rcl refuses the whole file: 'Sequence should be of same type'. Every node that gets it exits at start.
+
+## Bad
+```yaml
+motors:
+  ros__parameters:
+    gains: [0, 0.5]
+```
+
+## Good
+```yaml
+motors:
+  ros__parameters:
+    gains: [0.0, 0.5]
+```
+
+## References
+- rcl_yaml_param_parser, `parse_value`
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+_DECIMAL = re.compile(r"[+-]?(?:0|[1-9][0-9]*)\Z")
+
+
+@rule("error", fix="safe", symptoms=["Sequence should be of same type"])
+def mixed_list(robot: Robot):
+    for file, problem in robot.params.problems("mixed-list"):
+        parameter = robot.params.at(file, problem.where)
+        if parameter is None:
+            continue
+        items = robot.params.items(parameter)
+        if any("$(" in item.text for item in items):
+            continue
+        types = list(dict.fromkeys(item.type for item in items))
+        doubles = {"integer", "double"} == set(types)
+        whole = [item for item in items if item.type == "integer"]
+        only_pyyaml = robot.params.reader(file) == "pyyaml"
+        yield finding(
+            problem.where,
+            f"'{parameter.name}' mixes {' and '.join(types)}: "
+            + ("the node gets no usable list" if only_pyyaml else "the process that loads the file exits at start"),
+            advice=f"write {', '.join(f'{item.text}.0' for item in whole[:3])}" if doubles else "use one type",
+            fix=fix("Write doubles", *((item.span, f"{item.text}.0") for item in whole))
+            if doubles and all(_DECIMAL.match(item.text) for item in whole)
+            else None,
+            severity="warning" if only_pyyaml else None,
+        )

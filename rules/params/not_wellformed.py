@@ -1,0 +1,69 @@
+"""rcl cannot parse the parameter file.
+
+## What it finds
+YAML errors, tabs in the indentation, a `%YAML` directive other than 1.1, a plain value that starts with `@` or `%`, a file
+that holds only `---`, and a list at the root.
+
+## Why it matters on a robot
+The process that gets the file exits at start: 'Error parsing a event near line N'.
+
+## Bad
+```yaml
+motors:
+	ros__parameters:
+		rate: 50
+```
+
+## Good
+```yaml
+motors:
+  ros__parameters:
+    rate: 50
+```
+
+## References
+- rcl_yaml_param_parser, `parse_file_events`
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+_WHAT = {
+    "tab": "A tab cannot stand in the indentation of YAML",
+    "no-key": "There is nothing where a node name should stand",
+    "list-at-root": "The file is a list, not a mapping of node names",
+    "yaml-version": "rcl's YAML reader takes only %YAML 1.1",
+}
+_ADVICE = {
+    "tab": "indent with spaces",
+    "no-key": "remove the file, or write node name, ros__parameters and values",
+    "list-at-root": "put a node name and ros__parameters on top",
+    "yaml-version": "remove the %YAML line",
+}
+
+
+@rule("error", fix="safe", symptoms=["Error parsing a event near line", "Couldn't parse params file"])
+def not_wellformed(robot: Robot):
+    for file, problem in robot.params.problems(
+        "syntax", "tab", "control-character", "yaml-version", "no-key", "list-at-root"
+    ):
+        if problem.code == "yaml-version" and robot.params.reader(file) == "pyyaml":
+            continue
+        what = _WHAT.get(problem.code, f"The file is not valid YAML ({problem.detail})")
+        yield finding(
+            problem.where,
+            f"{what}: the process that loads the file exits at start",
+            advice=_ADVICE.get(problem.code, "repair the YAML; quote values that start with a special character"),
+            fix=_spaces(robot, file) if problem.code == "tab" else None,
+        )
+
+
+def _spaces(robot: Robot, file):
+    """Spaces for every tab in the indentation, when every usual width means the same."""
+    width = robot.params.tab_width(file)
+    if width is None:
+        return None
+    edits = [(tab, " " * width) for tab in robot.params.indenting_tabs(file)]
+    return fix("Indent with spaces", *edits)

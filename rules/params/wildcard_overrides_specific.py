@@ -1,0 +1,45 @@
+"""A wildcard block takes back what a specific block sets.
+
+## What it finds
+A block with a wildcard (`/**`) behind the block of a node that it also matches, with another value for a parameter of it.
+
+## Why it matters on a robot
+The last matching block counts, not the most specific one: the node runs with the general value.
+
+## Bad
+```yaml
+motors:
+  ros__parameters: {rate: 50}
+/**:
+  ros__parameters: {rate: 10}
+```
+
+## Good
+```yaml
+/**:
+  ros__parameters: {rate: 10}
+motors:
+  ros__parameters: {rate: 50}
+```
+
+## References
+- rclcpp, `parameter_map_from`
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning")
+def wildcard_overrides_specific(robot: Robot):
+    for file in robot.params.judged:
+        for specific, general in robot.params.taken_back(file) if file.accepted else ():
+            yield finding(
+                general.key,
+                f"'{general.block.name}' comes last and sets '{general.name}' of {specific.block.name} to {general.text} "
+                f"instead of {specific.text}",
+                advice=f"move the block '{general.block.name}' to the top of the file",
+                related=[note(specific.key, "the value that is lost")],
+            )

@@ -1,0 +1,50 @@
+"""A number is written in a way that ROS reads as text.
+
+## What it finds
+`0o10`, `0b11` and `1_000` without quotes.
+
+## Why it matters on a robot
+rcl takes them as strings. A node that declares a number refuses the value and ends.
+
+## Bad
+```yaml
+motors:
+  ros__parameters:
+    baudrate: 115_200
+```
+
+## Good
+```yaml
+motors:
+  ros__parameters:
+    baudrate: 115200
+```
+
+## References
+- rcl_yaml_param_parser, `get_value`
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+_NUMBER = re.compile(r"0o[0-7]+|0b[01]+|[+-]?[1-9][0-9]{0,2}(?:_[0-9]{3})+(?:\.[0-9]+)?")
+
+
+@rule("warning", fix="unsafe", symptoms=["InvalidParameterTypeException"])
+def yaml12_number(robot: Robot):
+    for _, parameter in robot.params.parameters:
+        if robot.params.declared_type(parameter) == "string":
+            continue
+        for item in robot.params.items(parameter):
+            if item.type == "string" and not item.quoted and _NUMBER.fullmatch(item.text):
+                plain = str(int(item.text, 0)) if item.text[:2] in ("0o", "0b") else item.text.replace("_", "")
+                yield finding(
+                    item.span,
+                    f"'{item.text}' is the text \"{item.text}\" for ROS, not a number",
+                    advice=f"write {plain}",
+                    fix=fix(f"Write {plain}", (item.span, plain), safe=False),
+                )
