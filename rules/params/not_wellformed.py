@@ -1,7 +1,7 @@
 """rcl cannot parse the parameter file.
 
 ## What it finds
-YAML errors, tabs in the indentation, a `%YAML` directive other than 1.1, a plain value that starts with `@` or `%`, a file
+YAML errors, tabs in the indentation, a `%YAML` directive other than 1.1 (a warning), a plain value that starts with `@` or `%`, a file
 that holds only `---`, and a list at the root.
 
 ## Why it matters on a robot
@@ -34,7 +34,7 @@ _WHAT = {
     "tab": "A tab cannot stand in the indentation of YAML",
     "no-key": "There is nothing where a node name should stand",
     "list-at-root": "The file is a list, not a mapping of node names",
-    "yaml-version": "rcl's YAML reader takes only %YAML 1.1",
+    "yaml-version": "libyaml before 0.2.5, as in the pip packages of ROS, takes only %YAML 1.1",
 }
 _ADVICE = {
     "tab": "indent with spaces",
@@ -57,6 +57,7 @@ def not_wellformed(robot: Robot):
             f"{what}: the process that loads the file exits at start",
             advice=_ADVICE.get(problem.code, "repair the YAML; quote values that start with a special character"),
             fix=_spaces(robot, file) if problem.code == "tab" else None,
+            severity="warning" if problem.code == "yaml-version" else None,
         )
 
 
