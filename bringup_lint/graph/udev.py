@@ -42,6 +42,7 @@ DIRECTORIES = (
 """Highest precedence first (udev(7))."""
 
 _MOST_RIVALS = 50
+"""How many rules for one link, tag or property are compared with one another."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -95,11 +96,29 @@ class RuleSet:
 
     def sets_beside(self, rule: UdevRule, key: str, *names: str) -> bool:
         """Whether a rule that may fire for the same device assigns ENV{one of the names} or TAG="one"."""
-        return any(
-            _is_named(token, names) and may_both_fire(rule, other)
-            for other in self.rules
-            for token in other.line.assignments(key)
-        )
+        others = [other for name in names for other in self._assigning.get((key, name), ())]
+        return len(others) > _MOST_RIVALS or any(may_both_fire(rule, other) for other in others)
+
+    @cached_property
+    def _assigning(self) -> dict[tuple[str, str], list[UdevRule]]:
+        """The rules that assign a tag or property, by key and name."""
+        found: dict[tuple[str, str], list[UdevRule]] = defaultdict(list)
+        for rule in self.rules:
+            for token in (*rule.line.assignments("TAG"), *rule.line.assignments("ENV")):
+                found[token.key, token.value if token.attribute is None else token.attribute].append(rule)
+        return found
+
+    @cached_property
+    def brltty_claims(self) -> tuple[tuple[Token, Rule], ...]:
+        """Lines of brltty's rules that take devices by their id alone, with the match on the id."""
+        lines = (rule.line for rule in self.rules if "brltty" in rule.source.basename)
+        found = []
+        for line in lines:
+            own = [token for token in line.tokens if token.is_match]
+            if all(token.key in ("SUBSYSTEM", "ACTION", "ENV") for token in own):
+                ids = [token for token in own if token.name == "ENV{PRODUCT}" and token.operator == "=="]
+                found += [(token, line) for token in ids[:1]]
+        return tuple(found)
 
     @cached_property
     def assigned_properties(self) -> frozenset[str]:
@@ -152,14 +171,9 @@ class Udev:
     def brltty_claim(self, rule: UdevRule, usb_id: str) -> Rule | None:
         """The line of brltty's rules that takes every device of this id."""
         vendor, product = (number.lstrip("0") for number in usb_id.split(":"))
-        for other in self.set_of(rule).rules:
-            own = [token for token in other.line.tokens if token.is_match]
-            named = [token for token in own if token.name == "ENV{PRODUCT}" and token.operator == "=="]
-            plain = all(token.key in ("SUBSYSTEM", "ACTION", "ENV") for token in own)
-            claimed = [one for token in named[:1] for one in token.alternatives]
-            taken = any(matches(one, f"{vendor}/{product}/264") for one in claimed)
-            if "brltty" in other.source.basename and plain and taken:
-                return other.line
+        for token, line in self.set_of(rule).brltty_claims:
+            if any(matches(one, f"{vendor}/{product}/264") for one in token.alternatives):
+                return line
         return None
 
     @staticmethod
@@ -169,7 +183,11 @@ class Udev:
 
     def set_of(self, rule: UdevRule) -> RuleSet:
         """The rules files that udevd reads together with the rule's."""
-        return next(one for one in self.sets if rule.file in one.files)
+        return self._set_of_file[id(rule.file)]
+
+    @cached_property
+    def _set_of_file(self) -> dict[int, RuleSet]:
+        return {id(file): one for one in self.sets for file in one.files}
 
     @property
     def too_early(self) -> Iterator[tuple[UdevRule, TooEarly]]:
@@ -241,10 +259,6 @@ def _rule_set(files: list[RulesFile]) -> RuleSet:
         else:
             chosen[name] = file
     return RuleSet(tuple(chosen[name] for name in sorted(chosen)), tuple(shadowed))
-
-
-def _is_named(token: Token, names: tuple[str, ...]) -> bool:
-    return (token.value if token.attribute is None else token.attribute) in names
 
 
 def _directory(source: Source) -> str:

@@ -196,6 +196,12 @@ class UdevRule:
         return any(option.value.startswith("link_priority=") for option in self.line.assignments("OPTIONS"))
 
     @property
+    def parent_conditions(self) -> tuple[Condition, ...]:
+        """The rule's own conditions on one device of the chain."""
+        own = (one for one in self.conditions.positive if not one.inherited)
+        return tuple(one for one in own if one.key in PARENT_KEYS)
+
+    @property
     def serials(self) -> tuple[Condition, ...]:
         """The conditions on the serial number of a USB parent."""
         return tuple(
