@@ -6,9 +6,9 @@ from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
 from dataclasses import dataclass
+from importlib import import_module
 from typing import Any
 
-from bringup_lint.facts import directives
 from bringup_lint.finding import Applicability
 from bringup_lint.finding import Confidence
 from bringup_lint.finding import Edit
@@ -17,45 +17,36 @@ from bringup_lint.finding import Fix
 from bringup_lint.finding import Related
 from bringup_lint.finding import Severity
 from bringup_lint.finding import span_of
-from bringup_lint.graph.settings import duration
-from bringup_lint.graph.unit_edits import delete_lines
-from bringup_lint.graph.unit_edits import lift_comment
-from bringup_lint.graph.unit_edits import move_lines
-from bringup_lint.model.dockerfile import Stage
-from bringup_lint.model.dockerfile import runs_as_root
-from bringup_lint.model.shell import Command
-from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.robot import Robot
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.source import Span
-from bringup_lint.spelling import nearest
-from bringup_lint.templates import is_example
-from bringup_lint.templates import is_stand_in
 
-__all__ = [
-    "Edit",
-    "Finding",
-    "Located",
-    "Robot",
-    "Source",
-    "Span",
-    "commands_of",
-    "delete_lines",
-    "directives",
-    "duration",
-    "finding",
-    "first_key",
-    "fix",
-    "is_example",
-    "is_stand_in",
-    "lift_comment",
-    "move_lines",
-    "nearest",
-    "note",
-    "rule",
-    "runs_as_root",
-]
+__all__ = ["Edit", "Finding", "Located", "Robot", "Source", "Span", "finding", "fix", "note", "rule"]
+
+_WORDS = {
+    "commands_of": "bringup_lint.parsers.dockerfile",
+    "delete_lines": "bringup_lint.graph.unit_edits",
+    "directives": "bringup_lint.facts.directives",
+    "duration": "bringup_lint.graph.settings",
+    "first_key": "bringup_lint.graph.yaml_edits",
+    "is_example": "bringup_lint.templates",
+    "is_stand_in": "bringup_lint.templates",
+    "launch": "bringup_lint.graph.launch_words",
+    "lift_comment": "bringup_lint.graph.unit_edits",
+    "move_lines": "bringup_lint.graph.unit_edits",
+    "nearest": "bringup_lint.spelling",
+    "runs_as_root": "bringup_lint.model.dockerfile",
+}
+"""Words of single layers, and whole modules of them, loaded when the first rule asks for them."""
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _WORDS:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    module = import_module(_WORDS[name])
+    return getattr(module, name, module)
+
 
 Place = Located | Span | Source
 Check = Callable[[Robot], Iterator[Finding]]
@@ -146,28 +137,3 @@ def finding(
         hidden=tuple(span_of(place) for place in hidden),
         secrets=tuple(span_of(place) for place in secrets),
     )
-
-
-def __getattr__(name: str) -> Any:
-    """``launch``: the words of the launch model, loaded only by the rules that speak of launch files."""
-    if name == "launch":
-        import bringup_lint.graph.launch_words
-
-        return bringup_lint.graph.launch_words
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-
-
-def commands_of(stage: Stage) -> Iterator[Command]:
-    """The shell commands of a Dockerfile stage's RUN instructions, in order."""
-    from bringup_lint.parsers.shell import commands
-
-    for instruction in stage.all("RUN"):
-        for script in instruction.scripts:
-            yield from commands(script)
-
-
-def first_key(mapping: Mapping, text: str) -> tuple[Span, str]:
-    """The edit that puts ``key: value`` first into a YAML mapping, in its own indentation or style."""
-    source, at = mapping.span.source, mapping.span.start + mapping.flow
-    gap = ", " if mapping.flow else "\n" + " " * (source.position(at).column - 1)
-    return source.span(at, at), text + gap

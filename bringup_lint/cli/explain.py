@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import shutil
 from collections.abc import Iterable
 from pathlib import Path
 
@@ -11,6 +10,7 @@ import click
 
 from bringup_lint.cli.options import rules_option
 from bringup_lint.cli.reporting import doc_of
+from bringup_lint.cli.reporting import terminal_width
 from bringup_lint.cli.reporting import wants_colour
 from bringup_lint.registry import Registry
 from bringup_lint.registry import Rule
@@ -45,8 +45,7 @@ def command(ctx: click.Context, what: tuple[str, ...], rule_folders: tuple[Path,
     if not found:
         click.echo(f"bringup-lint: no rule and no known log line matches '{text}'{_nearest(text, rules)}", err=True)
         ctx.exit(2)
-    width = min(shutil.get_terminal_size((80, 24)).columns, 100)
-    click.echo(plain(doc_of(found[0]), width, wants_colour(None)), nl=False)
+    click.echo(plain(doc_of(found[0]), terminal_width(), wants_colour(None)), nl=False)
 
 
 def matching(line: str, rules: Iterable[Rule]) -> list[Rule]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import shutil
 import sys
 import time
 from collections import Counter
@@ -76,7 +75,7 @@ def report_of(outcome: Outcome, robot: Robot, config: Config, started: float, kn
         notifications=tuple(Notification("error", failure) for failure in outcome.failures),
         below=outcome.hidden,
         known=known,
-        width=min(shutil.get_terminal_size((80, 24)).columns, 100),
+        width=terminal_width(),
     )
 
 
@@ -95,6 +94,17 @@ def doc_of(rule: Rule) -> RuleDoc:
         meta.aliases,
         DOCS.format(rule.id.replace("-", "_")) if rule.builtin else "",
     )
+
+
+def terminal_width() -> int:
+    """Columns to set text in: COLUMNS, else the terminal's, at most 100; 80 where there is no terminal."""
+    given = os.environ.get("COLUMNS", "")
+    if given.isdigit() and int(given):
+        return min(int(given), 100)
+    try:
+        return min(os.get_terminal_size(sys.__stdout__.fileno()).columns or 80, 100)
+    except (OSError, ValueError, AttributeError):
+        return 80
 
 
 def wants_colour(forced: bool | None) -> bool:

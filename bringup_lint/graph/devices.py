@@ -10,13 +10,13 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 
-from bringup_lint.graph.udev_rule import Link
 from bringup_lint.parsers.systemd_values import escape_path
 from bringup_lint.parsers.systemd_values import unescape_path
 from bringup_lint.source import Located
 from bringup_lint.spelling import nearest
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.udev_rule import Link
     from bringup_lint.model.launch import Action
     from bringup_lint.robot import Robot
 
@@ -110,6 +110,8 @@ class Devices:
     @property
     def undefined(self) -> Iterator[tuple[DeviceUse, Link | None]]:
         """Uses of a link that no rule makes in a folder where rules make links, with the nearest one."""
+        if not self.uses:
+            return
         folders = {link.path.rpartition("/")[0] for link in self.robot.udev.links if link.is_fixed} - {"/dev"}
         names = {link.path: link for link in self.robot.udev.links if link.is_fixed}
         for use in self.uses:

@@ -8,6 +8,8 @@ from collections.abc import Iterator
 from bringup_lint.model.dockerfile import Dockerfile
 from bringup_lint.model.dockerfile import Instruction
 from bringup_lint.model.dockerfile import Stage
+from bringup_lint.model.shell import Command
+from bringup_lint.parsers.shell import commands
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
@@ -181,3 +183,10 @@ def _heredocs(file: Dockerfile, instruction: Instruction, lines: list[tuple[int,
             file.problems.append(Problem("unterminated-heredoc", instruction.value, opening["word"]))
             return first
     return at
+
+
+def commands_of(stage: Stage) -> Iterator[Command]:
+    """The shell commands of a Dockerfile stage's RUN instructions, in order."""
+    for instruction in stage.all("RUN"):
+        for script in instruction.scripts:
+            yield from commands(script)
