@@ -36,6 +36,14 @@ def arguments(case: Path) -> list[str]:
     return own.read_text("utf-8").split() if own.exists() else ["."]
 
 
+def set_modes(case: Path) -> None:
+    """Give files the permissions of ``modes.txt`` (``0666 etc/x``), which git does not keep."""
+    modes = case / "modes.txt"
+    for line in modes.read_text("utf-8").splitlines() if modes.exists() else ():
+        mode, _, name = line.partition(" ")
+        (case / name).chmod(int(mode, 8))
+
+
 def case_id(value: object) -> str:
     return value.name if isinstance(value, Path) else str(value)
 
@@ -48,6 +56,7 @@ def test_rule_has_a_bad_and_a_good_fixture(rule_id: str) -> None:
 
 @pytest.mark.parametrize(("rule_id", "case"), cases("bad"), ids=case_id)
 def test_bad_fixture(rule_id: str, case: Path, update_expected: bool) -> None:
+    set_modes(case)
     expected = case.parent / case.name.replace("bad", "expected", 1).__add__(".txt")
     run = lint("--select", rule_id, "--output-format", "concise", *arguments(case), cwd=case)
     assert run.code in (0, 1), run.stderr
@@ -60,6 +69,7 @@ def test_bad_fixture(rule_id: str, case: Path, update_expected: bool) -> None:
 @pytest.mark.parametrize(("rule_id", "case"), cases("good"), ids=case_id)
 def test_good_fixture(rule_id: str, case: Path) -> None:
     assert any(path.is_file() or path.is_symlink() for path in case.rglob("*")), f"{case} is empty"
+    set_modes(case)
     run = lint("--select", rule_id, "--output-format", "concise", *arguments(case), cwd=case)
     assert run.stdout == ""
     assert run.code == 0, run.stderr

@@ -140,10 +140,25 @@ class Tree:
         for paths in self._paths.values():
             yield from paths
 
+    @property
+    def paths(self) -> list[str]:
+        """All walked paths, as the file system names them."""
+        return sorted(path for known in self._paths.values() for path in known)
+
     def under(self, folder: str) -> list[str]:
         """The paths on the robot of all walked files in a folder such as ``/etc/default``."""
         paths = (self.robot_path(path) for known in self._paths.values() for path in known)
         return sorted({path for path in paths if path and path.rpartition("/")[0] == folder.rstrip("/")})
+
+    def entries(self, folder: str) -> list[str] | None:
+        """The names in a folder of the robot, walked or not; None when the tree cannot tell."""
+        if self.root is None or not self.complete:
+            return None
+        path = resolve_inside(self.root, folder)
+        try:
+            return sorted(os.listdir(path)) if path else []
+        except OSError:
+            return None
 
     def named(self, basename: str) -> Iterator[str]:
         """All walked paths with this last component."""

@@ -1,4 +1,5 @@
-"""What a name or value that Cyclone DDS does not know could mean: another version, another place, another spelling."""
+"""What a name or value that Cyclone DDS does not know could mean: another version, another place, another
+spelling."""
 
 from __future__ import annotations
 

@@ -12,12 +12,16 @@ from bringup_lint.facts import table
 from bringup_lint.graph import cyclonedds_discovery
 from bringup_lint.graph import cyclonedds_names
 from bringup_lint.graph import dds_network
+from bringup_lint.graph import fastdds_names
 from bringup_lint.model.cyclonedds import Configuration
 from bringup_lint.model.cyclonedds import Domain
 from bringup_lint.model.cyclonedds import Remark
-from bringup_lint.parsers.cyclonedds import DEFAULT_VERSION
-from bringup_lint.parsers.cyclonedds import parse as parse_cyclonedds
+from bringup_lint.model.fastdds import Profiles
+from bringup_lint.model.fastdds import Remark as ProfileRemark
+from bringup_lint.parsers import cyclonedds
+from bringup_lint.parsers import fastdds
 from bringup_lint.parsers.cyclonedds_values import words
+from bringup_lint.source import Located
 
 if TYPE_CHECKING:
     from bringup_lint.model.netplan import Plan
@@ -48,6 +52,9 @@ class Dds:
     distro: str | None
     configurations: list[Configuration] = field(default_factory=list)
     """Cyclone DDS files; templates, whose text is not final, are left out."""
+    fastdds: Library = field(default_factory=lambda: fastdds_of(None))
+    profile_files: list[Profiles] = field(default_factory=list)
+    """Fast DDS profile files; templates are left out."""
 
     accepted_by = staticmethod(cyclonedds_names.accepted_by)
     spelling = staticmethod(cyclonedds_names.spelling)
@@ -75,11 +82,37 @@ class Dds:
     networks = staticmethod(dds_network.networks)
     routed = staticmethod(dds_network.routed)
 
-    def plan_of(self, configuration: Configuration) -> Plan | None:
+    fastdds_spelling = staticmethod(fastdds_names.spelling)
+    fastdds_versions = staticmethod(fastdds_names.versions)
+    fastdds_places = staticmethod(fastdds_names.places)
+    fastdds_words = staticmethod(fastdds_names.allowed)
+    first_named = staticmethod(fastdds_names.first_named)
+    transport_named = staticmethod(fastdds_names.transport_named)
+    with_blanks = staticmethod(fastdds_names.with_blanks)
+    multicast_peers = staticmethod(fastdds_names.multicast_peers)
+
+    def fastdds_remarks(self, *codes: str) -> Iterator[tuple[Profiles, ProfileRemark]]:
+        """What the library would say about the Fast DDS files, by code."""
+        for profiles in self.profile_files:
+            for remark in profiles.remarks:
+                if remark.code in codes:
+                    yield profiles, remark
+
+    def locator_ports(self) -> Iterator[Located]:
+        """Every port of a UDP locator in the Fast DDS files."""
+        for profiles in self.profile_files:
+            yield from fastdds_names.locator_ports(profiles)
+
+    def own_places(self, configuration: Configuration | Profiles) -> list[Located]:
+        """Where the robot's static addresses are written."""
+        plan = self.plan_of(configuration)
+        return [each.text for one in plan.interfaces.values() for each in one.addresses] if plan else []
+
+    def plan_of(self, configuration: Configuration | Profiles) -> Plan | None:
         """The netplan of the same robot, when the tree holds exactly one."""
         return dds_network.plan_of(self.robot, configuration.source)
 
-    def own_addresses(self, configuration: Configuration) -> set[str]:
+    def own_addresses(self, configuration: Configuration | Profiles) -> set[str]:
         """The robot's static addresses by that netplan; empty when nobody knows."""
         plan = self.plan_of(configuration)
         return dds_network.own_addresses(plan) if plan else set()
@@ -101,19 +134,40 @@ class Dds:
 
     @property
     def old_discovery(self) -> bool:
-        """Whether only the file decides on discovery: no ROS_STATIC_PEERS, no discovery range, no index set by the RMW."""
+        """Whether only the file decides on discovery: no ROS_STATIC_PEERS, no discovery range, no index set
+        by the RMW."""
         return self.distro in BEFORE_DISCOVERY_OPTIONS
 
 
 def load_dds(robot: Robot) -> Dds:
-    library = cyclonedds_of(robot.target.ros)
-    sources = [source for source in robot.of_kind("cyclonedds") if not source.template]
-    parse = partial(parse_cyclonedds, version=library.version)
-    return Dds(robot, library, robot.target.ros, robot.parsed(parse, sources))
+    distro = robot.target.ros
+    cyclone, fast = cyclonedds_of(distro), fastdds_of(distro)
+    files = [source for source in robot.of_kind("cyclonedds", "fastdds") if not source.template]
+    configurations = robot.parsed(
+        partial(cyclonedds.parse, version=cyclone.version),
+        [source for source in files if source.kind == "cyclonedds"],
+    )
+    profiles = robot.parsed(
+        partial(fastdds.parse, version=SERIES.get(fast.version, fast.version)),
+        [source for source in files if source.kind == "fastdds"],
+    )
+    return Dds(robot, cyclone, distro, configurations, fast, profiles)
+
+
+SERIES = {"2.1": "2.6", "2.3": "2.6", "2.10": "2.14"}
+"""The series whose table stands in for one that has none."""
 
 
 def cyclonedds_of(distro: str | None) -> Library:
+    return _library("Cyclone DDS", "cyclonedds", distro, cyclonedds.DEFAULT_VERSION)
+
+
+def fastdds_of(distro: str | None) -> Library:
+    return _library("Fast DDS", "fastdds", distro, fastdds.DEFAULT_VERSION)
+
+
+def _library(name: str, column: str, distro: str | None, default: str) -> Library:
     for row in table("dds_versions"):
         if row["distro"] == distro:
-            return Library("Cyclone DDS", row["cyclonedds"], True, f"ROS {distro}")
-    return Library("Cyclone DDS", DEFAULT_VERSION, False, "Humble to Kilted have it")
+            return Library(name, row[column], True, f"ROS {distro}")
+    return Library(name, default, False, "no ROS distribution is known")

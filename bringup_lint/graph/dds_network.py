@@ -63,7 +63,7 @@ def device(plan: Plan, name: str) -> Interface | None:
 
 
 def may_exist(plan: Plan, name: str) -> bool:
-    """Whether an interface of this name may come from elsewhere: by a match, another program, or the kernel."""
+    """Whether an interface of this name may come from a match, another program, or the kernel."""
     from fnmatch import fnmatch
 
     if name.startswith(KERNEL_MADE):

@@ -43,7 +43,7 @@ class Sysctl:
 
 
 def load_sysctl(robot: Robot) -> Sysctl:
-    """Merge the files by their names; with /etc/sysctl.conf, which Debian and Ubuntu link as 99-sysctl.conf."""
+    """Merge the files by their names; Debian and Ubuntu link /etc/sysctl.conf as 99-sysctl.conf."""
     by_name: dict[str, tuple[int, Source]] = {}
     certain = True
     for source in robot.of_kind("sysctl"):

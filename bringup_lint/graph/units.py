@@ -27,6 +27,7 @@ from bringup_lint.graph.graph import Graph
 from bringup_lint.graph.graph import Node
 from bringup_lint.graph.process import Process
 from bringup_lint.graph.process import processes
+from bringup_lint.graph.provision import makes
 from bringup_lint.graph.restart import RestartPolicy
 from bringup_lint.graph.restart import restart_policy
 from bringup_lint.graph.supervision import Supervision
@@ -38,10 +39,12 @@ from bringup_lint.graph.unit_lines import Line
 from bringup_lint.graph.unit_lines import lines
 from bringup_lint.facts.directives import NEWEST
 from bringup_lint.model.unit import UnitFile
+from bringup_lint.parsers.systemd_values import is_unit_name
 from bringup_lint.parsers.unit import parse
 from bringup_lint.parsers.unit import unit_name
 from bringup_lint.source import Located
 from bringup_lint.source import Source
+from bringup_lint.spelling import nearest
 from bringup_lint.templates import final_name
 
 if TYPE_CHECKING:
@@ -79,6 +82,8 @@ _DDS_VARIABLE = re.compile(r"(?:ROS|RMW|CYCLONEDDS|FASTRTPS|FASTDDS|ZENOH)_(?!VE
 _USER_FOLDER = re.compile(
     r"(?:^|/)(?:(?:systemd|units?|services?)[/_-]user|user[_-](?:systemd|units?|services?))(?:/|$)"
 )
+_DIGITS = re.compile(r"\d+")
+_STARTING = frozenset({"requires", "binds-to", "wants", "upholds", "triggers", "on-failure", "on-success"})
 _LINK_FOLDER = re.compile(r"([^/]+)\.(wants|requires|upholds)$")
 _RELATION = {"wants": "Wants", "requires": "Requires", "upholds": "Upholds"}
 GENERATED = re.compile(
@@ -87,6 +92,11 @@ GENERATED = re.compile(
     r"|container-getty|autovt|systemd-[\w-]+)@|^(?:dbus-.*|netplan-.*|snap[.-].*|cloud-.*|nvargus-.*|nvidia-.*)\.\w+$"
 )
 """Names that the kernel, a generator or an installed package provides, so that nothing in a tree can prove them missing."""
+
+
+def _family(name: str) -> str:
+    """The first word of a unit's name: ``rover`` of ``rover-nav@a.service``."""
+    return re.split(r"[-@.]", name, maxsplit=1)[0]
 
 
 class Link(NamedTuple):
@@ -322,6 +332,54 @@ class Units:
         if "%" in name or GENERATED.search(name) or near.manager == "user":
             return None
         return not self.has_vendor_units and self.is_distribution_unit(name)
+
+    def is_missing(self, name: str, near: Unit) -> bool:
+        """Whether a unit that ``near`` names is provably, or in a repository most likely, not there: nothing
+        provides it, no script makes it, and it is named like the robot's own units, or nearly like one of them."""
+        if self.exists(name, near) is not False or self.is_distribution_unit(name):
+            return False
+        if self.robot.tree.complete:
+            return True
+        own = {unit.name for unit in self.all if unit.manager == near.manager and unit.fragment}
+        family = _family(name)
+        related = len(family) > 2 and "-" in name and any(_family(other) == family for other in own)
+        return (related or self.meant(name, near) is not None) and not self.is_made(name)
+
+    def meant(self, name: str, near: Unit) -> str | None:
+        """The one unit of the tree whose name a misspelt one nearly is. Units that differ in a number are no misspellings."""
+        stem, _, kind = name.rpartition(".")
+        if len(stem) < 6:
+            return None
+        own = {
+            unit.stem
+            for unit in self.all
+            if unit.type == kind and unit.manager == near.manager and unit is not near
+        }
+        found = [
+            other for other in nearest(stem, sorted(own)) if _DIGITS.sub("", other) != _DIGITS.sub("", stem)
+        ]
+        return f"{found[0]}.{kind}" if len(found) == 1 else None
+
+    @staticmethod
+    def is_name(text: str) -> bool:
+        """Whether systemd takes the text as the name of a unit."""
+        return is_unit_name(text)
+
+    def is_made(self, name: str) -> bool:
+        """Whether a script of the tree makes a file of that name."""
+        return makes(self.robot.tree, name)
+
+    def is_started(self, unit: Unit) -> bool:
+        """Whether something starts the unit, or can be told to: an [Install] section, another unit, D-Bus, a udev rule."""
+        if unit.is_template or unit.aliases or unit.get("BusName") or any(unit.sections("Install")):
+            return True
+        if self.is_distribution_unit(unit.name) or unit.name.startswith("systemd-"):
+            return True
+        edges = self.graph.into.get(self.node(unit), ())
+        if any(edge.kind in _STARTING for edge in edges):
+            return True
+        name = re.escape(unit.name)
+        return any(re.search(rf"\b{name}", source.text) for source in self.robot.of_kind("udev-rules"))
 
     def waits_for(self, unit: Unit, name: str) -> list[Edge] | None:
         """The chain of ordering by which the unit starts after the named one; None when there is none."""

@@ -67,10 +67,11 @@ class Remark(NamedTuple):
     """Something that the library would say, or should have said."""
 
     code: str
-    """Of names: ``unknown-element``, ``unknown-attribute``, ``ambiguous-name``, ``abbreviated``, ``alias``, ``deprecated``,
-    ``moved``, ``build``. Of structure: ``xml``, ``root``, ``duplicate``, ``unexpected-text``, ``missing``. Of values:
-    ``value``, ``unit``, ``range``, ``bare-number``, ``expansion``. Of values together: ``mixed-interfaces``, ``anonymous``,
-    ``autodetermined``, ``watermarks``, ``transport``, ``ports``, ``priority``, ``address``."""
+    """Of names: ``unknown-element``, ``unknown-attribute``, ``ambiguous-name``, ``abbreviated``, ``alias``,
+    ``deprecated``, ``moved``, ``build``. Of structure: ``xml``, ``root``, ``duplicate``, ``unexpected-text``,
+    ``missing``. Of values: ``value``, ``unit``, ``range``, ``bare-number``, ``expansion``. Of values together:
+    ``mixed-interfaces``, ``anonymous``, ``autodetermined``, ``watermarks``, ``transport``, ``ports``,
+    ``priority``, ``address``."""
     where: Located | Span
     fatal: bool
     """Whether no participant can be created."""

@@ -89,6 +89,8 @@ class Document:
     root: Element | None = None
     declaration: Span | None = None
     doctype: Span | None = None
+    instructions: list[Span] = field(default_factory=list)
+    """Processing instructions, the XML declaration left out."""
     problems: list[Problem] = field(default_factory=list)
 
     @property

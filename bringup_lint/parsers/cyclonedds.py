@@ -1,6 +1,7 @@
 """Cyclone DDS configuration: read as a version of the library reads it, with every remark that it would make.
 
-The library refuses a configuration on the first error: no participant, so no ROS node, can be created. This reader goes on,
+The library refuses a configuration on the first error: no participant, so no ROS node, can be created. This
+reader goes on,
 so that all errors are found at once.
 """
 
@@ -49,7 +50,8 @@ TOLERATED = frozenset(
         "undeclared-prefix",
     }
 )
-"""XML problems that the library's own reader does not mind; duplicate attributes it reports as duplicate settings."""
+"""XML problems that the library's own reader does not mind; duplicate attributes it reports as duplicate
+settings."""
 INLINE_TOLERATED = TOLERATED | {"unclosed-element", "second-root", "text-outside-root"}
 """Inline XML may be cut off, and other documents may follow it."""
 
@@ -62,7 +64,8 @@ def parse(
     environment: Mapping[str, str] | None = None,
     features: frozenset[str] = ALL_FEATURES,
 ) -> Configuration:
-    """Read a configuration. ``environment`` None means that variables are not known: such values are not judged."""
+    """Read a configuration. ``environment`` None means that variables are not known: such values are not
+    judged."""
     document = parse_xml(source)
     return read(document, version, inline=inline, environment=environment, features=features)
 
@@ -149,7 +152,8 @@ class _Reader:
         self.child(element, items, self.schema.root, parent or element)
 
     def child(self, element: Element, items: list[Item], inside: Item, owner: Element) -> None:
-        """Match one element and read it. ``owner`` is the nearest list element: what must be unique, is so inside it."""
+        """Match one element and read it. ``owner`` is the nearest list element: what must be unique, is so
+        inside it."""
         found = match(items, element.name, self.inline)
         item = found.item
         if item is None or (found.how == "prefix" and not self.inline):

@@ -1,6 +1,7 @@
 """What Cyclone DDS refuses although every single value is fine: settings that contradict each other.
 
-``ddsi_config_init`` (interfaces, transport), ``rtps_config_prep`` (ports, watermarks) and the thread start of the library.
+``ddsi_config_init`` (interfaces, transport), ``rtps_config_prep`` (ports, watermarks) and the thread start
+of the library.
 """
 
 from __future__ import annotations

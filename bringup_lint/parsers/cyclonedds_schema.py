@@ -1,6 +1,7 @@
 """The names that a version of Cyclone DDS knows, and the library's way of matching them.
 
-Names ignore case. An alias counts like the name. Only XML given inline in ``CYCLONEDDS_URI`` may shorten a name to a unique
+Names ignore case. An alias counts like the name. Only XML given inline in ``CYCLONEDDS_URI`` may shorten a
+name to a unique
 prefix (``find_cfgelem_by_name`` in ddsi_config.c).
 """
 

@@ -1,4 +1,5 @@
-"""sysctl.d(5): lines ``name = value``; a leading ``-`` only forgives failures, ``/`` in names counts like ``.``."""
+"""sysctl.d(5): lines ``name = value``; a leading ``-`` only forgives failures, ``/`` in names counts like
+``.``."""
 
 from __future__ import annotations
 

@@ -1,7 +1,9 @@
 """The one XML reader: text to a located tree, without entities, DTDs, network or surprises.
 
-It accepts what XML 1.0 with namespaces calls well-formed and reports everything else as a problem, then goes on: a
-missing end tag is closed by the end tag of an element around it, a stray one is skipped. Time is linear, depth and size are
+It accepts what XML 1.0 with namespaces calls well-formed and reports everything else as a problem, then
+goes on: a
+missing end tag is closed by the end tag of an element around it, a stray one is skipped. Time is linear,
+depth and size are
 bounded. A DOCTYPE is always a problem, and its declarations have no effect.
 
 Problem codes: ``bad-attribute``, ``bad-comment``, ``bad-declaration``, ``bad-instruction``,
@@ -38,7 +40,8 @@ _BLANK = " \t\r\n"
 _END_TAG = re.compile(r"</([^ \t\r\n<>]*)[ \t\r\n]*(>?)")
 _DECLARATION = re.compile(
     r"<\?xml[ \t\r\n]+version[ \t\r\n]*=[ \t\r\n]*(?:\"1\.[0-9]+\"|'1\.[0-9]+')"
-    r"(?:[ \t\r\n]+encoding[ \t\r\n]*=[ \t\r\n]*(?:\"(?P<double>[A-Za-z][\w.-]*)\"|'(?P<single>[A-Za-z][\w.-]*)'))?"
+    r"(?:[ \t\r\n]+encoding[ \t\r\n]*=[ \t\r\n]*"
+    r"(?:\"(?P<double>[A-Za-z][\w.-]*)\"|'(?P<single>[A-Za-z][\w.-]*)'))?"
     r"(?:[ \t\r\n]+standalone[ \t\r\n]*=[ \t\r\n]*(?:\"(?:yes|no)\"|'(?:yes|no)'))?[ \t\r\n]*\?>",
     re.ASCII,
 )
@@ -166,7 +169,11 @@ class _Reader:
         elif name[0] == "xml":
             code = "bad-declaration" if start == 0 else "late-declaration"
             self.report(code, start, end, "" if start == 0 else "it must be the first thing in the file")
-        elif name[0].lower() == "xml" or ":" in name[0]:
+        else:
+            self.document.instructions.append(self.source.span(start, end))
+        if name is None or name[0] == "xml":
+            return
+        if name[0].lower() == "xml" or ":" in name[0]:
             self.report("bad-instruction", start, end, f"{name[0]} is reserved")
         elif self.text[name.end() : name.end() + 1] not in (*_BLANK, "?", ""):
             self.report("bad-instruction", start, end, "a blank is missing behind the name")

@@ -105,7 +105,7 @@ def _attribute(source: Source, start: int, report: Report) -> tuple[int, Attribu
 
 
 def _closing_quote(text: str, start: int, end: int) -> int:
-    """Offset behind the quote that closes a value with ``<`` in it, on the same line; 0 when there is none."""
+    """Offset behind the quote that closes a value with ``<`` in it, on the same line; 0 without one."""
     line_end = text.find("\n", end, end + 4096)
     limit = line_end if line_end != -1 else min(end + 4096, len(text))
     return text.find(text[start], end, limit) + 1

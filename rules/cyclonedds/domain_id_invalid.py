@@ -32,7 +32,8 @@ def domain_id_invalid(robot: Robot):
         if remark.item.path == "CycloneDDS/Domain@Id":
             yield finding(
                 remark.where,
-                f"The domain Id '{remark.where}' is neither 'any' nor a number: no participant can be created, no node starts",
+                f"The domain Id '{remark.where}' is neither 'any' nor a number: no participant can be "
+                "created, no node starts",
                 advice="write any",
                 fix=fix("write any", (remark.where, "any"), safe=False),
             )

@@ -45,6 +45,6 @@ def element_too_new(robot: Robot):
         yield finding(
             remark.where,
             f"{library} does not take '{remark.where}', only {', '.join(versions)} does: no node starts",
-            advice=f"write what {library.name} {library.version} knows, or set target.ros to the robot's distribution",
+            advice=f"write what {library.version} knows, or set target-ros to the robot's distribution",
             severity=None if library.known else "warning",
         )

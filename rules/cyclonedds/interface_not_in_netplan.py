@@ -51,7 +51,8 @@ def interface_not_in_netplan(robot: Robot):
             predictable = name.startswith(("en", "wl", "eth0")) and any(each.is_physical for each in known)
             yield finding(
                 setting.value,
-                f"Interface {name} is not configured on this robot: 'does not match an available interface', no node starts",
+                f"Interface {name} is not configured on this robot: 'does not match an available "
+                "interface', no node starts",
                 advice=f"use one of {', '.join(str(each.device) for each in known)}",
                 related=[note(each.name, "netplan configures this one") for each in known[:3]],
                 severity="warning" if predictable else None,

@@ -39,6 +39,7 @@ def max_auto_participant_index(robot: Robot):
                 port = 7400 + 10 + 2 * int(text)
                 yield finding(
                     setting.value,
-                    f"Index {text} means port {port} + 250 x domain, which belongs to the next domain (from {7400 + 250})",
+                    f"Index {text} means port {port} + 250 x domain, which belongs to the next domain (from "
+                    f"{7400 + 250})",
                     advice="stay at or below 119",
                 )

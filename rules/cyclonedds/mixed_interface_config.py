@@ -38,7 +38,10 @@ from bringup_lint.api import rule
 def mixed_interface_config(robot: Robot):
     for _, remark in robot.dds.remarks("mixed-interfaces"):
         if remark.detail:
-            message = f"{remark.where} together with Interfaces is fatal ('do not pass deprecated configuration'): no node starts"
+            message = (
+                f"{remark.where} together with Interfaces is fatal ('do not pass deprecated "
+                "configuration'): no node starts"
+            )
             advice = f"delete {remark.where} and say it in the NetworkInterface"
         else:
             message = f"{remark.where} makes the start fail without a word from 0.9 on: no node starts"

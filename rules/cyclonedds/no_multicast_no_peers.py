@@ -48,6 +48,6 @@ def no_multicast_no_peers(robot: Robot):
         yield finding(
             setting.value,
             message if robot.dds.old_discovery else f"{message}, unless ROS_STATIC_PEERS names them",
-            advice='add <Discovery><Peers><Peer Address="localhost"/></Peers></Discovery> with the other hosts',
+            advice='add Discovery/Peers with <Peer Address="localhost"/> and the other hosts',
             severity=None if robot.dds.old_discovery else "warning",
         )

@@ -48,7 +48,10 @@ def no_multicast_participantindex_none(robot: Robot):
         if index is not None and (index.effective or "").lower() != "none":
             continue
         where = index.value if index else off.value
-        message = "Unicast discovery cannot find ports that are random: without multicast and with ParticipantIndex none "
+        message = (
+            "Unicast discovery cannot find ports that are random: without multicast and with "
+            "ParticipantIndex none "
+        )
         yield finding(
             where,
             message + "the robot starts and its nodes stay alone",

@@ -46,7 +46,8 @@ def peer_missing_address(robot: Robot):
                     )
                 yield finding(
                     element.name,
-                    "A Peer needs the attribute Address, and takes no text: no participant can be created, no node starts",
+                    "A Peer needs the attribute Address, and takes no text: no participant can be created, "
+                    "no node starts",
                     advice='write <Peer Address="..."/>',
                     fix=change,
                 )

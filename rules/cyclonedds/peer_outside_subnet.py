@@ -47,7 +47,8 @@ def peer_outside_subnet(robot: Robot):
             if subnets:
                 yield finding(
                     peer,
-                    f"Peer {address} lies in no subnet of this robot and no route covers it: it will not be discovered",
+                    f"Peer {address} lies in no subnet of this robot and no route covers it: it will not be "
+                    "discovered",
                     advice="correct the address, or add a route",
                     related=[note(each.name, f"has {network}") for each, network in subnets[:3]],
                 )

@@ -53,7 +53,8 @@ def peer_self_missing(robot: Robot):
         inserted = Span(first.span.source, first.span.start, first.span.start)
         yield finding(
             first.name,
-            "The robot itself is not among its peers, and multicast is off: its own nodes do not see each other",
+            "The robot itself is not among its peers, and multicast is off: its own nodes do not see each "
+            "other",
             advice='add <Peer Address="localhost"/>',
             related=[note(off.value, "multicast is off")],
             severity=None if own else "info",

@@ -23,7 +23,8 @@ starts. Privileges do not help, and in a container the host's limit counts.
 ```
 
 ## References
-- Cyclone DDS 0.10.5 and 11.0.1, tried with the real library: 8192 kB passes and 8193 kB fails with rmem_max 4194304
+- Cyclone DDS 0.10.5 and 11.0.1, tried with the real library: 8192 kB passes and 8193 kB fails with rmem_max
+  4194304
 - https://github.com/eclipse-cyclonedds/cyclonedds/pull/1001
 - socket(7), SO_RCVBUF
 """
@@ -56,7 +57,8 @@ def socket_buffer_exceeds_sysctl(robot: Robot):
             has = f"this robot has {granted}" if known else f"no file of this tree raises it from {granted}"
             yield finding(
                 setting.value,
-                f"At least {setting.value} needs {limit_name} >= {(wanted + 1) // 2}, but {has}: no node starts",
+                f"At least {setting.value} needs {limit_name} >= {(wanted + 1) // 2}, but {has}: no node "
+                "starts",
                 advice=f"set {limit_name} = {wanted} in /etc/sysctl.d, or ask with max instead of min",
                 related=[note(limit.value, "the limit")] if limit else (),
                 severity=None if known else "warning",

@@ -40,9 +40,15 @@ def unknown_element(robot: Robot):
         if robot.dds.accepted_by(configuration, remark) and remark.code != "build":
             continue
         library = robot.dds.cyclonedds
-        message = f"'{remark.where}' is an unknown element for {library}: no participant can be created, no node starts"
+        message = (
+            f"'{remark.where}' is an unknown element for {library}: no participant can be created, no node "
+            "starts"
+        )
         if remark.code == "build":
-            message = f"'{remark.where}' exists only in builds with {remark.detail}; ROS packages have none: no node starts"
+            message = (
+                f"'{remark.where}' exists only in builds with {remark.detail}; ROS packages have none: no "
+                "node starts"
+            )
         meant = robot.dds.spelling(configuration, remark)
         place = robot.dds.place(configuration, remark)
         advice = "delete it, or look the name up in the configuration guide of this version"

@@ -46,7 +46,8 @@ def wrong_root(robot: Robot):
             )
         yield finding(
             root.name,
-            f"The root element '{root.name}' is unknown to Cyclone DDS: no participant can be created, no node starts",
+            f"The root element '{root.name}' is unknown to Cyclone DDS: no participant can be created, no "
+            "node starts",
             advice="make CycloneDDS the outermost element, with Domain inside",
             fix=change,
         )

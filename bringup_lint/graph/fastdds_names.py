@@ -1,0 +1,103 @@
+"""What a remark about a Fast DDS file could mean, and where the named things stand."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from bringup_lint.model.fastdds import VERSIONS
+from bringup_lint.model.fastdds import Profiles
+from bringup_lint.model.fastdds import Remark
+from bringup_lint.model.xml import Element
+from bringup_lint.parsers.fastdds import locators
+from bringup_lint.parsers.fastdds_schema import Item
+from bringup_lint.parsers.fastdds_schema import elsewhere
+from bringup_lint.parsers.fastdds_schema import schema
+from bringup_lint.source import Located
+from bringup_lint.source import Span
+from bringup_lint.spelling import nearest
+
+LOCATOR_LISTS = re.compile(r"LocatorList$|^initialPeersList$|external_unicast_locators$")
+
+
+def shape(path: str, version: str) -> Item | None:
+    """The item that lists what may stand inside a path."""
+    items = schema(version)
+    item = items.get(path)
+    return items.get(item.check, item) if item is not None and item.check.startswith("{") else item
+
+
+def spelling(profiles: Profiles, remark: Remark) -> str | None:
+    """The one name of the same place that a misspelt one means."""
+    item = shape(remark.path, profiles.version)
+    known = () if item is None else item.children if remark.code == "unknown-element" else item.attributes
+    exact = [name for name in known if name.lower() == remark.detail.lower()]
+    found = exact or nearest(remark.detail, known)
+    return found[0] if len(found) == 1 else None
+
+
+def versions(profiles: Profiles, remark: Remark) -> list[str]:
+    """The other versions that take the name at this place."""
+    found = []
+    for version in VERSIONS:
+        item = shape(remark.path, version)
+        known = {} if item is None else item.children if remark.code == "unknown-element" else item.attributes
+        if remark.detail in known:
+            found.append(version)
+    return found
+
+
+def places(profiles: Profiles, remark: Remark) -> list[str]:
+    """Where an element of this name may stand, as short paths; at most one parent is of use as advice."""
+    found = {path.rpartition("/")[0] for path in elsewhere(remark.detail, profiles.version)}
+    near = [path for path in found if path.startswith(remark.path) or remark.path.startswith(path)]
+    return [path.rpartition("/")[2] for path in near] if len(near) == 1 else []
+
+
+def allowed(profiles: Profiles, remark: Remark) -> tuple[str, ...]:
+    """The words that the element of a remark takes."""
+    item = schema(profiles.version).get(remark.path)
+    return item.allowed if item else ()
+
+
+def first_named(profiles: Profiles, remark: Remark) -> Located | None:
+    """The first profile or transport of the same name."""
+    if remark.code == "transport-duplicate":
+        return transport_named(profiles, str(remark.where))
+    kind = remark.path.rpartition("/")[2]
+    return next((each.name for each in profiles.of_kind(kind) if each.name == remark.where), None)
+
+
+def transport_named(profiles: Profiles, name: str) -> Located | None:
+    """Where a transport is defined."""
+    for descriptor in profiles.transports:
+        identifier = descriptor.find("transport_id")
+        if identifier is not None and identifier.text == name:
+            return identifier.text
+    return None
+
+
+def with_blanks(text: Located) -> Span:
+    """The span of an element's text with the blanks around it."""
+    source, start, end = text.span
+    while start and source.text[start - 1] in " \t\r\n":
+        start -= 1
+    while end < len(source.text) and source.text[end] in " \t\r\n":
+        end += 1
+    return Span(source, start, end)
+
+
+def locator_ports(profiles: Profiles) -> Iterator[Located]:
+    """The text of every port of a UDP locator."""
+    for element in profiles.document.elements:
+        if LOCATOR_LISTS.search(element.name):
+            for transport in locators(element):
+                port = transport.find("port")
+                if port is not None and transport.name.startswith("udp"):
+                    yield port.text
+
+
+def multicast_peers(peers: Element) -> bool:
+    """Whether a list of peers names a multicast group itself."""
+    addresses = (child.find("address") for child in locators(peers))
+    return any(each is not None and re.match(r"2(?:2[4-9]|3[0-9])\.", each.text) for each in addresses)

@@ -1,0 +1,40 @@
+"""Files of a robot that a script of the repository makes, so that nothing in the tree holds them."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+from bringup_lint.discover.reading import read_head
+
+if TYPE_CHECKING:
+    from bringup_lint.discover.tree import Tree
+
+_SCRIPT = re.compile(
+    r"(?:\.(?:sh|bash|py|ya?ml|cmake|mk|bb|bbappend|install|postinst|preinst|j2|toml|nix)"
+    r"|(?:^|/)(?:Makefile|Dockerfile\S*|Containerfile|CMakeLists\.txt|justfile|rules|postinst))$"
+)
+_SIZE = 512 * 1024
+_COUNT = 3000
+"""Bytes of a script and scripts of a tree that are looked at, at most."""
+
+
+def makes(tree: Tree, name: str) -> bool:
+    """Whether a script or recipe of the tree names a file of that name by a path, or redirects into it."""
+    written = re.compile(rf"(?:[/>]\s*|\b(?:tee|cat|touch)\s+(?:-\S+\s+)*[\"']?){re.escape(name)}(?![\w.-])")
+    return any(name in text and written.search(text) for text in _scripts(tree))
+
+
+def _scripts(tree: Tree) -> Iterator[str]:
+    for at, path in enumerate(path for path in tree.paths if _SCRIPT.search(path)):
+        if at >= _COUNT:
+            return
+        yield _text(path)
+
+
+@lru_cache(maxsize=_COUNT)
+def _text(path: str) -> str:
+    return "" if os.path.islink(path) else read_head(path, _SIZE)

@@ -1,0 +1,67 @@
+"""A Fast DDS profiles file as the library reads it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from dataclasses import field
+from typing import NamedTuple
+
+from bringup_lint.model.xml import Document
+from bringup_lint.model.xml import Element
+from bringup_lint.source import Located
+from bringup_lint.source import Source
+from bringup_lint.source import Span
+
+VERSIONS = ("2.6", "2.14", "3.2", "3.6")
+"""The series that the tables know, oldest first."""
+
+
+class Remark(NamedTuple):
+    """Something that the library would say, or should have said."""
+
+    code: str
+    """Of structure: ``xml``, ``root``, ``unknown-element``, ``unknown-attribute``, ``duplicate``, ``empty``,
+    ``missing``, ``comment``, ``instruction``, ``ignored``. Of values: ``bool``, ``enum``, ``number``,
+    ``duration``, ``address``, ``value``. Of profiles: ``profile-name``, ``profile-duplicate``,
+    ``transport-undefined``, ``transport-duplicate``."""
+    where: Located | Span
+    drops: bool
+    """Whether the whole file is ignored."""
+    detail: str = ""
+    path: str = ""
+    """The table's path of the element, or of the one inside which it stands."""
+
+
+@dataclass(eq=False, slots=True)
+class Profile:
+    kind: str
+    """participant, data_writer, data_reader, topic, requester, replier or domainparticipant_factory."""
+    element: Element
+    name: Located | None
+    default: Located | None
+    """The value of ``is_default_profile``; only exactly ``true`` selects the profile."""
+
+    @property
+    def is_default(self) -> bool:
+        return self.default == "true"
+
+
+@dataclass(eq=False, slots=True)
+class Profiles:
+    """One file, as one version of the library reads it."""
+
+    source: Source
+    document: Document
+    version: str
+    remarks: list[Remark] = field(default_factory=list)
+    profiles: list[Profile] = field(default_factory=list)
+    transports: list[Element] = field(default_factory=list)
+    """The ``transport_descriptor`` elements, in order."""
+
+    @property
+    def dropped(self) -> bool:
+        """Whether the library ignores the whole file."""
+        return any(remark.drops for remark in self.remarks)
+
+    def of_kind(self, kind: str) -> list[Profile]:
+        return [profile for profile in self.profiles if profile.kind == kind]

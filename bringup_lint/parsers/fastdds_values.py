@@ -1,0 +1,131 @@
+"""How Fast DDS reads the text of an element (XMLElementParser.cpp; TinyXML-2 underneath)."""
+
+from __future__ import annotations
+
+import re
+from typing import NamedTuple
+
+from bringup_lint.model.xml import Element
+from bringup_lint.parsers.fastdds_schema import Item
+from bringup_lint.source import Located
+
+_NUMBER = re.compile(r"[ \t\n\v\f\r]*([+-]?)(0[xX][0-9a-fA-F]+|[0-9]+)")
+_DOTTED = re.compile(r"[0-9]+(?:\.[0-9]+){3}")
+_OCTETS = re.compile(r"[ \t\n\v\f\r]*\+?(?:0[xX])?0*[0-9a-fA-F]{1,2}(?:\.0*[0-9a-fA-F]{1,2})*")
+_GUID = re.compile(r"[0-9a-fA-F]{1,2}(?:\.[0-9a-fA-F]{1,2}){11}")
+_VARIABLE = re.compile(r"\$\{[^}]*\}")
+LIMITS = {"uint8": 255, "uint16": 65535, "int16": 32767}
+
+
+class Complaint(NamedTuple):
+    code: str
+    """``bool``, ``enum``, ``number``, ``duration``, ``address`` or ``value``."""
+    drops: bool
+    detail: str = ""
+
+
+def first_text(element: Element) -> Located | None:
+    """The text that TinyXML-2 gives: only when it is the first thing inside, untrimmed; a comment before it
+    hides it."""
+    run = next((run for run in element.texts if run.strip()), None)
+    if run is None:
+        return None
+    before = element.span.source.text[element.tag.end : run.span.start].strip()
+    return run if before in ("", "<![CDATA[") else None
+
+
+def hidden_by_comment(element: Element) -> bool:
+    """Whether there is text, but something stands before it."""
+    return first_text(element) is None and any(run.strip() for run in element.texts)
+
+
+def complaint(item: Item, text: str) -> Complaint | None:
+    """What the library has against a text; None when it takes it, or when it depends on a variable."""
+    if _VARIABLE.search(text):
+        return None
+    if item.check in _CHECKS:
+        return _CHECKS[item.check](item, text)
+    return None
+
+
+def _bool(item: Item, text: str) -> Complaint | None:
+    return None if text in ("true", "false") or _NUMBER.match(text) else Complaint("bool", True)
+
+
+def _enum(item: Item, text: str) -> Complaint | None:
+    return None if text in item.allowed else Complaint("enum", True)
+
+
+def _flags(item: Item, text: str) -> Complaint | None:
+    words = [word.strip() for word in text.split("|")]
+    return None if all(word in item.allowed for word in words) else Complaint("enum", True)
+
+
+def _number(item: Item, text: str) -> Complaint | None:
+    match = _NUMBER.match(text)
+    if match is None:
+        return Complaint("number", True)
+    value = (
+        int(match[2][:30], 0)
+        if not match[2].startswith("0") or "x" in match[2].lower()
+        else int(match[2][:30])
+    )
+    if match[1] == "-":
+        value = -value
+    if item.check in ("uint8", "uint16", "natural") and match[1] == "-":
+        return Complaint("number", True, "negative")
+    if item.check in LIMITS and value > LIMITS[item.check]:
+        return Complaint("number", True, f"more than {LIMITS[item.check]}")
+    if item.check == "positive" and value == 0:
+        return Complaint("number", True, "zero")
+    if item.check == "atleast-1" and value < -1:
+        return Complaint("number", True, "below -1")
+    rest = text[match.end() :].strip()
+    return Complaint("number", False, rest) if rest else None
+
+
+def _duration_part(item: Item, text: str) -> Complaint | None:
+    if text in item.allowed:
+        return None
+    return _number(item, text)
+
+
+def _address4(item: Item, text: str) -> Complaint | None:
+    match = _DOTTED.fullmatch(text.strip())
+    if match and any(int(number) > 255 for number in match[0].split(".")):
+        return Complaint("address", True, "a number above 255")
+    return Complaint("address", True, "a port or network") if re.search(r"[0-9][:/]", text) else None
+
+
+def _address6(item: Item, text: str) -> Complaint | None:
+    return Complaint("address", True, "an IPv4 address") if _DOTTED.fullmatch(text.strip()) else None
+
+
+def _octets(item: Item, text: str) -> Complaint | None:
+    return None if _OCTETS.fullmatch(text) else Complaint("value", True, "octets such as 0a.1b")
+
+
+def _guid(item: Item, text: str) -> Complaint | None:
+    return (
+        None if _GUID.fullmatch(text.strip()) else Complaint("value", True, "twelve octets such as 44.53.00")
+    )
+
+
+_CHECKS = {
+    "bool": _bool,
+    "enum": _enum,
+    "flags": _flags,
+    "number": _number,
+    "natural": _number,
+    "positive": _number,
+    "uint8": _number,
+    "uint16": _number,
+    "int16": _number,
+    "atleast-1": _number,
+    "duration": _duration_part,
+    "address4": _address4,
+    "address6": _address6,
+    "octets": _octets,
+    "octets?": _octets,
+    "guid": _guid,
+}

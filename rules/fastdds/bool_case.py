@@ -1,0 +1,45 @@
+"""A Fast DDS boolean that is not true or false.
+
+## What it finds
+A boolean element other than `true`, `false` or a number, without blanks or line ends around it.
+
+## Why it matters on a robot
+The library ignores the whole file and goes on with its defaults, exit status 0: multicast discovery, no
+peers, no limits. Only a line on the terminal tells.
+
+## Bad
+```xml
+<useBuiltinTransports>False</useBuiltinTransports>
+```
+
+## Good
+```xml
+<useBuiltinTransports>false</useBuiltinTransports>
+```
+
+## References
+- Fast DDS 2.14.5, tried with the real library
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule("error", fix="safe", symptoms=["getXMLBool XML_ERROR!"])
+def bool_case(robot: Robot):
+    words = {"no": "false", "off": "false", "yes": "true", "on": "true"}
+    for _, remark in robot.dds.fastdds_remarks("bool"):
+        text = remark.where
+        right = text.lower() if text.lower() in ("true", "false") else words.get(text.lower())
+        change = None
+        if right:
+            change = fix(f"write {right}", (robot.dds.with_blanks(text), right), safe=text.lower() == right)
+        yield finding(
+            text,
+            f"'{text}' is not a boolean for Fast DDS, which reads only true and false: the whole file is "
+            "ignored",
+            advice=f"write {right}, with no blank around it" if right else "write true or false",
+            fix=change,
+        )

@@ -1,0 +1,37 @@
+"""A Fast DDS element that is given twice.
+
+## What it finds
+An element that stands twice in a parent that takes it once.
+
+## Why it matters on a robot
+The library ignores the whole file and goes on with its defaults, exit status 0: multicast discovery, no
+peers, no limits. Only a line on the terminal tells.
+
+## Bad
+```xml
+<useBuiltinTransports>false</useBuiltinTransports>
+<useBuiltinTransports>true</useBuiltinTransports>
+```
+
+## Good
+```xml
+<useBuiltinTransports>false</useBuiltinTransports>
+```
+
+## References
+- Fast DDS 2.14.5, tried with the real library
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["Duplicated element found"])
+def duplicate_element(robot: Robot):
+    for _, remark in robot.dds.fastdds_remarks("duplicate"):
+        yield finding(
+            remark.where,
+            f"{remark.where} is given twice: the whole file is ignored, the robot runs with defaults",
+            advice="keep one of the two",
+        )

@@ -1,0 +1,43 @@
+"""A Fast DDS profile or transport name that is given twice.
+
+## What it finds
+Two profiles of one kind with the same `profile_name` (`publisher` and `data_writer` are one kind), or
+two transports with the same `transport_id`. A participant and a writer may share a name.
+
+## Why it matters on a robot
+The library keeps the first and refuses the second with a line on the terminal: half of what the file
+says has no effect.
+
+## Bad
+```xml
+<participant profile_name="robot"/>
+<participant profile_name="robot"/>
+```
+
+## Good
+```xml
+<participant profile_name="robot"/>
+<participant profile_name="base"/>
+```
+
+## References
+- Fast DDS 2.14.5, tried with the real library
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["Error adding profile", "There is other transport with the same id"])
+def duplicate_profile(robot: Robot):
+    for profiles, remark in robot.dds.fastdds_remarks("profile-duplicate", "transport-duplicate"):
+        kind = "transport" if remark.code == "transport-duplicate" else remark.path.rpartition("/")[2]
+        first = robot.dds.first_named(profiles, remark)
+        yield finding(
+            remark.where,
+            f"A second {kind} is called '{remark.where}': it is refused, the first one counts",
+            advice="rename one of the two",
+            related=[note(first, "the first one")] if first else (),
+        )

@@ -1,0 +1,48 @@
+"""A word that Fast DDS does not know.
+
+## What it finds
+An enumeration whose text is not exactly one of the library's words: case and blanks count.
+
+## Why it matters on a robot
+The library ignores the whole file and goes on with its defaults, exit status 0: multicast discovery, no
+peers, no limits. Only a line on the terminal tells.
+
+## Bad
+```xml
+<kind>reliable</kind>
+```
+
+## Good
+```xml
+<kind>RELIABLE</kind>
+```
+
+## References
+- Fast DDS 2.14.5, tried with the real library
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule("error", fix="safe", symptoms=["bad content", "Invalid transport type"])
+def enum_case(robot: Robot):
+    for profiles, remark in robot.dds.fastdds_remarks("enum"):
+        text = remark.where
+        known = robot.dds.fastdds_words(profiles, remark)
+        right = next((word for word in known if word.lower() == text.lower()), None)
+        change = fix(f"write {right}", (robot.dds.with_blanks(text), right)) if right else None
+        blanks = text != robot.dds.with_blanks(text).text
+        says = (
+            f"'{text}' has blanks around it"
+            if blanks and right == text
+            else f"'{text}' is no word that Fast DDS knows here"
+        )
+        yield finding(
+            text,
+            f"{says}: the whole file is ignored, the robot runs with defaults",
+            advice=f"write {right}" if right else f"write one of {', '.join(known)}",
+            fix=change,
+        )

@@ -1,0 +1,38 @@
+"""A comment that hides a Fast DDS value.
+
+## What it finds
+A comment that stands inside an element before its text. The library's XML reader gives the text only
+when it comes first.
+
+## Why it matters on a robot
+The library ignores the whole file and goes on with its defaults, exit status 0: multicast discovery, no
+peers, no limits. Only a line on the terminal tells.
+
+## Bad
+```xml
+<participantID><!-- the base -->5</participantID>
+```
+
+## Good
+```xml
+<!-- the base -->
+<participantID>5</participantID>
+```
+
+## References
+- Fast DDS 2.14.5, tried with the real library; TinyXML-2, XMLElement::GetText
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["XML_ERROR!", "elements cannot be empty"])
+def hidden_text(robot: Robot):
+    for _, remark in robot.dds.fastdds_remarks("comment"):
+        yield finding(
+            remark.where,
+            f"The comment before it hides the value of {remark.detail}: the whole file is ignored",
+            advice="move the comment out of the element",
+        )

@@ -1,0 +1,48 @@
+"""Fast DDS peers that do not replace multicast.
+
+## What it finds
+A default participant with `initialPeersList`, without `metatrafficUnicastLocatorList` (an empty
+`<locator/>` is enough) and without `avoid_builtin_multicast`. For information: peers beside multicast
+may be meant.
+
+## Why it matters on a robot
+The peers are only added: the robot still announces itself by multicast to the whole network.
+
+## Bad
+```xml
+<initialPeersList>...</initialPeersList>
+```
+
+## Good
+```xml
+<metatrafficUnicastLocatorList>
+  <locator/>
+</metatrafficUnicastLocatorList>
+<initialPeersList>...</initialPeersList>
+```
+
+## References
+- Fast DDS documentation, "Disabling all Multicast Traffic"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("info")
+def initial_peers_no_metatraffic(robot: Robot):
+    for profiles in robot.dds.profile_files:
+        for profile in profiles.of_kind("participant"):
+            for element in profile.element.walk() if profile.is_default and not profiles.dropped else ():
+                peers = element.find("initialPeersList") if element.name == "builtin" else None
+                if peers is None or element.find("avoid_builtin_multicast") is not None:
+                    continue
+                if element.find("metatrafficUnicastLocatorList") is None and not robot.dds.multicast_peers(
+                    peers
+                ):
+                    yield finding(
+                        peers.name,
+                        "Peers are only added: multicast discovery stays on",
+                        advice="add a metatrafficUnicastLocatorList with an empty <locator/>",
+                    )

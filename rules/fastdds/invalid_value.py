@@ -1,0 +1,37 @@
+"""A value that Fast DDS does not take.
+
+## What it finds
+Octets, GUID prefixes and the like in a form that the library refuses.
+
+## Why it matters on a robot
+The library ignores the whole file and goes on with its defaults, exit status 0: multicast discovery, no
+peers, no limits. Only a line on the terminal tells.
+
+## Bad
+```xml
+<prefix>44.53.00</prefix>
+```
+
+## Good
+```xml
+<prefix>44.53.00.5f.45.50.52.4f.53.49.4d.41</prefix>
+```
+
+## References
+- Fast DDS 2.14.5, tried with the real library
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["Expected an octet value", "invalid server's guidPrefix"])
+def invalid_value(robot: Robot):
+    for _, remark in robot.dds.fastdds_remarks("value"):
+        yield finding(
+            remark.where,
+            f"'{remark.where}' is not what Fast DDS expects: the whole file is ignored, the robot runs with "
+            "defaults",
+            advice=f"write {remark.detail}",
+        )

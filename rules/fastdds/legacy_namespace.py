@@ -1,0 +1,42 @@
+"""The older namespace of Fast DDS profiles.
+
+## What it finds
+The namespace `http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles`. The library ignores namespaces, so
+the file works.
+
+## Why it matters on a robot
+Editors and checkers that know the schema refuse the file, and real mistakes drown in that.
+
+## Bad
+```xml
+<profiles xmlns="http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles">
+```
+
+## Good
+```xml
+<profiles xmlns="http://www.eprosima.com">
+```
+
+## References
+- Fast DDS 2.14.5, tried with the real library
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule("info", fix="safe")
+def legacy_namespace(robot: Robot):
+    legacy = "http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles"
+    for profiles in robot.dds.profile_files:
+        for element in profiles.document.elements:
+            value = element.get("xmlns")
+            if value == legacy:
+                yield finding(
+                    value,
+                    "The older namespace works, but editors that know the schema refuse the file",
+                    advice="write http://www.eprosima.com",
+                    fix=fix("write the newer namespace", (value, "http://www.eprosima.com")),
+                )

@@ -1,0 +1,51 @@
+"""A Fast DDS element without what it must hold.
+
+## What it finds
+An element that is empty, or lacks a part that the library requires: `durability` without `kind`, a
+transport without `type` or `transport_id`, a discovery server without `prefix`.
+
+## Why it matters on a robot
+The library ignores the whole file and goes on with its defaults, exit status 0: multicast discovery, no
+peers, no limits. Only a line on the terminal tells.
+
+## Bad
+```xml
+<durability/>
+```
+
+## Good
+```xml
+<durability>
+  <kind>VOLATILE</kind>
+</durability>
+```
+
+## References
+- Fast DDS 2.14.5, tried with the real library
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule(
+    "error",
+    symptoms=[
+        "without content",
+        "Not found required attribute",
+        "Not found 'type' attribute",
+        "couldn't find any",
+    ],
+)
+def missing_element(robot: Robot):
+    for _, remark in robot.dds.fastdds_remarks("missing", "empty"):
+        lacks = (
+            f"{remark.where} lacks {remark.detail}"
+            if remark.code == "missing"
+            else f"{remark.where} is empty"
+        )
+        advice = f"add {remark.detail}" if remark.code == "missing" else "give it a value, or delete it"
+        yield finding(
+            remark.where, f"{lacks}: the whole file is ignored, the robot runs with defaults", advice=advice
+        )

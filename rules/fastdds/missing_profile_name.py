@@ -1,0 +1,41 @@
+"""A Fast DDS profile without a name.
+
+## What it finds
+A participant, writer, reader, topic or other profile without `profile_name`, or with an empty one.
+
+## Why it matters on a robot
+The library says `no name found` and does not load this profile; when no other is left, nothing of the
+file counts.
+
+## Bad
+```xml
+<participant is_default_profile="true">
+```
+
+## Good
+```xml
+<participant profile_name="robot" is_default_profile="true">
+```
+
+## References
+- Fast DDS 2.14.5, tried with the real library
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import Span
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule("error", fix="unsafe", symptoms=["no name found"])
+def missing_profile_name(robot: Robot):
+    for _, remark in robot.dds.fastdds_remarks("profile-name"):
+        name = remark.where
+        behind = Span(name.span.source, name.span.end, name.span.end)
+        yield finding(
+            name,
+            f"The {name} profile has no name ('no name found'): it is not loaded",
+            advice="add profile_name",
+            fix=fix("add a name", (behind, ' profile_name="robot"'), safe=False),
+        )

@@ -1,0 +1,54 @@
+"""Multicast discovery shows the robot to the whole network.
+
+## What it finds
+A default participant profile with neither `avoid_builtin_multicast` nor metatraffic locators, discovery
+servers, security or a loopback whitelist. The finding is for information: multicast is what every ROS 2
+robot does by default.
+
+## Why it matters on a robot
+Every machine on the network sees every topic, and may publish on it.
+
+## Bad
+```xml
+<participant profile_name="robot" is_default_profile="true"/>
+```
+
+## Good
+```xml
+<builtin>
+  <metatrafficUnicastLocatorList>
+    <locator/>
+  </metatrafficUnicastLocatorList>
+  <initialPeersList>...</initialPeersList>
+</builtin>
+```
+
+## References
+- Fast DDS documentation, "Disabling all Multicast Traffic"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("info", tags=["CWE-668"])
+def multicast_enabled(robot: Robot):
+    closing = {
+        "avoid_builtin_multicast",
+        "metatrafficUnicastLocatorList",
+        "metatrafficMulticastLocatorList",
+        "discoveryServersList",
+    }
+    for profiles in robot.dds.profile_files:
+        text = profiles.source.text
+        if profiles.dropped or "dds.sec." in text or "127.0.0.1" in text:
+            continue
+        for profile in profiles.of_kind("participant"):
+            names = {str(element.name) for element in profile.element.walk()}
+            if profile.is_default and not names & closing:
+                yield finding(
+                    profile.element.name,
+                    "Multicast shows the whole topic graph to every machine on the network",
+                    advice="write initialPeersList and metatrafficUnicastLocatorList, or enable security",
+                )

@@ -1,0 +1,49 @@
+"""A Fast DDS participant without any transport.
+
+## What it finds
+`useBuiltinTransports` is `false` and no `userTransports` and no `builtinTransports` are given.
+
+## Why it matters on a robot
+The default participant cannot be created: no ROS node starts.
+
+## Bad
+```xml
+<useBuiltinTransports>false</useBuiltinTransports>
+```
+
+## Good
+```xml
+<useBuiltinTransports>false</useBuiltinTransports>
+<userTransports>
+  <transport_id>lan</transport_id>
+</userTransports>
+```
+
+## References
+- Fast DDS 2.14.5, tried with the real library: exit status 1
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["There are not any transports"])
+def no_transport(robot: Robot):
+    for profiles in robot.dds.profile_files:
+        for profile in profiles.of_kind("participant"):
+            rtps = profile.element.find("rtps")
+            switch = rtps.find("useBuiltinTransports") if rtps is not None else None
+            if (
+                switch is None
+                or switch.text not in ("false", "0")
+                or profiles.dropped
+                or not profile.is_default
+            ):
+                continue
+            if rtps.find("userTransports") is None and rtps.find("builtinTransports") is None:
+                yield finding(
+                    switch.text,
+                    "No transport is left: no participant can be created, no node starts",
+                    advice="name a transport in userTransports, or delete useBuiltinTransports",
+                )

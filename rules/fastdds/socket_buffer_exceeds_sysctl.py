@@ -1,0 +1,51 @@
+"""A Fast DDS buffer that the kernel does not grant.
+
+## What it finds
+`sendSocketBufferSize`, `listenSocketBufferSize`, `sendBufferSize` or `receiveBufferSize` above
+`net.core.wmem_max` or `rmem_max` as the tree's sysctl files set it.
+
+## Why it matters on a robot
+The library lowers the value without a word: large messages such as point clouds are still dropped.
+
+## Bad
+```xml
+# net.core.rmem_max = 4194304
+<listenSocketBufferSize>10485760</listenSocketBufferSize>
+```
+
+## Good
+```xml
+# net.core.rmem_max = 10485760
+<listenSocketBufferSize>10485760</listenSocketBufferSize>
+```
+
+## References
+- Fast DDS 2.14.5, tried with the real library: 100 MB accepted with a limit of 4 MiB
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning")
+def socket_buffer_exceeds_sysctl(robot: Robot):
+    limits = {
+        "sendSocketBufferSize": "net.core.wmem_max",
+        "sendBufferSize": "net.core.wmem_max",
+        "listenSocketBufferSize": "net.core.rmem_max",
+        "receiveBufferSize": "net.core.rmem_max",
+    }
+    for profiles in robot.dds.profile_files:
+        for element in profiles.document.elements:
+            name = limits.get(str(element.name))
+            limit = robot.sysctl.number(name) if name and robot.sysctl.certain else None
+            if limit is not None and element.text.isdigit() and int(element.text[:12]) > limit:
+                yield finding(
+                    element.text,
+                    f"The kernel grants {limit} bytes ({name}), not {element.text}: large messages are "
+                    "still dropped",
+                    advice=f"set {name} = {element.text} in /etc/sysctl.d",
+                    related=[note(robot.sysctl.get(name).value, "the limit")],
+                )

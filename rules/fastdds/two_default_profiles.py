@@ -1,0 +1,42 @@
+"""Two Fast DDS profiles claim to be the default.
+
+## What it finds
+More than one participant, writer, reader or topic profile of one file with `is_default_profile="true"`.
+
+## Why it matters on a robot
+Only one of them is used, and no message tells which.
+
+## Bad
+```xml
+<participant profile_name="a" is_default_profile="true"/>
+<participant profile_name="b" is_default_profile="true"/>
+```
+
+## Good
+```xml
+<participant profile_name="a" is_default_profile="true"/>
+<participant profile_name="b"/>
+```
+
+## References
+- Fast DDS 2.14.5, tried with the real library: accepted silently
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning")
+def two_default_profiles(robot: Robot):
+    for profiles in robot.dds.profile_files:
+        for kind in ("participant", "data_writer", "data_reader", "topic"):
+            first, *others = [profile for profile in profiles.of_kind(kind) if profile.is_default] or [None]
+            for profile in others:
+                yield finding(
+                    profile.default,
+                    f"Two {kind} profiles are the default: only one is used, and no message tells which",
+                    advice="keep one",
+                    related=[note(first.default, "the first one")],
+                )

@@ -1,0 +1,51 @@
+"""A Fast DDS transport that is used before it is defined.
+
+## What it finds
+A `transport_id` in `userTransports` that no `transport_descriptor` above the participant defines. The
+order counts: `transport_descriptors` must come first.
+
+## Why it matters on a robot
+The library ignores the whole file and goes on with its defaults, exit status 0: multicast discovery, no
+peers, no limits. Only a line on the terminal tells.
+
+## Bad
+```xml
+<participant ...><rtps><userTransports>
+  <transport_id>lan</transport_id>
+</userTransports></rtps></participant>
+<transport_descriptors>...</transport_descriptors>
+```
+
+## Good
+```xml
+<transport_descriptors>...</transport_descriptors>
+<participant ...>...</participant>
+```
+
+## References
+- Fast DDS 2.14.5, tried with the real library
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["Transport Node not found"])
+def undefined_transport(robot: Robot):
+    for profiles, remark in robot.dds.fastdds_remarks("transport-undefined"):
+        later = robot.dds.transport_named(profiles, remark.where)
+        message = f"Transport '{remark.where}' is not defined"
+        advice = "define it in transport_descriptors"
+        if later is not None:
+            message, advice = (
+                f"Transport '{remark.where}' is defined below its use",
+                "move transport_descriptors to the front",
+            )
+        yield finding(
+            remark.where,
+            f"{message}: the whole file is ignored, the robot runs with defaults",
+            advice=advice,
+            related=[note(later, "defined here")] if later is not None else (),
+        )

@@ -1,0 +1,70 @@
+"""An element that Fast DDS does not expect.
+
+## What it finds
+An element that the target version does not take at this place: misspelt, in the wrong case, in the
+wrong parent, or of another version. When the tree does not tell the ROS distribution, elements of other
+versions are reported for information.
+
+## Why it matters on a robot
+The library ignores the whole file and goes on with its defaults, exit status 0: multicast discovery, no
+peers, no limits. Only a line on the terminal tells.
+
+## Bad
+```xml
+<rtps>
+  <initialPeersList/>
+</rtps>
+```
+
+## Good
+```xml
+<rtps>
+  <builtin>
+    <initialPeersList>...</initialPeersList>
+  </builtin>
+</rtps>
+```
+
+## References
+- Fast DDS 2.14.5, tried with the real library
+- XMLElementParser.cpp of 2.6, 2.14, 3.2 and 3.6
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule("error", fix="safe", symptoms=["Invalid element found into", "Found incorrect tag", "Not expected tag"])
+def unknown_element(robot: Robot):
+    for profiles, remark in robot.dds.fastdds_remarks("unknown-element", "unknown-attribute"):
+        library = robot.dds.fastdds
+        name = remark.where
+        near = robot.dds.fastdds_spelling(profiles, remark)
+        others = robot.dds.fastdds_versions(profiles, remark)
+        places = robot.dds.fastdds_places(profiles, remark)
+        parent = remark.path.rpartition("/")[2]
+        message = (
+            f"'{name}' is not allowed in {parent}: the whole file is ignored, the robot runs with defaults"
+        )
+        advice = "delete it"
+        severity = None
+        if others:
+            message = (
+                f"{library} does not take '{name}' in {parent}, only {', '.join(others)} does: the whole "
+                "file is ignored"
+            )
+            severity = None if library.known else "info"
+            advice = f"write what {library.version} knows, or set target-ros"
+        elif near:
+            advice = f"write {near}"
+        elif places:
+            advice = f"move it into {places[0]}"
+        safe = bool(near) and near.lower() == name.lower()
+        change = (
+            fix(f"rename to {near}", *robot.dds.renamed(name, near), safe=safe)
+            if near and not others
+            else None
+        )
+        yield finding(name, message, advice=advice, severity=severity, fix=change)

@@ -1,0 +1,54 @@
+"""A Fast DDS whitelist address that the robot does not have.
+
+## What it finds
+An `interfaceWhiteList` address that no interface of the robot's netplan has. Only files below the same
+root are joined, and only when no interface gets its address by DHCP.
+
+## Why it matters on a robot
+All whitelist interfaces are filtered out: the node is created, and its readers fail.
+
+## Bad
+```xml
+<interfaceWhiteList>
+  <address>10.0.0.99</address>
+</interfaceWhiteList>
+```
+
+## Good
+```xml
+<interfaceWhiteList>
+  <address>10.0.0.10</address>
+</interfaceWhiteList>
+```
+
+## References
+- Fast DDS 2.14.5, tried with the real library
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["All whitelist interfaces were filtered out"])
+def whitelist_interface_missing(robot: Robot):
+    for profiles in robot.dds.profile_files:
+        own = robot.dds.own_addresses(profiles)
+        for element in profiles.document.elements if own else ():
+            if (
+                element.name != "address"
+                or element.parent is None
+                or element.parent.name != "interfaceWhiteList"
+            ):
+                continue
+            address = robot.dds.address_of(element.text)
+            if address is not None and not address.is_loopback and str(address) not in own:
+                yield finding(
+                    element.text,
+                    f"No interface of this robot has {address}: it is filtered out, and readers fail",
+                    advice=f"use one of {', '.join(sorted(own))}",
+                    related=[
+                        note(each, "the robot's own address") for each in robot.dds.own_places(profiles)[:3]
+                    ],
+                )

@@ -1,0 +1,57 @@
+"""Fast DDS cannot parse the XML.
+
+## What it finds
+XML that TinyXML-2, the library's reader, refuses: end tags that do not match, an empty file, a comment
+before the XML declaration, a processing instruction inside the document. A DOCTYPE is reported too:
+entities are never expanded.
+
+## Why it matters on a robot
+The library ignores the whole file and goes on with its defaults, exit status 0: multicast discovery, no
+peers, no limits. Only a line on the terminal tells.
+
+## Bad
+```xml
+<!-- my robot -->
+<?xml version="1.0"?>
+<dds/>
+```
+
+## Good
+```xml
+<?xml version="1.0"?>
+<!-- my robot -->
+<dds/>
+```
+
+## References
+- Fast DDS 2.14.5, tried with the real library
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import Span
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule("error", fix="safe", symptoms=["XMLPARSER Error", "Error opening", "Error parsing XML buffer"])
+def xml_not_wellformed(robot: Robot):
+    for _, remark in robot.dds.fastdds_remarks("xml", "instruction"):
+        problem, _, detail = remark.detail.partition(": ")
+        if not remark.drops:
+            message = "Fast DDS steps over the DOCTYPE: what it declares has no effect"
+            yield finding(remark.where, message, advice="delete the DOCTYPE", severity="warning")
+            continue
+        words = problem.replace("-", " ") or "processing instruction"
+        change = None
+        span = remark.where
+        if problem == "late-declaration":
+            start = Span(span.source, 0, 0)
+            change = fix("move the declaration to the front", (span, ""), (start, f"{span.text}\n"))
+        yield finding(
+            remark.where,
+            f"Fast DDS cannot parse the file ({words}{f', {detail}' if detail else ''}): the whole file is "
+            "ignored",
+            advice="repair the XML",
+            fix=change,
+        )

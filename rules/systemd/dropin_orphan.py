@@ -1,0 +1,52 @@
+"""Drop-ins of a unit that does not exist.
+
+## What it finds
+A folder such as `rover-driver.service.d` while neither the tree nor the distribution has
+`rover-driver.service`: in a root file system always, in a repository when a unit of the tree has nearly the
+same name. Folders for groups of units (`service.d`, `rover-.service.d`) and generated units are left out.
+
+## Why it matters on a robot
+The settings in them (a memory limit, a user, a restart) apply to nothing, and no tool says so.
+
+## Bad
+```
+rover-driver.service.d/limits.conf
+rover-drivers.service
+```
+
+## Good
+```
+rover-drivers.service.d/limits.conf
+rover-drivers.service
+```
+
+## References
+- systemd.unit(5), "Description": drop-in files
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning")
+def dropin_orphan(robot: Robot):
+    units = robot.units
+    for file in units.orphans:
+        (near,) = [unit for unit in units.all if file in unit.dropins][:1] or [None]
+        if near is None or units.is_made(file.name):
+            continue
+        meant = units.meant(file.name, near)
+        if not meant and not robot.tree.complete:
+            continue
+        yield finding(
+            file.sections[0].header if file.sections else file.source,
+            f"there is no {file.name}, so this drop-in applies to nothing",
+            advice=f"did you mean {meant}.d?" if meant else "rename the folder after the unit, or delete it",
+            related=[
+                note(other.where, "the unit that is nearly called so")
+                for other in units.candidates(meant or "")
+                if other.files
+            ],
+        )

@@ -1,0 +1,85 @@
+"""Installed into a target that does not exist.
+
+## What it finds
+`WantedBy=`, `RequiredBy=` or `UpheldBy=` with something that is no unit name, or with a unit that neither
+the tree nor the distribution has. In a repository an unknown target is a warning, because another package
+may bring it, and another unit only if it looks like the robot's own.
+
+## Why it matters on a robot
+`systemctl enable` makes the link and says that all is well ("added as a dependency to a non-existent unit"
+at most), but nothing ever starts the target, and so nothing starts the service. The robot comes up without
+it.
+
+## Bad
+```ini
+[Install]
+WantedBy=rover-bringup.target
+```
+
+## Good
+```ini
+[Install]
+WantedBy=multi-user.target
+```
+
+## References
+- systemd.unit(5), "WantedBy="
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import nearest
+from bringup_lint.api import rule
+
+COMMON = (
+    "multi-user.target",
+    "graphical.target",
+    "sysinit.target",
+    "basic.target",
+    "timers.target",
+    "sockets.target",
+    "default.target",
+)
+
+
+@rule(
+    "error",
+    fix="unsafe",
+    symptoms=["added as a dependency to a non-existent unit", "is not a valid unit name"],
+)
+def install_bad_target(robot: Robot):
+    units = robot.units
+    for unit in units.judged:
+        known = sorted(
+            {other.name for other in units.all if other is not unit and other.type == "target"} | set(COMMON)
+        )
+        for key in ("WantedBy", "RequiredBy", "UpheldBy"):
+            for line in unit.assignments(key, "Install"):
+                for word in line.value.words() if not line.opaque else ():
+                    bad = "%" not in word and not units.is_name(word)
+                    if not bad and not _is_missing(units, word, unit):
+                        continue
+                    same = [name for name in known if name.rpartition(".")[0] == word]
+                    meant = same or nearest(word, known)
+                    sure = bad or robot.tree.complete
+                    yield finding(
+                        word,
+                        f"{word} is no unit name: systemctl enable fails"
+                        if bad
+                        else f"{word} does not exist{'' if sure else ' in this tree'}: {unit.name} can be enabled but never starts",
+                        advice=f"did you mean {meant[0]}?"
+                        if meant
+                        else f"ship {word}, or use multi-user.target",
+                        fix=fix(f"write {meant[0]}", (word, meant[0]), safe=False)
+                        if len(meant) == 1
+                        else None,
+                        severity=None if sure else "warning",
+                        confidence="high" if sure else "medium",
+                    )
+
+
+def _is_missing(units, name, unit):
+    if name.endswith(".target") and not units.robot.tree.complete:
+        return units.exists(name, unit) is False and not units.is_made(name)
+    return units.is_missing(name, unit)

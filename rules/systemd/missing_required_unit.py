@@ -1,0 +1,57 @@
+"""A required unit does not exist.
+
+## What it finds
+`Requires=`, `Requisite=` or `BindsTo=` of a unit that neither the tree nor the distribution has. In a root
+file system that is an error. In a repository only names that look like the robot's own (the same first word
+as a unit of the tree, or nearly the same name) are reported, as a warning, unless a script of the
+repository makes the unit. Devices, mounts, slices and generated units are left out.
+
+## Why it matters on a robot
+The start fails at once: "Unit rover-hw.target not found". Everything that requires this unit in turn fails
+with it.
+
+## Bad
+```ini
+[Unit]
+Requires=rover-hw.target
+After=rover-hw.target
+```
+
+## Good
+```ini
+# rover-hw.target is shipped beside it
+[Unit]
+Requires=rover-hw.target
+After=rover-hw.target
+```
+
+## References
+- systemd.unit(5), "Requires="
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+KEYS = ("Requires", "Requisite", "BindsTo")
+
+
+@rule("error", fix="unsafe", symptoms=["not found.", "Failed to start: Unit not found"])
+def missing_required_unit(robot: Robot):
+    units = robot.units
+    for unit in units.judged:
+        for key in KEYS:
+            for line in unit.assignments(key):
+                for word in line.value.words() if not line.opaque else ():
+                    if not units.is_missing(word, unit):
+                        continue
+                    meant = units.meant(word, unit)
+                    yield finding(
+                        word,
+                        f"{word} does not exist{'' if robot.tree.complete else ' in this tree'}: {unit.name} fails to start",
+                        advice=f"did you mean {meant}?" if meant else f"ship {word}, or drop the dependency",
+                        fix=fix(f"write {meant}", (word, meant), safe=False) if meant else None,
+                        severity=None if robot.tree.complete else "warning",
+                        confidence="high" if robot.tree.complete else "medium",
+                    )

@@ -1,0 +1,52 @@
+"""A service that cannot be enabled and that nothing starts.
+
+## What it finds
+A service without `[Install]` that no other unit, link, timer, socket, path or udev rule of the tree starts.
+
+## Why it matters on a robot
+`systemctl enable` does nothing but say that the unit is static. After the next boot the service does not
+run. A service that is only ever started by hand is fine like this.
+
+## Bad
+```ini
+[Service]
+ExecStart=/opt/rover/bin/base
+```
+
+## Good
+```ini
+[Service]
+ExecStart=/opt/rover/bin/base
+
+[Install]
+WantedBy=multi-user.target
+```
+
+## References
+- systemd.unit(5), "[Install] Section Options"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule("info", fix="unsafe", symptoms=["The unit files have no installation config"])
+def no_install_section(robot: Robot):
+    units = robot.units
+    for unit in units.services:
+        if (
+            unit.fragment is None
+            or unit.uncertain
+            or not unit.fragment.source.judged
+            or units.is_started(unit)
+        ):
+            continue
+        target = "multi-user.target" if unit.manager == "system" else "default.target"
+        yield finding(
+            unit.where,
+            f"{unit.name} has no [Install] section and nothing starts it: enabling it does nothing",
+            advice=f"add [Install] with WantedBy={target}",
+            fix=fix("add an [Install] section", unit.new_line("Install", f"WantedBy={target}"), safe=False),
+        )

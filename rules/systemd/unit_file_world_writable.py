@@ -1,0 +1,43 @@
+"""A unit file that every user can change.
+
+## What it finds
+In a root file system: a unit file or drop-in that is writable for everybody.
+
+## Why it matters on a robot
+Whoever gets any account on the robot, through a node or a web page, writes a command into the file and has
+it run as root at the next boot.
+
+## Bad
+```
+-rw-rw-rw- /etc/systemd/system/rover.service
+```
+
+## Good
+```
+-rw-r--r-- /etc/systemd/system/rover.service
+```
+
+## References
+- systemd: "Configuration file ... is marked world-writable. Please remove world writability permission
+  bits"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule(
+    "warning",
+    tags=["CWE-732"],
+    symptoms=["is marked world-writable. Please remove world writability permission bits"],
+)
+def unit_file_world_writable(robot: Robot):
+    for file in robot.units.files:
+        source = file.source
+        if source.mode is not None and source.link is None and source.mode & 0o002:
+            yield finding(
+                source,
+                f"every local user can change what this unit runs (mode {source.mode:04o})",
+                advice="chmod 0644",
+            )

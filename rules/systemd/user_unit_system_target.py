@@ -1,0 +1,72 @@
+"""A user unit that names a unit of the system.
+
+## What it finds
+A unit of the user manager (`/etc/systemd/user`, `~/.config/systemd/user`) that is installed into, ordered
+after, or requires a target which only the system manager has: `multi-user.target`, `network-online.target`
+and others.
+
+## Why it matters on a robot
+The user manager knows no such unit. Installed into `multi-user.target` the service never starts, ordered
+after `network-online.target` it does not wait, and with `Requires=` it fails.
+
+## Bad
+```ini
+# ~/.config/systemd/user/rviz.service
+[Install]
+WantedBy=multi-user.target
+```
+
+## Good
+```ini
+# ~/.config/systemd/user/rviz.service
+[Install]
+WantedBy=default.target
+```
+
+## References
+- systemd.special(7), "Units managed by the user service manager"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+SYSTEM_ONLY = frozenset(
+    f"{name}.target"
+    for name in "multi-user graphical sysinit network network-online network-pre nss-lookup local-fs remote-fs time-sync time-set "
+    "rescue emergency getty swap cryptsetup systemd-networkd nss-user-lookup".split()
+)
+
+
+@rule("error", fix="safe")
+def user_unit_system_target(robot: Robot):
+    for unit in robot.units.judged:
+        if unit.manager != "user":
+            continue
+        for key, section in (
+            ("WantedBy", "Install"),
+            ("RequiredBy", "Install"),
+            ("Requires", "Unit"),
+            ("BindsTo", "Unit"),
+        ):
+            for _, word in unit.naming(key, *SYSTEM_ONLY, section=section):
+                installs = section == "Install"
+                yield finding(
+                    word,
+                    f"the user manager has no {word}: {unit.name} "
+                    + ("never starts" if installs else "fails to start"),
+                    advice="write WantedBy=default.target"
+                    if installs
+                    else f"drop {key}={word}, or make it a system unit",
+                    fix=fix("write default.target", (word, "default.target")) if installs else None,
+                )
+        for key in ("After", "Wants"):
+            for line, word in unit.naming(key, *SYSTEM_ONLY):
+                yield finding(
+                    word,
+                    f"the user manager has no {word}: this {key}= has no effect",
+                    advice="drop it, or make it a system unit with User=",
+                    fix=fix(f"drop {key}={word}", line.without(word)),
+                    severity="warning",
+                )

@@ -1,0 +1,48 @@
+"""User= or Group= in a user unit.
+
+## What it finds
+`User=`, `Group=`, `SupplementaryGroups=` or `DynamicUser=yes` in a service of the user manager.
+
+## Why it matters on a robot
+The user manager has no right to change the user or the groups of what it starts. The service fails with
+`216/GROUP` or `217/USER` before its first line runs.
+
+## Bad
+```ini
+# ~/.config/systemd/user/rviz.service
+[Service]
+User=rover
+```
+
+## Good
+```ini
+# ~/.config/systemd/user/rviz.service
+[Service]
+ExecStart=/opt/rover/bin/rviz
+```
+
+## References
+- systemd.exec(5), "User="
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import delete_lines
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule("error", fix="safe", symptoms=["status=216/GROUP", "status=217/USER"])
+def user_unit_user_key(robot: Robot):
+    for unit in robot.units.services:
+        if unit.manager != "user":
+            continue
+        for key in ("User", "Group", "SupplementaryGroups"):
+            lines = [line for line in unit.assignments(key) if line.value and line.span.source.judged]
+            if lines and unit.values(key):
+                yield finding(
+                    lines[-1].value,
+                    f"{key}= does not work in a user unit: {unit.name} fails to start",
+                    advice="delete the line, or make it a system unit",
+                    fix=fix("delete the line", delete_lines(lines[-1])),
+                )
