@@ -1,0 +1,58 @@
+"""A hung process is never killed.
+
+## What it finds
+FinalKillSignal= with another signal than SIGKILL, or SendSIGKILL=no, on a service that starts ROS 2. FinalKillSignal= is not one
+step of three: it replaces the SIGKILL at the end.
+
+## Why it matters on a robot
+A driver that hangs ignores SIGINT and SIGTERM alike. It keeps the device, the stop job waits in vain, and so does the shutdown.
+
+## Bad
+```ini
+[Service]
+KillSignal=SIGINT
+FinalKillSignal=SIGTERM
+```
+
+## Good
+```ini
+[Service]
+KillSignal=SIGINT
+TimeoutStopSec=20
+```
+
+## References
+- systemd.kill(5), FinalKillSignal= and SendSIGKILL=
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import delete_lines
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule("error", fix="safe", symptoms=["Processes still around after final SIGTERM. Entering failed mode."])
+def final_kill_signal(robot: Robot):
+    for unit in robot.units.ros:
+        service = robot.units.supervision(unit)
+        if service.final_signal.value not in ("SIGKILL", None) and service.sends_kill.value:
+            text = f"FinalKillSignal= replaces SIGKILL by {service.final_signal.value}: a hung process of {unit.name} is never killed"
+            yield finding(
+                service.final_signal.at,
+                text,
+                advice="delete the line",
+                fix=_without(unit, "FinalKillSignal", service.final_signal.at),
+            )
+        if service.sends_kill.value is False:
+            yield finding(
+                service.sends_kill.at,
+                f"SendSIGKILL=no: a hung process of {unit.name} is never killed",
+                advice="delete the line",
+                fix=_without(unit, "SendSIGKILL", service.sends_kill.at),
+            )
+
+
+def _without(unit, key, value):
+    lines = [line for line in unit.assignments(key, "Service") if line.value is value]
+    return fix("let SIGKILL be the last word", *map(delete_lines, lines)) if unit.editable else None

@@ -1,0 +1,46 @@
+"""MemoryHigh= is not below MemoryMax=.
+
+## What it finds
+MemoryHigh= that is as large as MemoryMax= or larger.
+
+## Why it matters on a robot
+MemoryHigh= slows a service down before MemoryMax= kills it. When the hard limit comes first, the service is killed without
+warning, in the middle of the mission.
+
+## Bad
+```ini
+[Service]
+MemoryHigh=2G
+MemoryMax=1G
+```
+
+## Good
+```ini
+[Service]
+MemoryHigh=1800M
+MemoryMax=2G
+```
+
+## References
+- systemd.resource-control(5), MemoryHigh= and MemoryMax=
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import memory
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["A process of this unit has been killed by the OOM killer"])
+def memory_high_ge_max(robot: Robot):
+    for unit in robot.units.judged:
+        high, most = memory(unit, "MemoryHigh"), memory(unit, "MemoryMax")
+        if high is None or most is None or high.unit != most.unit or high.amount < most.amount:
+            continue
+        yield finding(
+            high.at,
+            f"MemoryHigh={high.at} is not below MemoryMax={most.at}: {unit.name} is killed before it is slowed down",
+            advice="set MemoryHigh= below MemoryMax=",
+            related=[note(most.at, "the hard limit")],
+        )

@@ -1,0 +1,54 @@
+"""No limit on what the ROS service may take.
+
+## What it finds
+A ROS service without MemoryMax=, MemoryHigh= and CPUQuota=, neither of its own nor of a slice in the tree.
+
+## Why it matters on a robot
+A leaking node takes all memory, and the kernel then kills whatever it likes best: the driver, sshd, the logger.
+
+## Bad
+```ini
+[Service]
+ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rover slam.launch.py'
+```
+
+## Good
+```ini
+[Service]
+ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rover slam.launch.py'
+MemoryHigh=1800M
+MemoryMax=2G
+CPUQuota=300%
+```
+
+## References
+- systemd.resource-control(5)
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+LIMITS = ("MemoryMax", "MemoryHigh", "MemoryLimit", "CPUQuota")
+
+
+@rule("info")
+def no_resource_limits(robot: Robot):
+    for unit in robot.units.ros:
+        service = robot.units.supervision(unit)
+        if not unit.complete or unit.get("Type") == "oneshot" or service.in_container:
+            continue
+        if any(unit.get(key, "Service") for key in LIMITS) or _limited_slice(robot, unit):
+            continue
+        yield finding(
+            unit.where,
+            f"{unit.name} may take all memory and every CPU: a leaking node brings the whole robot down",
+            advice="set MemoryHigh=, MemoryMax= and CPUQuota=",
+        )
+
+
+def _limited_slice(robot, unit):
+    """Whether the slice has a limit, or is not known."""
+    name = unit.get("Slice", "Service")
+    found = robot.units.find(name, unit) if name else None
+    return bool(name) and (found is None or any(found.get(key, "Slice") for key in LIMITS))

@@ -1,0 +1,84 @@
+"""Real-time limits that only a login gets.
+
+## What it finds
+/etc/security/limits.conf or limits.d grants rtprio, memlock or nice to the user of a ROS service (or to a group of the user),
+and the unit has no LimitRTPRIO=, LimitMEMLOCK= or LimitNICE=. PAM reads these files at login; systemd does not. An error when the
+service runs ros2_control; information when it is only nice and the unit sets Nice=, which systemd applies itself.
+
+## Why it matters on a robot
+By hand, from an SSH session, the control loop gets its priority; as a service it is refused, and nobody looks at the one line in
+the log. The arm jitters only in production.
+
+## Bad
+```ini
+# limits.d/rover.conf:  rover - rtprio 98
+[Service]
+User=rover
+ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rover arm.launch.py'
+```
+
+## Good
+```ini
+[Service]
+User=rover
+LimitRTPRIO=98
+LimitMEMLOCK=infinity
+ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rover arm.launch.py'
+```
+
+## References
+- systemd.exec(5), "Process Properties"; limits.conf(5), pam_limits(8)
+- <https://github.com/systemd/systemd/issues/27893>
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import granted_limits
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+SETTING = {"rtprio": "LimitRTPRIO", "memlock": "LimitMEMLOCK", "nice": "LimitNICE"}
+CONTROL = re.compile(r"ros2_control_node|controller_manager|ros2_control")
+
+
+@rule("warning", fix="unsafe", symptoms=["Could not enable FIFO RT scheduling policy", "Operation not permitted"])
+def rt_limits_only_in_pam(robot: Robot):
+    for unit in robot.units.ros:
+        if not unit.complete or unit.get("PAMName") or robot.units.supervision(unit).in_container:
+            continue
+        missing = {}
+        for item, grant in granted_limits(unit, robot):
+            if not unit.get(SETTING[item]) and not _given_otherwise(unit, item):
+                missing.setdefault(item, []).append(grant)
+        if not missing:
+            continue
+        only_nice = set(missing) == {"nice"}
+        control = any(CONTROL.search(text) for process in robot.units.started(unit) for text in process.texts)
+        severity = "error" if control else "warning"
+        if only_nice:
+            severity = "info" if unit.get("Nice") else "warning"
+        keys = [f"{SETTING[item]}={_value(item, grants[-1].value)}" for item, grants in missing.items()]
+        yield finding(
+            unit.get("User") or unit.where,
+            f"limits.d grants {', '.join(missing)} to logins only: {unit.name} runs without it",
+            advice=f"set {' and '.join(keys)} in the unit",
+            related=[note(grant.line, "read by PAM at login") for grants in missing.values() for grant in grants],
+            fix=fix("grant it to the service", unit.new_line("Service", "\n".join(keys)), safe=False) if unit.editable else None,
+            severity=severity,
+        )
+
+
+def _given_otherwise(unit, item):
+    capabilities = {str(word) for word in unit.words("AmbientCapabilities")}
+    if item == "rtprio":
+        return unit.get("CPUSchedulingPolicy") in ("fifo", "rr") or "CAP_SYS_NICE" in capabilities
+    return "CAP_IPC_LOCK" in capabilities if item == "memlock" else "CAP_SYS_NICE" in capabilities
+
+
+def _value(item, value):
+    if item == "memlock":
+        return "infinity" if value in ("unlimited", "-1", "infinity") else f"{value}K"
+    return value

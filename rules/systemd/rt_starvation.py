@@ -1,0 +1,66 @@
+"""Real-time scheduling for a whole launch tree.
+
+## What it finds
+A service that runs ros2 launch with CPUSchedulingPolicy=fifo or rr at priority 90 and above or without a priority, or with
+IOSchedulingClass=realtime. Children inherit both.
+
+## Why it matters on a robot
+Every node, the logging ones included, then goes before journald, sshd and the kernel's own threads. One busy loop locks the
+machine; one bag recorder starves every other disk access.
+
+## Bad
+```ini
+[Service]
+ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rover base.launch.py'
+CPUSchedulingPolicy=fifo
+CPUSchedulingPriority=95
+IOSchedulingClass=realtime
+```
+
+## Good
+```ini
+# a unit of its own for the one node that needs it
+[Service]
+ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec /opt/ros/jazzy/lib/rover/motor_loop'
+CPUSchedulingPolicy=fifo
+CPUSchedulingPriority=50
+```
+
+## References
+- systemd.exec(5), CPUSchedulingPolicy=, CPUSchedulingResetOnFork= and IOSchedulingClass=; sched(7)
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import flag
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+HIGH = 90
+
+
+@rule("warning", symptoms=["sched: RT throttling activated"])
+def rt_starvation(robot: Robot):
+    for unit in robot.units.ros:
+        launches = [found for process in robot.units.started(unit) for _, found in process.launches]
+        if not launches or not unit.complete:
+            continue
+        tree = [note(found.where, "every node of this launch inherits it") for found in launches]
+        policy, priority = unit.get("CPUSchedulingPolicy"), unit.get("CPUSchedulingPriority")
+        inherited = not flag(unit, "CPUSchedulingResetOnFork").value
+        if policy in ("fifo", "rr") and inherited and (priority is None or priority.isdigit() and int(priority) >= HIGH):
+            level = f"priority {priority}" if priority else "no priority of its own choice"
+            yield finding(
+                priority or policy,
+                f"all nodes of {unit.name} run with {policy} scheduling, {level}: a busy loop in one of them locks the machine",
+                advice="give real-time scheduling to the one node that needs it, in a unit of its own",
+                related=[*tree, *([note(policy, "real-time scheduling")] if priority else [])],
+            )
+        io = unit.get("IOSchedulingClass")
+        if io in ("realtime", "1"):
+            yield finding(
+                io,
+                f"all nodes of {unit.name} go before every other disk access: journald, sshd and the rest can starve",
+                advice="drop the line, or give the class to one service that needs it",
+                related=tree,
+            )

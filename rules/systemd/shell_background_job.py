@@ -1,0 +1,60 @@
+"""A ROS program in the background of the start script.
+
+## What it finds
+`ros2 ... &` in the shell text or script of ExecStart=. It is an error when nothing keeps the shell running afterwards.
+
+## Why it matters on a robot
+The shell is the main process. When it ends, systemd takes the service for finished and kills the job; when it goes on, for
+instance with `wait`, the crash of a job goes unnoticed and Restart= never acts.
+
+## Bad
+```ini
+[Service]
+ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash; ros2 launch rover base.launch.py &'
+```
+
+## Good
+```ini
+[Service]
+ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rover base.launch.py'
+```
+and a unit of its own for every further process.
+
+## References
+- systemd.service(5), Type=simple; systemd.kill(5)
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+PASSING = ("echo", "printf", "true", "logger", "exit", ":", "disown")
+
+
+@rule("error")
+def shell_background_job(robot: Robot):
+    for unit in robot.units.ros:
+        if unit.get("Type") in ("oneshot", "forking") or unit.get("RemainAfterExit"):
+            continue
+        for process in robot.units.started(unit):
+            for at, step in enumerate(process.steps):
+                roses = [found for other, found in process.ros if other is step and found.kind != "cli"]
+                if not roses or not step.command.background:
+                    continue
+                ends = not any(_keeps_running(later) for later in process.steps[at + 1 :])
+                yield finding(
+                    step.command.words[0],
+                    f"nothing keeps the shell running after this background job: {unit.name} ends at once and systemd kills the job"
+                    if ends and not step.command.depth
+                    else f"a background job: when it dies, {unit.name} still counts as running and is not restarted",
+                    advice="run it in the foreground with exec, each process in a unit of its own",
+                    related=[note(process.program, "the main process")],
+                    severity="error" if ends and not step.command.depth else "warning",
+                )
+
+
+def _keeps_running(step):
+    """Whether a later command may take its time: wait, a foreground program, a loop."""
+    command = step.command
+    return bool(command.words) and not command.background and command.name not in PASSING

@@ -1,0 +1,71 @@
+"""TimeoutStopSec= is shorter than ros2 launch needs to stop its nodes.
+
+## What it finds
+A service that runs ros2 launch with TimeoutStopSec= below 15 seconds, or above 90.
+
+## Why it matters on a robot
+When it is asked to stop, launch sends every node SIGINT, after 5 s SIGTERM and after 5 s more SIGKILL. A shorter time-out kills
+launch and all nodes in the middle of that, before they have reached their safe state. A very long one lets one hung node
+hold up every shutdown.
+
+## Bad
+```ini
+[Service]
+ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rover base.launch.py'
+KillSignal=SIGINT
+TimeoutStopSec=5
+```
+
+## Good
+```ini
+[Service]
+ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rover base.launch.py'
+KillSignal=SIGINT
+TimeoutStopSec=20
+```
+
+## References
+- systemd.service(5), TimeoutStopSec=
+- launch, ExecuteProcess: sigterm_timeout and sigkill_timeout are 5 s each
+"""
+
+import math
+
+from bringup_lint.api import Robot
+from bringup_lint.api import duration
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+ESCALATION = 10.0
+SHORT, LONG = 15.0, 90.0
+
+
+@rule("warning", fix="unsafe", symptoms=["State 'stop-sigterm' timed out. Killing."])
+def timeout_stop_vs_launch(robot: Robot):
+    for unit in robot.units.ros:
+        service = robot.units.supervision(unit)
+        launches = [found for process in robot.units.started(unit) for _, found in process.launches]
+        limit = service.stop_timeout
+        if not launches or limit.value is None or SHORT <= limit.value <= LONG or service.in_container:
+            continue
+        if limit.at is None or unit.get("Type") == "oneshot":
+            continue
+        if limit.value < SHORT:
+            message = (
+                f"{unit.name} is killed {duration(limit.value)} after the stop: ros2 launch alone may take "
+                f"{duration(ESCALATION)} (SIGINT, 5 s, SIGTERM, 5 s, SIGKILL) to end its nodes"
+            )
+        elif limit.value == math.inf:
+            message = f"one hung node of {unit.name} blocks the stop, and with it the shutdown, for ever"
+        else:
+            message = f"one hung node of {unit.name} delays every shutdown by {duration(limit.value)}"
+        own = limit.at in unit.values("TimeoutStopSec", "Service")
+        yield finding(
+            limit.at,
+            message,
+            advice="set TimeoutStopSec=20",
+            related=[note(found.where, "ros2 launch is started here") for found in launches],
+            fix=fix("leave 20 seconds", (limit.at, "20"), safe=False) if unit.editable and own else None,
+        )
