@@ -26,6 +26,7 @@ __all__ = ["Edit", "Finding", "Located", "Robot", "Source", "Span", "finding", "
 
 _WORDS = {
     "commands_of": "bringup_lint.parsers.dockerfile",
+    "daemons": "bringup_lint.graph.daemons",
     "delete_lines": "bringup_lint.graph.unit_edits",
     "directives": "bringup_lint.facts.directives",
     "duration": "bringup_lint.graph.settings",

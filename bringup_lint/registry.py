@@ -98,7 +98,7 @@ def _family(path: Path) -> Family:
     if description.is_file():
         data = read_toml(description.read_text("utf-8"))
     return Family(
-        path.name,
+        path.name.replace("_", "-"),
         data.get("title", path.name),
         data.get("description", ""),
         frozenset(data.get("reads", ())),

@@ -19,6 +19,7 @@ from bringup_lint.source import Source
 if TYPE_CHECKING:
     from bringup_lint.discover.tree import Tree
     from bringup_lint.graph.accounts import Accounts
+    from bringup_lint.graph.daemons import Daemon
     from bringup_lint.graph.devices import Devices
     from bringup_lint.graph.compose import Compose
     from bringup_lint.graph.dds import Dds
@@ -181,6 +182,24 @@ class Robot:
         from bringup_lint.graph.accounts import load_accounts
 
         return load_accounts(self)
+
+    @cached_property
+    def journald(self) -> list[Daemon]:
+        from bringup_lint.graph.daemons import load_daemons
+
+        return load_daemons(self, "journald")
+
+    @cached_property
+    def system_conf(self) -> list[Daemon]:
+        from bringup_lint.graph.daemons import load_daemons
+
+        return load_daemons(self, "system")
+
+    @cached_property
+    def logind(self) -> list[Daemon]:
+        from bringup_lint.graph.daemons import load_daemons
+
+        return load_daemons(self, "logind")
 
     @cached_property
     def compose(self) -> Compose:

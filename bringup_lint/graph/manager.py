@@ -6,7 +6,6 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 from typing import TypeVar
 
-from bringup_lint.parsers.unit import parse
 from bringup_lint.source import Located
 
 if TYPE_CHECKING:
@@ -16,23 +15,7 @@ Value = TypeVar("Value")
 
 
 def manager_setting(robot: Robot, key: str, read: Callable[[str], Value | None]) -> tuple[Located, Value] | None:
-    """The last value of a key of [Manager] that ``read`` accepts, when system.conf or a drop-in of the robot has one."""
-    found = None
-    for file in robot.parsed(parse, _in_order(robot)):
-        for assignment in file.assignments:
-            if assignment.section == "Manager" and assignment.key == key and not assignment.opaque:
-                value = read(assignment.value)
-                if value is not None:
-                    found = (assignment.value, value)
-    return found
-
-
-def _in_order(robot: Robot):
-    """system.conf, then the drop-ins by name. Two different main files leave no order: none counts."""
-    sources = robot.of_kind("system-conf")
-    main = [source for source in sources if source.basename == "system.conf"]
-    ranked = sorted(main, key=lambda source: (source.robot_path or "").startswith("/etc/"))
-    if len(ranked) > 1 and not all(source.robot_path for source in ranked):
-        return []
-    dropins = [source for source in sources if source.basename != "system.conf"]
-    return [*ranked[-1:], *sorted(dropins, key=lambda source: source.basename)]
+    """The last value of a key of [Manager] that ``read`` accepts. Files of several robots side by side leave no order:
+    none counts."""
+    daemons = robot.system_conf
+    return daemons[0].get(key, read=read) if len(daemons) == 1 and daemons[0].certain else None

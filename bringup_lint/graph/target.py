@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from bringup_lint.facts.directives import NEWEST
 from bringup_lint.source import Source
 
 SYSTEMD_OF_ROS = {
@@ -46,6 +47,11 @@ class Target:
     systemd: int
     systemd_why: str
     systemd_known: bool
+
+    @property
+    def newest(self) -> int:
+        """The systemd to judge by when only what no release accepts is to be found."""
+        return self.systemd if self.systemd_known else NEWEST
 
 
 def find_target(sources: Iterable[Source], ros: str | None, systemd: int | None) -> Target:

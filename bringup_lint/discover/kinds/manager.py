@@ -1,4 +1,4 @@
-"""Settings of the service manager itself."""
+"""Settings of systemd's daemons: the service manager, journald and logind."""
 
 from __future__ import annotations
 
@@ -6,12 +6,35 @@ import re
 
 from bringup_lint.discover.kinds import Head
 from bringup_lint.discover.kinds import Kind
+from bringup_lint.templates import final_name
 
-_SYSTEM_CONF = re.compile(r"(?:^|/)systemd/system\.conf$|(?:^|/)systemd/system\.conf\.d/[^/]+\.conf$|(?:^|/)system\.conf\.d/[^/]+\.conf$")
+_FOLDER = re.compile(r"/systemd/(?:system|journald|logind)\.conf(?:\.d/[^/]+)?$")
+_MAIN = re.compile(r"/(?P<daemon>system|journald|logind)\.conf$")
+_DROPIN = re.compile(r"/(?P<daemon>system|journald|logind)\.conf\.d/(?P<name>[^/]+)$")
+_SECTION = {"system": "Manager", "journald": "Journal", "logind": "Login"}
+_LINE = re.compile(r"^[ \t]*#?[ \t]*[A-Z]\w+[ \t]*=", re.M)
 
 
-def _is_system_conf(path: str, head: Head) -> bool:
-    return bool(_SYSTEM_CONF.search(path)) and "[Manager]" in head()
+def _claims(daemon: str):
+    def claims(path: str, head: Head) -> bool:
+        path = final_name(f"/{path}")
+        found = _DROPIN.search(path) or _MAIN.search(path)
+        if found is None or found["daemon"] != daemon or not path.endswith(".conf"):
+            return False
+        return bool(_FOLDER.search(path)) or f"[{_SECTION[daemon]}]" in head()
+
+    return claims
 
 
-KINDS = (Kind("system-conf", _is_system_conf),)
+def _is_misnamed(path: str, head: Head) -> bool:
+    """A file in a drop-in folder that only its name keeps from being read."""
+    found = _DROPIN.search(final_name(f"/{path}"))
+    if found is None or found["name"].endswith(".conf") or found["name"].startswith((".", "README")):
+        return False
+    return f"[{_SECTION[found['daemon']]}]" in head() and bool(_LINE.search(head()))
+
+
+KINDS = (
+    *(Kind(f"{daemon}-conf", _claims(daemon)) for daemon in _SECTION),
+    Kind("daemon-misnamed", _is_misnamed),
+)

@@ -1,0 +1,46 @@
+"""A section that logind does not read.
+
+## What it finds
+A section other than [Login] in logind.conf or a drop-in. Sections that start with X- are meant for other programs and
+are fine.
+
+## Why it matters on a robot
+logind ignores the section with everything in it. Shared memory is still deleted at logout, or closing the lid still suspends the robot.
+
+## Bad
+```ini
+[Service]
+RemoveIPC=no
+```
+
+## Good
+```ini
+[Login]
+RemoveIPC=no
+```
+
+## References
+- logind.conf(5)
+- journal: "Unknown section '...'. Ignoring."
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import daemons
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule("error", fix="safe", symptoms=["Unknown section"])
+def unknown_section(robot: Robot):
+    for daemon in robot.logind:
+        known = daemons.setting_names(daemon.name)
+        for section in daemons.other_sections(daemon):
+            keys = [assignment.key for assignment in section.assignments]
+            change = fix("rename to [Login]", (section.name, "Login"))
+            yield finding(
+                section.name,
+                f"logind reads [Login] only: [{section.name}] is ignored",
+                advice="rename it to [Login]",
+                fix=change if keys and all(key in known for key in keys) else None,
+            )

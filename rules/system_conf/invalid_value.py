@@ -1,0 +1,43 @@
+"""A value that systemd cannot read: the line is ignored.
+
+## What it finds
+A value in [Manager] of system.conf or a drop-in that does not follow the grammar of its key.
+
+## Why it matters on a robot
+The hardware watchdog stays off, or the default timeouts stay as they are; only one line in the journal tells.
+
+## Bad
+```ini
+[Manager]
+DefaultTimeoutStopSec=20sek
+```
+
+## Good
+```ini
+[Manager]
+DefaultTimeoutStopSec=20s
+```
+
+## References
+- systemd-system.conf(5), systemd.syntax(7), systemd.time(7)
+- journal: "Failed to parse ... value, ignoring"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import daemons
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule("error", fix="safe", symptoms=["Failed to parse", "ignoring:"])
+def invalid_value(robot: Robot):
+    for daemon in robot.system_conf:
+        for assignment, problem in daemons.bad_values(daemon, robot.target.newest):
+            text = problem.suggestion
+            yield finding(
+                problem.where,
+                f"{assignment.key}= takes {problem.expected}, not '{problem.where}': systemd ignores the line",
+                advice=f"write {text or problem.expected}",
+                fix=fix(f"write {text}", (problem.where, text), safe=problem.safe) if text else None,
+            )

@@ -1,0 +1,42 @@
+"""Lines of system.conf without [Manager] above them are ignored.
+
+## What it finds
+Settings in system.conf or a drop-in before any section header.
+
+## Why it matters on a robot
+systemd ignores lines outside its section; only a message in the journal tells. The hardware watchdog stays off, or the default timeouts stay as they are; only one line in the journal tells.
+
+## Bad
+```ini
+RuntimeWatchdogSec=20s
+```
+
+## Good
+```ini
+[Manager]
+RuntimeWatchdogSec=20s
+```
+
+## References
+- systemd-system.conf(5)
+- journal: "Assignment outside of section. Ignoring."
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import daemons
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule("error", fix="safe", symptoms=["Assignment outside of section"])
+def no_manager_section(robot: Robot):
+    for daemon in robot.system_conf:
+        for first, count in daemons.headless(daemon):
+            what = "this line is" if count == 1 else f"these {count} lines are"
+            yield finding(
+                first,
+                f"Without [Manager] above, {what} ignored",
+                advice="put [Manager] above",
+                fix=fix("insert [Manager]", (first.part(0, 0), "[Manager]\n")),
+            )
