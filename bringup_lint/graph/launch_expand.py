@@ -121,6 +121,11 @@ class Expansion:
         return list(found.values())
 
 
+def both(first: bool | None, second: bool | None) -> bool | None:
+    """``and`` for outcomes that may be unknown."""
+    return False if False in (first, second) else (None if None in (first, second) else True)
+
+
 class Expander:
     """``locate`` gives the launch file that a resolved value names, or None."""
 
@@ -131,6 +136,9 @@ class Expander:
         self.scopes: list[Scope] = []
         self.file = entry
         self.conditions: tuple[Condition, ...] = ()
+        """Open ones, in terms of what the user may pass."""
+        self.by_default: bool | None = True
+        """Whether the current action happens when no argument is passed."""
         self.chain: tuple[Span, ...] = ()
         self.open_files: list[Source] = [entry.source]
         self.context: tuple[Action, ...] = ()
@@ -155,7 +163,7 @@ class Expander:
 
     def action(self, action: Action) -> None:
         resolver, symbolic = Resolver(self.scope), Resolver(self.scope, symbolic=True)
-        outer = self.conditions
+        outer, by_default, scope = self.conditions, self.by_default, self.scope
         left: list[Condition] = []
         for condition in action.conditions:
             self.note_unbound(condition.predicate)
@@ -167,11 +175,18 @@ class Expander:
             if outcome is None:
                 left.append(sharper)
         self.conditions = (*outer, *left)
+        own = resolver.all_hold(action.conditions)
+        self.by_default = both(by_default, own)
         self.result.actions.append((action, self.file))
         handler = _ACTIONS.get(type(action))
         if handler is not None:
+            if own is False:
+                self.scope = scope.copy()
+                resolver, symbolic = Resolver(self.scope), Resolver(self.scope, symbolic=True)
             handler(self, action, resolver, symbolic)
-        self.conditions = outer
+            if own is False:
+                self.scope = scope
+        self.conditions, self.by_default = outer, by_default
 
     def note_unbound(self, *values: Value | None) -> None:
         """Remember configurations that are read here and do not exist."""
@@ -187,8 +202,9 @@ class Expander:
     def bind(self, name: str, value: Value, symbol: Value, origin: Span, declared: bool = False) -> None:
         """Set a launch configuration; under an open condition it may keep what it was."""
         before = self.scope.arguments.get(name)
-        if self.conditions and before is not None:
+        if self.by_default is None and before is not None:
             value = bounded(Choice((((), before.value), (self.conditions, value)), origin))
+        if self.conditions and before is not None:
             symbol = bounded(Choice((((), before.symbol), (self.conditions, symbol)), origin))
         self.scope.arguments[name] = Binding(bounded(value), bounded(symbol), origin, declared)
 
@@ -206,12 +222,12 @@ class Expander:
     def start(self, node: Any, container: Started | None = None) -> Started:
         resolver = Resolver(self.scope)
         result = started(node, self.file, self.scope, resolver, self.conditions, self.chain, self.context, container)
-        result.by_default = resolver.all_hold(self.conditions)
+        result.by_default = self.by_default
         self.result.nodes.append(result)
         return result
 
     def components(self: Expander, nodes: Iterable[Action], container: Started | None) -> None:
-        outer = self.conditions
+        outer, by_default = self.conditions, self.by_default
         for node in nodes:
             if not isinstance(node, ComposableNode):
                 self.result.open = True
@@ -221,10 +237,11 @@ class Expander:
             if any(outcome is False for _, outcome in outcomes):
                 continue
             self.conditions = (*outer, *(condition for condition, outcome in outcomes if outcome is None))
+            self.by_default = both(by_default, Resolver(self.scope).all_hold(node.conditions))
             remapped = [value for pair in node.remappings for value in pair]
             self.note_unbound(node.package, node.plugin, node.name, node.namespace, *node.parameters, *remapped)
             self.start(node, container)
-            self.conditions = outer
+            self.conditions, self.by_default = outer, by_default
 
 
 def _declare(self: Expander, action: DeclareArgument, resolver: Resolver, symbolic: Resolver) -> None:
@@ -332,7 +349,7 @@ def _env(self: Expander, action: SetEnv, resolver: Resolver, symbolic: Resolver)
     self.note_unbound(action.value)
     if name is not None:
         value = resolver.value(action.value)
-        plain = action.mode == "set" and not self.conditions
+        plain = action.mode == "set" and self.by_default is not None
         self.scope.env[name] = value if plain else Unknown("extended environment", action.span)
 
 
@@ -347,9 +364,8 @@ def _unset_env(self: Expander, action: UnsetEnv, resolver: Resolver, symbolic: R
 def _namespace(self: Expander, action: PushNamespace, resolver: Resolver, symbolic: Resolver) -> None:
     self.note_unbound(action.namespace)
     value = resolver.value(action.namespace)
-    if self.conditions:
+    if self.by_default is None:
         value = Choice(((self.conditions, value),), action.span)
-        value = resolver.value(value)
     self.scope.namespaces = (*self.scope.namespaces, value)
 
 
