@@ -1,11 +1,15 @@
-"""A link disappears at the next change event.
+"""A link or tag disappears at the next change event.
 
 ## What it finds
-A rule that makes a link and fires for `ACTION=="add"` but not for `change`.
+A rule that fires for `ACTION=="add"` but not for `change`, and makes a link, gives the tag `systemd` to a
+device that 99-systemd.rules does not tag, or sets a property that a daemon reads at every event
+(`ID_MM_DEVICE_IGNORE`, `NM_UNMANAGED`, `SYSTEMD_READY`). Owner, group and mode stay, and `SYSTEMD_WANTS` has
+done its work.
 
 ## Why it matters on a robot
-Links are made anew at every event. `udevadm trigger`, which every installer runs, sends `change`: the rule
-does not fire, udev removes the link, and the running driver cannot reopen its device.
+Links, tags and properties are made anew at every event. `udevadm trigger`, which every installer runs, sends
+`change`: the rule does not fire, the link is gone and the running driver cannot reopen its device, or systemd
+stops what is bound to the device.
 
 ## Bad
 ```udev
@@ -20,6 +24,7 @@ ACTION!="remove", SUBSYSTEM=="tty", ATTRS{serial}=="A5XK3RJT", SYMLINK+="robot/i
 ## References
 - udev(7), ACTION
 - udevadm(8), trigger: the default action is change
+- systemd.device(5)
 """
 
 from bringup_lint.api import Robot
@@ -27,6 +32,14 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+
+_READ_AT_EVERY_EVENT = (
+    "ID_MM_DEVICE_IGNORE",
+    "ID_MM_PORT_IGNORE",
+    "NM_UNMANAGED",
+    "SYSTEMD_READY",
+    "SYSTEMD_ALIAS",
+)
 
 
 @rule("warning", fix="safe")
@@ -36,17 +49,23 @@ def action_add_only_symlink(robot: Robot):
             continue
         for link in line.links:
             if not robot.udev.survives_change(link):
-                yield _finding(line, link)
+                yield _finding(line, link.name, f"removes {link.path}", "the link")
+        for token in line.line.assignments("TAG"):
+            if token.value == "systemd" and line.is_tagged_by_systemd(robot.target.systemd) is False:
+                yield _finding(line, token.span, "makes systemd stop what is bound to the device", "the tag")
+        for token in line.line.assignments("ENV"):
+            if token.attribute in _READ_AT_EVERY_EVENT and token.value:
+                yield _finding(line, token.span, f"takes {token.attribute} away", "the property")
 
 
-def _finding(line, link):
+def _finding(line, lost, what: str, name: str):
     *others, action = line.on("ACTION")
     own = not action.inherited
     change = fix("fire at every event but the last", (action.token.span, 'ACTION!="remove"'))
     return finding(
-        action.token.span if own else link.name,
-        f"The next change event (udevadm trigger) removes {link.path}",
+        action.token.span if own else lost,
+        f"The next change event (udevadm trigger) {what}",
         advice='write ACTION!="remove"',
-        related=[note(link.name, "the link") if own else note(action.token.span, "the jump over this rule")],
+        related=[note(lost, name) if own else note(action.token.span, "the jump over this rule")],
         fix=change if own and not others else None,
     )

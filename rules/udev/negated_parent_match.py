@@ -38,7 +38,7 @@ _OF_ROOT_HUB = {"idVendor": "1d6b", "idProduct": "0002", "serial": "0000:00:14.0
 def negated_parent_match(robot: Robot):
     for line in robot.udev.judged:
         parents = line.parent_conditions
-        if any(one.equal or one.attribute not in _OF_ROOT_HUB for one in parents):
+        if any(one.equal or not one.token.value or one.attribute not in _OF_ROOT_HUB for one in parents):
             continue
         if all(one.accepts(_OF_ROOT_HUB[one.attribute]) for one in parents):
             for one in parents[:1]:
