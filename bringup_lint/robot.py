@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.dds import Dds
     from bringup_lint.graph.env_files import UsedEnvFile
     from bringup_lint.graph.fstab import NeededPath
+    from bringup_lint.graph.host import Jail
     from bringup_lint.graph.launch import Launch
     from bringup_lint.graph.params import Params
     from bringup_lint.graph.sysctl import Sysctl
@@ -36,6 +37,7 @@ if TYPE_CHECKING:
     from bringup_lint.model.firewall import Firewall
     from bringup_lint.model.fstab import Fstab
     from bringup_lint.model.netplan import Netplan
+    from bringup_lint.model.shell import Command
 
 Model = TypeVar("Model")
 
@@ -259,3 +261,28 @@ class Robot:
         from bringup_lint.graph.fstab import read_only_writes
 
         return list(read_only_writes(self))
+
+    @cached_property
+    def jails(self) -> list[Jail]:
+        from bringup_lint.graph.host import parse_jail
+
+        return self.parsed(parse_jail, self.of_kind("fail2ban-jail"))
+
+    @cached_property
+    def sshd_sources(self) -> list[Source]:
+        from bringup_lint.graph.host import sshd_sources
+
+        return sshd_sources(self)
+
+    @cached_property
+    def journald_sources(self) -> list[Source]:
+        from bringup_lint.graph.host import journald_sources
+
+        return journald_sources(self)
+
+    @cached_property
+    def installations(self) -> list[tuple[Source, Command]]:
+        """The commands of scripts and Dockerfiles that install packages with apt."""
+        from bringup_lint.graph.host import installations
+
+        return list(installations(self))

@@ -1,0 +1,43 @@
+"""The last line of a crontab has no line end.
+
+## What it finds
+A crontab whose last line, a job, ends without a newline.
+
+## Why it matters on a robot
+crontab(5) asks for it: Debian's cron ignores the whole file (`Missing newline before EOF, this crontab file
+will be ignored`).
+
+## Bad
+```
+0 3 * * * root /opt/robot/clean<EOF>
+```
+
+## Good
+```
+0 3 * * * root /opt/robot/clean\n<EOF>
+```
+
+## References
+- crontab(5)
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule("error", fix="safe", symptoms=["Missing newline before EOF, this crontab file will be ignored"])
+def no_final_newline(robot: Robot):
+    for source in robot.of_kind("cron"):
+        text = source.text
+        if not text or text.endswith("\n"):
+            continue
+        start = text.rfind("\n") + 1
+        here = (source.span(len(text), len(text)), "\n")
+        yield finding(
+            source.span(start, len(text)),
+            "The last line has no newline: cron ignores the file",
+            advice="end the file with a newline",
+            fix=fix("add a newline", here),
+        )

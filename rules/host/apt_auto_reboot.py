@@ -1,0 +1,45 @@
+"""Automatic updates may reboot a running robot.
+
+## What it finds
+`Unattended-Upgrade::Automatic-Reboot "true"`.
+
+## Why it matters on a robot
+After a kernel update the robot reboots at once, in the middle of a mission, with motors powered.
+
+## Bad
+```
+Unattended-Upgrade::Automatic-Reboot "true";
+```
+
+## Good
+```
+Unattended-Upgrade::Automatic-Reboot "false";
+```
+
+## References
+- unattended-upgrades, README
+- robotics-security guide
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+REBOOT = re.compile(r"^[ \t]*Unattended-Upgrade::Automatic-Reboot[ \t]+\"?(\w+)\"?[ \t]*;", re.M | re.I)
+
+
+@rule("error", fix="safe")
+def apt_auto_reboot(robot: Robot):
+    for source in robot.of_kind("apt-conf"):
+        for match in REBOOT.finditer(source.text):
+            value = source.located(match.start(1), match.end(1))
+            if value.lower() in ("true", "1", "yes", "on", "with", "enable"):
+                yield finding(
+                    value,
+                    "Automatic updates may reboot a running robot",
+                    advice='write "false", and reboot when the robot is parked',
+                    fix=fix("write false", (value, "false")),
+                )

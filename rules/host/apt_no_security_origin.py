@@ -1,0 +1,52 @@
+"""Security updates are not installed automatically.
+
+## What it finds
+`Unattended-Upgrade::Allowed-Origins` (or `Origins-Pattern`) without the security pocket, in a file that has
+no other.
+
+## Why it matters on a robot
+unattended-upgrades runs every day and leaves out the updates for which it was set up.
+
+## Bad
+```
+Unattended-Upgrade::Allowed-Origins {
+  "${distro_id}:${distro_codename}";
+};
+```
+
+## Good
+```
+Unattended-Upgrade::Allowed-Origins {
+  "${distro_id}:${distro_codename}-security";
+};
+```
+
+## References
+- unattended-upgrades, README
+- robotics-security guide
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+BLOCK = re.compile(
+    r"^[ \t]*Unattended-Upgrade::(?:Allowed-Origins|Origins-Pattern)[ \t]*"
+    r'\{((?:"[^"]*"|[^}"])*)\}',
+    re.M,
+)
+COMMENT = re.compile(r"(?://|#)[^\n]*|/\*.*?\*/", re.S)
+
+
+@rule("info")
+def apt_no_security_origin(robot: Robot):
+    for source in robot.of_kind("apt-conf"):
+        blocks = list(BLOCK.finditer(source.text))
+        if blocks and not any("security" in COMMENT.sub("", match[1]).lower() for match in blocks):
+            yield finding(
+                source.span(blocks[0].start(), blocks[0].start() + len(blocks[0][0].split("{")[0].rstrip())),
+                "No origin of these is the security pocket: its updates are not installed",
+                advice='add "${distro_id}:${distro_codename}-security";',
+            )

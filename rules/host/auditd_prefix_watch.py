@@ -1,0 +1,46 @@
+"""An audit watch means exactly one path.
+
+## What it finds
+`-w` with a path that is only the beginning of a name (it ends with `-`, `_` or `.`) or that holds
+wildcards.
+
+## Why it matters on a robot
+auditd neither globs nor matches prefixes: it watches a file that does not exist, and changes of the robot's
+units are never recorded.
+
+## Bad
+```
+-w /etc/systemd/system/robot- -p wa -k robot_services
+```
+
+## Good
+```
+-w /etc/systemd/system/ -p wa -k robot_services
+```
+
+## References
+- audit.rules(7), auditctl(8), "-w"
+- robotics-security guide, audit rules
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+WATCH = re.compile(r"^[ \t]*-w[ \t]+(\S+)", re.M)
+
+
+@rule("warning")
+def auditd_prefix_watch(robot: Robot):
+    for source in robot.of_kind("audit-rules"):
+        for match in WATCH.finditer(source.text):
+            path = source.located(match.start(1), match.end(1))
+            if path[-1] in "-_." or set(path) & set("*?["):
+                folder = path.rpartition("/")[0] or "/"
+                yield finding(
+                    path,
+                    f"auditd watches exactly '{path}', which is no file: no globbing, no prefix",
+                    advice=f"watch the folder: -w {folder}/",
+                )

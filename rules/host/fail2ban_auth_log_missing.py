@@ -1,0 +1,52 @@
+"""fail2ban reads a log file that does not exist.
+
+## What it finds
+`logpath = /var/log/auth.log` of an enabled jail while fstab puts /var/log on a tmpfs, and without `backend
+= systemd`.
+
+## Why it matters on a robot
+The file is not there when fail2ban starts: `Have not found any log file for sshd jail`, and the service
+ends.
+
+## Bad
+```ini
+[sshd]
+enabled = true
+logpath = /var/log/auth.log
+```
+
+## Good
+```ini
+[sshd]
+enabled = true
+backend = systemd
+```
+
+## References
+- jail.conf(5), "backend"
+- robotics-security guide
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("info", symptoms=["Have not found any log file for sshd jail"])
+def fail2ban_auth_log_missing(robot: Robot):
+    for jail in robot.jails:
+        path = jail.get("sshd", "logpath")
+        backend = jail.get("sshd", "backend") or jail.get("DEFAULT", "backend")
+        if path is None or not path.startswith("/var/log/auth.log") or backend == "systemd":
+            continue
+        if jail.get("sshd", "enabled") == "false" or len(robot.fstabs) != 1:
+            continue
+        mount = robot.fstabs[0].mount_of("/var/log/auth.log")
+        if mount is not None and mount.is_tmpfs:
+            yield finding(
+                path,
+                f"{path} is not there when fail2ban starts: {mount.target} is a tmpfs",
+                advice="write backend = systemd",
+                related=[note(mount.target, "the tmpfs")],
+            )

@@ -1,0 +1,60 @@
+"""fail2ban blocks another port than the one sshd listens on.
+
+## What it finds
+The `port` of the jail `[sshd]` differs from every `Port` of the sshd configuration on the same robot.
+
+## Why it matters on a robot
+Attackers are banned from a port that nobody uses, and go on trying on the real one.
+
+## Bad
+```ini
+[sshd]
+port = 22            # sshd_config: Port 2222
+```
+
+## Good
+```ini
+[sshd]
+port = 2222          # sshd_config: Port 2222
+```
+
+## References
+- jail.conf(5)
+- robotics-security guide
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+NAMES = {"ssh": "22"}
+PORT = re.compile(r"^[ \t]*Port[ \t=]+(\d+)", re.M | re.I)
+
+
+@rule("warning", fix="safe")
+def fail2ban_port_mismatch(robot: Robot):
+    ports = [
+        source.located(*match.span(1))
+        for source in robot.sshd_sources
+        for match in PORT.finditer(source.text)
+    ]
+    for jail in robot.jails:
+        port = jail.get("sshd", "port")
+        if not robot.sshd_sources or port is None or jail.get("sshd", "enabled") == "false" or "%" in port:
+            continue
+        blocked = {NAMES.get(name.strip(), name.strip()) for name in port.split(",")}
+        listens = {str(place) for place in ports} or {"22"}
+        if blocked & listens or any(":" in name or not name.isdecimal() for name in blocked):
+            continue
+        new = ",".join(sorted(listens))
+        yield finding(
+            port,
+            f"fail2ban blocks port {port}, sshd listens on {new}",
+            advice=f"write port = {new}",
+            related=[note(place, "sshd listens here") for place in ports],
+            fix=fix(f"write {new}", (port, new)),
+        )

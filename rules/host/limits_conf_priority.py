@@ -1,0 +1,43 @@
+"""'priority' in limits.conf makes processes slower, rtprio is meant.
+
+## What it finds
+A `priority` line with a positive value: it is the nice value, not the real-time priority.
+
+## Why it matters on a robot
+`@realtime - priority 99` gives every process of the group the lowest priority: the control loop runs after
+everything else.
+
+## Bad
+```
+@realtime - priority 99
+```
+
+## Good
+```
+@realtime - rtprio 99
+```
+
+## References
+- limits.conf(5)
+- https://github.com/ros-controls/ros2_control/issues/3605
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+LINE = re.compile(r"^[ \t]*[^#\s]\S*[ \t]+(?:-|soft|hard)[ \t]+(priority)[ \t]+(\d+)", re.M)
+
+
+@rule("warning")
+def limits_conf_priority(robot: Robot):
+    for source in robot.of_kind("limits-conf"):
+        for match in LINE.finditer(source.text):
+            if int(match[2][:6]) > 0:
+                yield finding(
+                    source.located(*match.span(1)),
+                    f"'priority {match[2]}' is a nice value: it makes all processes of the group slower",
+                    advice=f"write rtprio {match[2]}",
+                )

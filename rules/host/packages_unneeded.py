@@ -1,0 +1,52 @@
+"""The robot gets network services that it does not need.
+
+## What it finds
+A script or Dockerfile that installs avahi-daemon, cups, snapd, modemmanager, bluetooth or bluez, in a tree
+in which nothing else speaks of it: no `.local` name, no gamepad, no modem.
+
+## Why it matters on a robot
+Every service that listens is one more way in, and ModemManager talks to serial devices that are no modems.
+
+## Bad
+```sh
+apt-get install -y avahi-daemon cups
+```
+
+## Good
+```sh
+apt-get purge -y avahi-daemon cups
+```
+
+## References
+- robotics-security guide
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+USES = {
+    "avahi-daemon": r"\.local\b|avahi|mdns",
+    "cups": r"cups|printer",
+    "snapd": r"\bsnap",
+    "modemmanager": r"modem|wwan|gsm|lte\b",
+    "bluetooth": r"bluetooth|bluez|gamepad|joystick|joy_|teleop|ds4|\bble\b",
+    "bluez": r"bluetooth|bluez|gamepad|joystick|joy_|teleop|ds4|\bble\b",
+}
+
+
+@rule("info", confidence="medium")
+def packages_unneeded(robot: Robot):
+    for source, command in robot.installations:
+        for word in command.words:
+            uses = USES.get(word.lower())
+            others = [other for other in robot.sources if other is not source]
+            if uses and not any(re.search(uses, other.text, re.I) for other in others):
+                yield finding(
+                    word,
+                    f"Nothing in this tree uses {word}: one more service that listens on the robot",
+                    advice=f"leave it out, or purge it: apt-get purge -y {word}",
+                    confidence="medium",
+                )

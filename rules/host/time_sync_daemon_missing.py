@@ -1,0 +1,68 @@
+"""No time daemon runs on the robot.
+
+## What it finds
+A whole root file system in which none of chrony, systemd-timesyncd, ntpsec, ntpd, ptp4l and phc2sys is
+enabled.
+
+## Why it matters on a robot
+The clocks of the robot's computers drift apart: TF throws away transforms from the future, bags cannot be
+merged, certificates seem invalid.
+
+## Bad
+```
+/etc/systemd/system/multi-user.target.wants/         (no chrony.service)
+```
+
+## Good
+```
+systemctl enable chrony
+```
+
+## References
+- systemd-timesyncd.service(8)
+- chronyd(8)
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+DAEMONS = (
+    "chrony",
+    "chronyd",
+    "systemd-timesyncd",
+    "ntpsec",
+    "ntp",
+    "ntpd",
+    "openntpd",
+    "ptp4l",
+    "phc2sys",
+    "timemaster",
+)
+TARGETS = ("multi-user", "sysinit", "default", "graphical", "basic", "network-online")
+
+
+@rule("warning")
+def time_sync_daemon_missing(robot: Robot):
+    releases = [source for source in robot.of_kind("os-release") if source.judged]
+    if not robot.tree.complete or not releases:
+        return
+    folders = [
+        f"{top}/systemd/system/{target}.target.wants"
+        for top in ("/etc", "/usr/lib", "/lib")
+        for target in TARGETS
+    ]
+    units = [
+        f"{folder}/{daemon}{suffix}.service"
+        for folder in folders
+        for daemon in DAEMONS
+        for suffix in ("", "@eth0")
+    ]
+    if robot.tree.has("/etc/systemd/system") and not any(robot.tree.has(unit) for unit in units):
+        if any(unit.name.partition(".")[0].partition("@")[0] in DAEMONS for unit in robot.units.judged):
+            return
+        yield finding(
+            releases[0],
+            "No time daemon is enabled: the clocks of the robot's computers drift apart",
+            advice="systemctl enable chrony",
+        )
