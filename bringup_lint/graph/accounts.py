@@ -40,6 +40,22 @@ class Accounts:
         """Whether the user exists; None when the tree cannot tell."""
         return self._has(name, self._database("/etc/passwd"), self._declared("u"))
 
+    def home_of(self, user: str) -> str | None:
+        """The home folder that the tree's /etc/passwd gives to a user."""
+        source = self.robot.tree.find("/etc/passwd") if self.robot.tree.root is not None else None
+        entries = (line.split(":") for line in source.text.splitlines()) if source else ()
+        return next((entry[5].rstrip("/") for entry in entries if entry[0] == user and len(entry) > 5), None)
+
+    def groups_of(self, user: str) -> frozenset[str] | None:
+        """The groups that the tree's /etc/group gives to a user; None when there is no such file."""
+        source = self.robot.tree.find("/etc/group") if self.robot.tree.root is not None else None
+        if source is None:
+            return None
+        entries = (line.split(":") for line in source.text.splitlines())
+        return frozenset(
+            e[0] for e in entries if len(e) > 3 and user in e[3].strip().split(",") or e[0] == user
+        )
+
     def _has(self, name: str, database: frozenset[str], declared: frozenset[str]) -> bool | None:
         if name in database or name in declared:
             return True

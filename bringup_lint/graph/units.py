@@ -32,6 +32,7 @@ from bringup_lint.graph.restart import RestartPolicy
 from bringup_lint.graph.restart import restart_policy
 from bringup_lint.graph.supervision import Supervision
 from bringup_lint.graph.supervision import supervision
+from bringup_lint.graph.stack_layers import layers
 from bringup_lint.graph.unit import Unit
 from bringup_lint.graph.waits import Wait
 from bringup_lint.graph.waits import longest_wait
@@ -279,6 +280,23 @@ class Units:
             and unit.get("Type") != "oneshot"
             and any(process.lost_script for process in self.started(unit))
         ]
+
+    @cached_property
+    def stacks(self) -> list[list[Unit]]:
+        """The ROS services that start at boot together: those of one place, enabled, without a conflict between them."""
+        places: dict[str, list[Unit]] = {}
+        for unit in self.ros:
+            if unit.manager == "system" and not unit.is_template and boot.brought_in(self, unit, unit.name):
+                places.setdefault(unit.place, []).append(unit)
+        return [units for units in places.values() if len(units) > 1]
+
+    def conflict(self, one: Unit, other: Unit) -> bool:
+        """Whether the two never run at the same time."""
+        return other.name in one.words("Conflicts") or one.name in other.words("Conflicts")
+
+    def layers(self, units: list[Unit]) -> dict[str, str]:
+        """Unit name -> layer of the robot's stack, for those whose names tell one."""
+        return layers(units)
 
     @cached_property
     def launch(self) -> list[tuple[Unit, Process]]:

@@ -1,0 +1,64 @@
+"""A crashed driver leaves what requires it running.
+
+## What it finds
+A ROS service that has `Requires=`, but not `BindsTo=`, of a ROS service whose name tells a driver or a
+safety function.
+
+## Why it matters on a robot
+`Requires=` passes an explicit stop or restart on, not a crash: when the base driver dies, navigation keeps
+planning on old data and sends commands as soon as the driver is back. `BindsTo=` together with `After=`
+stops it with the driver.
+
+## Bad
+```ini
+[Unit]
+Requires=base-driver.service
+After=base-driver.service
+```
+
+## Good
+```ini
+[Unit]
+BindsTo=base-driver.service
+After=base-driver.service
+```
+
+## References
+- systemd.unit(5), "Requires=", "BindsTo="
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("info", fix="unsafe")
+def crash_not_propagated(robot: Robot):
+    units = robot.units
+    layers = units.layers(units.ros)
+    for unit in units.ros:
+        bound = set(unit.words("BindsTo"))
+        for line in unit.assignments("Requires"):
+            for word in line.value.words():
+                other = units.find(word, unit)
+                if (
+                    word in bound
+                    or other not in units.ros
+                    or layers.get(other.name) not in ("hardware", "safety")
+                ):
+                    continue
+                alone = line.value.split() == [word]
+                edits = (
+                    [(line.key, "BindsTo")]
+                    if alone
+                    else [line.without(word), (line.end, f"\nBindsTo={word}")]
+                )
+                yield finding(
+                    word,
+                    f"Requires= does not notice a crash: when {word} dies, {unit.name} keeps running",
+                    advice=f"BindsTo={word} together with After={word}",
+                    related=[note(other.where, "what may crash")],
+                    fix=fix("bind it", *edits, safe=False),
+                )

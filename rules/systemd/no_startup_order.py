@@ -1,0 +1,62 @@
+"""A higher layer of the robot that starts together with the drivers it needs.
+
+## What it finds
+Among the ROS services of one folder that start at boot: a service whose name tells a higher layer
+(perception, navigation, application) that has no order at all with any service of a lower layer (drivers,
+sensors). Services that exclude each other are left out.
+
+## Why it matters on a robot
+All of them start at the same moment. The planner waits for transforms and scans that do not come yet, its
+lifecycle nodes give up their activation, and whether the robot is ready after boot depends on how fast a
+camera answers.
+
+## Bad
+```ini
+# rover-drivers.service and rover-navigation.service, both:
+[Install]
+WantedBy=multi-user.target
+```
+
+## Good
+```ini
+# rover-navigation.service
+[Unit]
+Requires=rover-drivers.service
+After=rover-drivers.service
+```
+
+## References
+- systemd.unit(5), "After="
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+RANK = {"hardware": 0, "perception": 1, "application": 2}
+
+
+@rule("warning", confidence="medium")
+def no_startup_order(robot: Robot):
+    units = robot.units
+    for stack in units.stacks:
+        layers = units.layers(stack)
+        for unit in stack:
+            rank = RANK.get(layers.get(unit.name), 0)
+            lower = [
+                other
+                for other in stack
+                if RANK.get(layers.get(other.name), 9) < rank and not units.conflict(unit, other)
+            ]
+            if not lower or unit.unsure_of("After", "Before"):
+                continue
+            if any(units.ordered(unit, other.name) for other in stack if other is not unit):
+                continue
+            names = ", ".join(other.name for other in lower)
+            yield finding(
+                unit.where,
+                f"{unit.name} has no order with {names}: it starts at the same time as the drivers it needs",
+                advice=f"add After={lower[0].name}, and Requires= or Wants= of it",
+                related=[note(other.where, "a lower layer") for other in lower],
+            )

@@ -1,0 +1,102 @@
+"""ROS starts before the clock is set.
+
+## What it finds
+A ROS service of a tree that configures a time daemon (chrony, timesyncd, ntpd, PTP), where nothing holds
+the service back until the clock is right: it is not ordered after `time-sync.target` with a unit in front
+of that target which really waits (`chrony-wait.service`, `systemd-time-wait-sync.service`), nor after such
+a unit itself, and no command waits (`chronyc waitsync`).
+
+## Why it matters on a robot
+A single-board computer boots with the time of its last shutdown. The daemon corrects it seconds after the
+nodes have started: the clock jumps, transforms are "in the future", buffers drop every measurement, timers
+stand still or fire at once. `After=time-sync.target` alone does not help: it is reached as soon as the
+daemon runs.
+
+## Bad
+```ini
+[Unit]
+After=time-sync.target
+```
+
+## Good
+```ini
+[Unit]
+Wants=chrony-wait.service
+After=chrony-wait.service
+```
+
+## References
+- systemd.special(7), "time-sync.target"
+- systemd-time-wait-sync.service(8)
+- <https://github.com/fetchrobotics/fetch_robots/pull/71>
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+WAITERS = ("chrony-wait.service", "systemd-time-wait-sync.service", "ntpsec-wait.service")
+DAEMONS = (
+    "/etc/chrony/chrony.conf", "/etc/chrony.conf", "/etc/systemd/timesyncd.conf", "/etc/ntp.conf", "/etc/ntpsec/ntp.conf",
+    "/etc/linuxptp/ptp4l.conf",
+)  # fmt: skip
+WAITS = re.compile(r"waitsync|time-wait-sync|ntp-wait|ntpwait|NTPSynchronized|pmc\s|check_clock")
+SIMULATED = re.compile(r"use_sim_time:=[Tt]rue|(?:^|[-_/])(?:sim|simulation|gazebo|gz)(?:[-_./]|$)")
+
+
+@rule(
+    "warning",
+    confidence="medium",
+    symptoms=["Lookup would require extrapolation into the future", "TF_OLD_DATA"],
+)
+def no_time_sync_gate(robot: Robot):
+    units = robot.units
+    daemon = next((path for path in DAEMONS if units.ros and configures(robot, path)), None)
+    if daemon is None:
+        return
+    for unit in units.ros:
+        if unit.manager == "user" or unit.unsure_of("After", "Wants") or gated(units, unit):
+            continue
+        if any(
+            SIMULATED.search(text) for process in units.processes(unit) for text in (process.line, unit.stem)
+        ):
+            continue
+        target = [word for _, word in unit.naming("After", "time-sync.target")]
+        yield finding(
+            target[0] if target else unit.where,
+            f"{daemon} sets the clock, but nothing makes {unit.name} wait for it: the time may jump while nodes run",
+            advice="enable chrony-wait.service or systemd-time-wait-sync.service and order after it",
+            related=[note(target[0], "reached as soon as the daemon runs")] if target else (),
+        )
+
+
+def configures(robot, path):
+    source = robot.tree.find(path)
+    return (
+        source is not None and source.robot_path == path and re.search(r"^\s*[^#;!%\s\[]", source.text, re.M)
+    )
+
+
+def gated(units, unit):
+    if any(WAITS.search(text) for process in units.processes(unit) for text in process.texts):
+        return True
+    for waiter in WAITERS:
+        if (
+            units.waits_for(unit, waiter)
+            and units.brought_in(unit, waiter)
+            or units.brings_in(unit, waiter)
+            and units.ordered(unit, waiter)
+        ):
+            return True
+    return (
+        any(
+            other.type == "service"
+            and "time-sync.target" in other.words("Before")
+            and units.is_started(other)
+            for other in units.judged
+        )
+        and units.waits_for(unit, "time-sync.target") is not None
+    )

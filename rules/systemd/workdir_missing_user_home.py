@@ -1,0 +1,61 @@
+"""A working directory that does not exist, or lies in somebody else's home.
+
+## What it finds
+In a root file system: `WorkingDirectory=` below `/home` that is not there, or that belongs to the home of
+another user than `User=`.
+
+## Why it matters on a robot
+The service does not start: `status=200/CHDIR`. The path was right on the developer's machine, where the
+user had another name.
+
+## Bad
+```ini
+[Service]
+User=rover
+WorkingDirectory=/home/dev/ros2_ws
+```
+
+## Good
+```ini
+[Service]
+User=rover
+WorkingDirectory=~
+```
+
+## References
+- systemd.exec(5), "WorkingDirectory="
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+HOME = re.compile(r"(/home/[^/]+)(?:/|$)")
+
+
+@rule("info", symptoms=["status=200/CHDIR", "Changing to the requested working directory failed"])
+def workdir_missing_user_home(robot: Robot):
+    if not robot.tree.complete:
+        return
+    for unit in robot.units.services:
+        path = unit.get("WorkingDirectory")
+        home = HOME.match(path) if path and "%" not in path else None
+        user = unit.get("User")
+        if home is None or unit.has("RootDirectory") or unit.is_opaque(path):
+            continue
+        own = robot.accounts.home_of(str(user)) if user else None
+        if robot.tree.has(str(path)) is False and robot.tree.entries("/home"):
+            message = f"{path} does not exist: {unit.name} fails with 200/CHDIR"
+        elif own and own != home[1]:
+            message = f"{path} is not in {own}, the home of {user}"
+        else:
+            continue
+        yield finding(
+            path,
+            message,
+            advice="write WorkingDirectory=~, or a path that the service's user owns",
+            related=[note(user, "the user of the service")] if user else (),
+        )
