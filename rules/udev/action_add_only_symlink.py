@@ -3,8 +3,7 @@
 ## What it finds
 A rule that fires for `ACTION=="add"` but not for `change`, and makes a link, gives the tag `systemd` to a
 device that 99-systemd.rules does not tag, or sets a property that a daemon reads at every event
-(`ID_MM_DEVICE_IGNORE`, `NM_UNMANAGED`, `SYSTEMD_READY`). Owner, group and mode stay, and `SYSTEMD_WANTS` has
-done its work.
+(`ID_MM_DEVICE_IGNORE`, `NM_UNMANAGED`). Owner, group and mode stay, and `SYSTEMD_WANTS` has done its work.
 
 ## Why it matters on a robot
 Links, tags and properties are made anew at every event. `udevadm trigger`, which every installer runs, sends
@@ -33,13 +32,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
 
-_READ_AT_EVERY_EVENT = (
-    "ID_MM_DEVICE_IGNORE",
-    "ID_MM_PORT_IGNORE",
-    "NM_UNMANAGED",
-    "SYSTEMD_READY",
-    "SYSTEMD_ALIAS",
-)
+_READ_AT_EVERY_EVENT = ("ID_MM_DEVICE_IGNORE", "ID_MM_PORT_IGNORE", "NM_UNMANAGED")
 
 
 @rule("warning", fix="safe")
@@ -51,11 +44,17 @@ def action_add_only_symlink(robot: Robot):
             if not robot.udev.survives_change(link):
                 yield _finding(line, link.name, f"removes {link.path}", "the link")
         for token in line.line.assignments("TAG"):
-            if token.value == "systemd" and line.is_tagged_by_systemd(robot.target.systemd) is False:
+            if token.value == "systemd" and _is_for_device_unit(line, robot.target.systemd):
                 yield _finding(line, token.span, "makes systemd stop what is bound to the device", "the tag")
         for token in line.line.assignments("ENV"):
             if token.attribute in _READ_AT_EVERY_EVENT and token.value:
                 yield _finding(line, token.span, f"takes {token.attribute} away", "the property")
+
+
+def _is_for_device_unit(line, systemd: int) -> bool:
+    """Whether the tag is there for others to depend on the device, and not only to start something once."""
+    starts = any(token.attribute == "SYSTEMD_WANTS" for token in line.line.assignments("ENV"))
+    return not starts and line.is_tagged_by_systemd(systemd) is False
 
 
 def _finding(line, lost, what: str, name: str):
