@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.accounts import Accounts
     from bringup_lint.graph.daemons import Daemon
     from bringup_lint.graph.devices import Devices
+    from bringup_lint.graph.can import Can
     from bringup_lint.graph.compose import Compose
     from bringup_lint.graph.dds import Dds
     from bringup_lint.graph.env_files import UsedEnvFile
@@ -286,3 +287,9 @@ class Robot:
         from bringup_lint.graph.host import installations
 
         return list(installations(self))
+
+    @cached_property
+    def can(self) -> Can:
+        from bringup_lint.graph.can import Can
+
+        return Can(self)

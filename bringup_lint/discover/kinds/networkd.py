@@ -1,0 +1,18 @@
+"""Network files of systemd-networkd and udev's link files."""
+
+from __future__ import annotations
+
+import re
+
+from bringup_lint.discover.kinds import Head
+from bringup_lint.discover.kinds import Kind
+
+_NAME = re.compile(r"\.(?:network|netdev|link)$|\.(?:network|netdev|link)\.d/[^/]+\.conf$")
+_SECTION = re.compile(r"^\[(?:Match|Network|NetDev|Link|CAN|Address|Route)\]", re.M)
+
+
+def _is_networkd(path: str, head: Head) -> bool:
+    return bool(_NAME.search(path)) and ("/systemd/network/" in f"/{path}" or bool(_SECTION.search(head())))
+
+
+KINDS = (Kind("networkd", _is_networkd),)

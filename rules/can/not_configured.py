@@ -1,0 +1,59 @@
+"""A CAN interface that is used gets no bit rate.
+
+## What it finds
+A `.network` file with a [CAN] section that has no [Match], or no `BitRate=`. In a whole root file system
+also: a `canN` that a unit, environment file, launch file or parameter file names as its CAN interface,
+while no `.network` file, script or unit sets its bit rate.
+
+## Why it matters on a robot
+A CAN interface without bit rate cannot be brought up: `RTNETLINK answers: Invalid argument`, and the motor
+driver does not start. networkd ignores a file without [Match].
+
+## Bad
+```ini
+[CAN]
+BitRate=500K
+```
+
+## Good
+```ini
+[Match]
+Name=can0
+
+[CAN]
+BitRate=500K
+```
+
+## References
+- systemd.network(5), "[CAN] Section Options"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule(
+    "error",
+    symptoms=["RTNETLINK answers: Invalid argument", "No valid settings found in the [Match] section"],
+)
+def not_configured(robot: Robot):
+    for file in robot.can.files:
+        if not file.matches:
+            yield finding(
+                file.header,
+                "networkd ignores this file: it has no [Match] that names an interface",
+                advice="add [Match] with Name=can0",
+            )
+        elif not file.has_bit_rate:
+            yield finding(
+                file.header,
+                "The CAN interface gets no bit rate and cannot be brought up",
+                advice="add BitRate=500K, or what the bus has",
+            )
+    for name, place in robot.can.unconfigured:
+        yield finding(
+            place,
+            f"{name} is used, but nothing sets its bit rate: the driver cannot start",
+            advice=f"add a .network file with [Match] Name={name} and [CAN] BitRate=",
+        )

@@ -1,0 +1,46 @@
+"""A unit may start before its CAN interface exists.
+
+## What it finds
+A service that names a `canN` on its command line or in its environment, without `After=` or `BindsTo=` on
+the device unit `sys-subsystem-net-devices-canN.device`, on the networkd waiter of that interface, or on a
+unit of the tree that sets it up. A unit that sets up the interface itself is left alone.
+
+## Why it matters on a robot
+USB adapters and MCP2515 hats come seconds after multi-user.target begins. The driver fails with `No such
+device`, and with two adapters it may open the wrong one.
+
+## Bad
+```ini
+[Service]
+ExecStart=/opt/robot/drive --can can0
+```
+
+## Good
+```ini
+[Unit]
+BindsTo=sys-subsystem-net-devices-can0.device
+After=sys-subsystem-net-devices-can0.device
+```
+
+## References
+- systemd.device(5)
+- https://github.com/systemd/systemd/issues/20651
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("warning", symptoms=["No such device", "SIOCGIFINDEX: No such device"])
+def unit_order(robot: Robot):
+    for unit, name, place in robot.can.users:
+        after = [*unit.words("After"), *unit.words("BindsTo"), *unit.words("Requires")]
+        if any(name in word for word in after) or robot.can.sets_up(unit, name, after):
+            continue
+        device = f"sys-subsystem-net-devices-{name}.device"
+        yield finding(
+            place,
+            f"{unit.name} may start before {name} exists",
+            advice=f"add BindsTo={device} and After={device}",
+        )
