@@ -53,7 +53,7 @@ class Accounts:
             return None
         entries = (line.split(":") for line in source.text.splitlines())
         return frozenset(
-            e[0] for e in entries if len(e) > 3 and user in e[3].strip().split(",") or e[0] == user
+            e[0] for e in entries if (len(e) > 3 and user in e[3].strip().split(",")) or e[0] == user
         )
 
     def _has(self, name: str, database: frozenset[str], declared: frozenset[str]) -> bool | None:

@@ -37,7 +37,6 @@ _WEAK = {
     ("ATTRS", "idVendor"),
     ("ATTRS", "idProduct"),
     ("ATTR", "index"),
-    ("ATTRS", "bcdDevice"),
     ("ENV", "ID_V4L_CAPABILITIES"),
     ("ENV", "MAJOR"),
     ("ENV", "DEVTYPE"),
