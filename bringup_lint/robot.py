@@ -276,12 +276,6 @@ class Robot:
         return sshd_sources(self)
 
     @cached_property
-    def journald_sources(self) -> list[Source]:
-        from bringup_lint.graph.host import journald_sources
-
-        return journald_sources(self)
-
-    @cached_property
     def installations(self) -> list[tuple[Source, Command]]:
         """The commands of scripts and Dockerfiles that install packages with apt."""
         from bringup_lint.graph.host import installations

@@ -57,14 +57,6 @@ def sshd_sources(robot: Robot) -> list[Source]:
     return known if main is None or main in known else [*known, main]
 
 
-def journald_sources(robot: Robot) -> list[Source]:
-    known = [
-        source for source in robot.sources if re.search(r"journald\.conf(?:\.d/[^/]+\.conf)?$", source.name)
-    ]
-    main = robot.tree.find("/etc/systemd/journald.conf")
-    return known if main is None or main in known else [*known, main]
-
-
 def installations(robot: Robot) -> Iterator[tuple[Source, Command]]:
     """The commands of scripts and Dockerfiles that install packages with apt."""
     scripts = [

@@ -30,18 +30,17 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 OVERLAY = re.compile(r"^[ \t]*overlayroot=[\"']?(tmpfs)", re.M)
-STORAGE = re.compile(r"^[ \t]*Storage[ \t]*=[ \t]*(persistent)\b", re.M)
 
 
 @rule("warning")
 def overlayroot_persistent_journal(robot: Robot):
     for source in robot.of_kind("overlayroot"):
         overlay = OVERLAY.search(source.text)
-        for journald in robot.journald_sources if overlay else ():
-            storage = STORAGE.search(journald.text)
-            if storage:
+        for journald in robot.journald if overlay else ():
+            storage = journald.get("Storage", read=lambda text: text or None)
+            if storage is not None and storage[1] == "persistent":
                 yield finding(
-                    journald.located(*storage.span(1)),
+                    storage[0],
                     "The journal is not persistent: the root is an overlay in memory",
                     advice="put /var/log/journal on a data partition, or write Storage=volatile",
                     related=[note(source.located(*overlay.span(1)), "the overlay")],
