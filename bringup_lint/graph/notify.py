@@ -9,12 +9,12 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from bringup_lint.graph.launched import launched
 from bringup_lint.graph.process import Process
 from bringup_lint.graph.process import Ros
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
-    from bringup_lint.graph.launch_expand import Expansion
     from bringup_lint.robot import Robot
 
 SPEAKS = re.compile(r"\bsd_(?:pid_)?notify|READY=1|WATCHDOG=1|systemd-notify|\bsdnotify\b|NOTIFY_SOCKET|systemd\.daemon|cysystemd")
@@ -74,7 +74,7 @@ class Notify:
 
     def _launched(self, ros: Ros) -> tuple[list[tuple[str, str]], set[str]] | None:
         """(package, executable) of what the launch file starts, and the packages that are not in the tree."""
-        expansion = self._expansion(ros)
+        expansion = launched(ros, self.robot)
         if expansion is None:
             return None
         from bringup_lint.graph.launch_started import literal_text
@@ -94,14 +94,6 @@ class Notify:
                     return None
                 external.add(place.package)
         return started, external
-
-    def _expansion(self, ros: Ros) -> Expansion | None:
-        launch = self.robot.launch
-        for file in launch.files:
-            owner = launch.workspace.owner(file.source)
-            if owner is not None and owner.name == ros.package and file.source.basename == ros.target:
-                return launch.expansion(file)
-        return None
 
     def _starts(self, notifier: Source, started: list[tuple[str, str]]) -> bool:
         """Whether a started program may run the code of a notifier."""

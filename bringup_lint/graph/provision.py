@@ -28,6 +28,12 @@ def makes(tree: Tree, name: str) -> bool:
     return any(name in text and written.search(text) for text in _scripts(tree))
 
 
+def mentions(tree: Tree, path: str) -> bool:
+    """Whether a script or recipe of the tree has to do with a path."""
+    written = re.compile(rf"{re.escape(path)}(?![\w.-])")
+    return any(path in text and written.search(text) for text in _scripts(tree))
+
+
 def _scripts(tree: Tree) -> Iterator[str]:
     for at, path in enumerate(path for path in tree.paths if _SCRIPT.search(path)):
         if at >= _COUNT:

@@ -1,0 +1,54 @@
+"""Debug output of a whole stack, without a rate limit of its own.
+
+## What it finds
+A ROS service that is started with the log level debug for everything (`--log-level debug`, `log_level:=debug`, `ros2 launch
+--debug`) and has no LogRateLimitIntervalSec= or LogRateLimitBurst=.
+
+## Why it matters on a robot
+The journal's rate limit then drops lines of the service at random, the warnings among them, and the disk and the CPU pay for
+text that nobody reads.
+
+## Bad
+```ini
+[Service]
+ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rover base.launch.py log_level:=debug'
+```
+
+## Good
+```ini
+[Service]
+ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rover base.launch.py log_level:=info'
+```
+
+## References
+- systemd.exec(5), LogRateLimitIntervalSec=; journald.conf(5), RateLimitBurst=
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("info", symptoms=["Suppressed", "messages from"])
+def log_flood(robot: Robot):
+    for unit in robot.units.ros:
+        if unit.get("LogRateLimitIntervalSec") or unit.get("LogRateLimitBurst"):
+            continue
+        for process in robot.units.started(unit):
+            for _, found in process.ros:
+                word = _debug([*found.command.words])
+                if word is not None:
+                    yield finding(
+                        word,
+                        f"everything in {unit.name} logs at level debug: the journal's rate limit drops lines at random",
+                        advice="lower the level, or set LogRateLimitIntervalSec= and LogRateLimitBurst=",
+                    )
+
+
+def _debug(words):
+    for before, word in zip(["", *words], words, strict=False):
+        if word.lower() in ("log_level:=debug", "--log-level=debug") or before == "--log-level" and word.lower() == "debug":
+            return word
+        if word in ("--debug", "-d") and len(words) > 2 and "launch" in words[:3]:
+            return word
+    return None

@@ -1,0 +1,72 @@
+"""The sandbox hides the devices that the service opens.
+
+## What it finds
+PrivateDevices=yes, or DevicePolicy=closed or strict without DeviceAllow=, on a service that names a device below /dev: on its
+command line, in its environment, in a script or in the launch file that it starts.
+
+## Why it matters on a robot
+The device node is not there, or opening it is refused: the driver says "No such file" or "Operation not permitted" although
+the device, its link and its group are right.
+
+## Bad
+```ini
+[Service]
+ExecStart=/opt/ros/jazzy/lib/rover_lidar/driver --port /dev/rover/lidar
+PrivateDevices=yes
+```
+
+## Good
+```ini
+[Service]
+ExecStart=/opt/ros/jazzy/lib/rover_lidar/driver --port /dev/rover/lidar
+DevicePolicy=closed
+DeviceAllow=char-ttyUSB rw
+```
+
+## References
+- systemd.exec(5), PrivateDevices=; systemd.resource-control(5), DevicePolicy= and DeviceAllow=
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import delete_lines
+from bringup_lint.api import devices_of
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import flag
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+PSEUDO = re.compile(r"/dev/(?:null|zero|full|u?random|tty|ptmx|pts|shm|mqueue|hugepages|log|std(?:in|out|err)|fd|console)(?:/|$)")
+
+
+@rule("error", fix="unsafe", symptoms=["Operation not permitted", "could not open port", "No such file or directory: '/dev/"])
+def private_devices(robot: Robot):
+    for unit in robot.units.services:
+        closed = _closed(unit)
+        if closed is None or robot.units.supervision(unit).in_container:
+            continue
+        key, value = closed
+        used = [use for use in devices_of(unit, robot) if not PSEUDO.match(use.path)]
+        if not used:
+            continue
+        lines = [line for line in unit.assignments(key, "Service") if line.value is value]
+        yield finding(
+            value,
+            f"{key}={value} keeps {used[0].path} from {unit.name}",
+            advice="drop it, or use DevicePolicy=closed with a DeviceAllow= line for each device",
+            related=[note(use.path, "opened here") for use in used[:5]],
+            fix=fix("let it see the devices", *map(delete_lines, lines), safe=False) if unit.editable and lines else None,
+        )
+
+
+def _closed(unit):
+    """The setting that closes /dev, and its value."""
+    private = flag(unit, "PrivateDevices")
+    if private.value:
+        return "PrivateDevices", private.at
+    policy = unit.get("DevicePolicy")
+    if policy in ("closed", "strict") and not unit.has("DeviceAllow"):
+        return "DevicePolicy", policy
+    return None

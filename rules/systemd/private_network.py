@@ -1,0 +1,82 @@
+"""The sandbox cuts DDS off the network.
+
+## What it finds
+On a service that takes part in DDS: PrivateNetwork=yes, IPAddressDeny=any without IPAddressAllow=, or RestrictAddressFamilies=
+without AF_NETLINK, which lists the interfaces, or without AF_INET and AF_INET6.
+
+## Why it matters on a robot
+The participant finds no interface and is not created, or it comes up and never sees another node.
+
+## Bad
+```ini
+[Service]
+ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rover base.launch.py'
+RestrictAddressFamilies=AF_INET AF_UNIX
+```
+
+## Good
+```ini
+[Service]
+ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rover base.launch.py'
+RestrictAddressFamilies=AF_INET AF_INET6 AF_UNIX AF_NETLINK
+```
+
+## References
+- systemd.exec(5), PrivateNetwork= and RestrictAddressFamilies=; systemd.resource-control(5), IPAddressDeny=
+- getifaddrs(3) asks the kernel through AF_NETLINK
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import flag
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["failed to find interfaces", "Address family not supported by protocol"])
+def private_network(robot: Robot):
+    for unit in robot.units.dds:
+        if robot.units.supervision(unit).in_container or unit.unsure_of("RestrictAddressFamilies", "IPAddressAllow"):
+            continue
+        local = robot.units.stays_local(unit)
+        private = flag(unit, "PrivateNetwork")
+        if private.value and not local and not unit.has("JoinsNamespaceOf"):
+            yield finding(
+                private.at,
+                f"PrivateNetwork= leaves {unit.name} nothing but a loopback of its own: no other node ever sees it",
+                advice="drop the line",
+            )
+        for word in unit.words("IPAddressDeny"):
+            if word == "any" and not local and not unit.has("IPAddressAllow"):
+                yield finding(
+                    word,
+                    f"IPAddressDeny=any drops every packet of {unit.name}, DDS discovery included",
+                    advice="allow the robot's networks with IPAddressAllow=",
+                )
+        values = unit.values("RestrictAddressFamilies")
+        families = _allowed(values)
+        missing = [] if families is None else _missing(families, local)
+        if missing:
+            yield finding(
+                values[-1],
+                f"without {' and '.join(missing)} DDS cannot {'list the interfaces' if 'AF_NETLINK' in missing else 'open its sockets'}: "
+                f"the participants of {unit.name} fail",
+                advice="set RestrictAddressFamilies=AF_INET AF_INET6 AF_UNIX AF_NETLINK",
+            )
+
+
+def _allowed(values):
+    """The families that are allowed; None when only some are refused, or nothing is said."""
+    allowed, refused = set(), False
+    for value in values:
+        if value.startswith("~"):
+            refused = refused or not allowed
+            allowed -= set(value[1:].split())
+        else:
+            allowed |= set(value.split())
+    return None if refused or not values else allowed - {"none"}
+
+
+def _missing(families, local):
+    if not families & {"AF_INET", "AF_INET6"} and not local:
+        return ["AF_INET"]
+    return [] if "AF_NETLINK" in families else ["AF_NETLINK"]

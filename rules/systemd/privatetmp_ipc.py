@@ -1,0 +1,67 @@
+"""PrivateTmp= cuts a shared-memory daemon off.
+
+## What it finds
+PrivateTmp=yes on a service that runs RouDi, or whose Cyclone DDS configuration enables iceoryx shared memory: their sockets and
+locks lie in /tmp. Fast DDS is not affected, its segments lie in /dev/shm.
+
+## Why it matters on a robot
+RouDi and its clients look for each other in different /tmp folders: every node waits for RouDi, in vain.
+
+## Bad
+```ini
+[Service]
+ExecStart=/opt/ros/jazzy/bin/iox-roudi
+PrivateTmp=yes
+```
+
+## Good
+```ini
+[Service]
+ExecStart=/opt/ros/jazzy/bin/iox-roudi
+PrivateTmp=no
+```
+or JoinsNamespaceOf= in all services that use it.
+
+## References
+- systemd.exec(5), PrivateTmp=; systemd.unit(5), JoinsNamespaceOf=
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import flag
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+SHARED = re.compile(r"<SharedMemory\b[^>]*>(?:(?!</SharedMemory>).)*?<Enable>\s*true\s*</Enable>", re.S | re.I)
+
+
+@rule("warning", symptoms=["Timeout registering at RouDi", "RouDi not found"])
+def privatetmp_ipc(robot: Robot):
+    for unit in robot.units.services:
+        private = flag(unit, "PrivateTmp")
+        if not private.value or unit.has("JoinsNamespaceOf") or robot.units.supervision(unit).in_container:
+            continue
+        for where, what in _uses(unit, robot):
+            yield finding(
+                private.at,
+                f"PrivateTmp= gives {unit.name} a /tmp of its own: {what} does not meet the others there",
+                advice="set PrivateTmp=no, or join the services with JoinsNamespaceOf=",
+                related=[note(where, what)],
+            )
+            break
+
+
+def _uses(unit, robot):
+    for process in robot.units.started(unit):
+        for step in process.steps:
+            for word in step.command.words:
+                if word.rpartition("/")[2] == "iox-roudi":
+                    yield word, "RouDi"
+    variable = robot.units.environment(unit).get("CYCLONEDDS_URI")
+    if variable is not None and variable.text and variable.text.startswith("file://"):
+        source = robot.tree.find(variable.text.removeprefix("file://"))
+        found = SHARED.search(source.text) if source else None
+        if found:
+            yield source.span(found.start(), found.start() + len("<SharedMemory")), "Cyclone DDS with shared memory"

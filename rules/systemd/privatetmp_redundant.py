@@ -1,0 +1,61 @@
+"""ReadWritePaths=/tmp beside PrivateTmp=yes.
+
+## What it finds
+/tmp or /var/tmp in ReadWritePaths= of a unit with PrivateTmp=yes, which has a /tmp of its own that is writable anyway.
+
+## Why it matters on a robot
+Nothing breaks, but the line says that the service shares /tmp with others, which it does not.
+
+## Bad
+```ini
+[Service]
+ProtectSystem=strict
+PrivateTmp=yes
+ReadWritePaths=/var/lib/rover /tmp
+```
+
+## Good
+```ini
+[Service]
+ProtectSystem=strict
+PrivateTmp=yes
+ReadWritePaths=/var/lib/rover
+```
+
+## References
+- systemd.exec(5), PrivateTmp=
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import flag
+from bringup_lint.api import note
+from bringup_lint.api import paths
+from bringup_lint.api import rule
+
+
+@rule("info", fix="safe")
+def privatetmp_redundant(robot: Robot):
+    for unit in robot.units.judged:
+        private = flag(unit, "PrivateTmp", unit.section)
+        if not private.value:
+            continue
+        for word, path, _ in paths(unit, "ReadWritePaths"):
+            if path in ("/tmp", "/var/tmp"):
+                yield finding(
+                    word,
+                    f"with PrivateTmp= the {path} of {unit.name} is its own and writable: the entry is redundant",
+                    advice="drop the entry",
+                    related=[note(private.at, "a /tmp of its own")],
+                    fix=_without(unit, word) if unit.editable else None,
+                )
+
+
+def _without(unit, word):
+    for line in unit.assignments("ReadWritePaths"):
+        others = [other for other in line.value.words() if other.span != word.span]
+        if len(others) < len(list(line.value.words())):
+            text = " ".join(others)
+            return fix("drop the entry", (line.value, text) if text else (line.span, "# ReadWritePaths= was redundant"))
+    return None

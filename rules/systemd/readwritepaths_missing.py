@@ -1,0 +1,77 @@
+"""A sandbox path that nothing creates.
+
+## What it finds
+A path in ReadWritePaths=, ReadOnlyPaths=, BindPaths= or BindReadOnlyPaths= without `-`, that no tmpfiles.d line, no
+LogsDirectory=, StateDirectory= or the like, no mount and no script of the tree creates. In a root file system absence is proven
+everywhere, in a repository only below /var/log, /var/lib, /run and the other places where nothing is by itself. Device nodes
+that may be unplugged are reported as information.
+
+## Why it matters on a robot
+systemd cannot build the name space and the service does not even start: 226/NAMESPACE. It works on the developer's robot, where
+somebody made the directory by hand, and fails on the next one.
+
+## Bad
+```ini
+[Service]
+ProtectSystem=strict
+ReadWritePaths=/var/log/rover
+```
+
+## Good
+```ini
+[Service]
+ProtectSystem=strict
+LogsDirectory=rover
+```
+
+## References
+- systemd.exec(5), ReadWritePaths= (the `-` prefix) and LogsDirectory=
+- tmpfiles.d(5)
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import is_made
+from bringup_lint.api import paths
+from bringup_lint.api import rule
+from bringup_lint.api import sandbox
+
+KEYS = ("ReadWritePaths", "ReadOnlyPaths", "BindPaths", "BindReadOnlyPaths")
+ALWAYS = ("/dev/null", "/dev/shm", "/dev/mqueue", "/dev/pts", "/dev/input", "/dev/bus", "/dev/net/tun", "/dev/dri", "/dev/snd")
+BASES = {"/var/log/": "LogsDirectory", "/var/lib/": "StateDirectory", "/var/cache/": "CacheDirectory", "/run/": "RuntimeDirectory"}
+
+
+@rule("warning", fix="safe", symptoms=["Failed to set up mount namespacing", "status=226/NAMESPACE"])
+def readwritepaths_missing(robot: Robot):
+    for unit in robot.units.judged:
+        box = sandbox(unit, robot)
+        if not unit.complete or box.own_root:
+            continue
+        for key in KEYS:
+            for word, path, optional in paths(unit, key):
+                view = box.view(path)
+                if optional or (view is not None and view.mode == "hidden"):
+                    continue
+                device = path.startswith("/dev/")
+                if path.startswith(ALWAYS) if device else is_made(path, unit, robot) is not False:
+                    continue
+                yield finding(
+                    word,
+                    f"when {path} is not there, {unit.name} does not start: 226/NAMESPACE"
+                    if device
+                    else f"nothing creates {path}: {unit.name} does not start, 226/NAMESPACE",
+                    advice=_advice(path, device),
+                    fix=fix("ignore it when it is missing", (word.part(0, 0), "-")) if unit.editable else None,
+                    severity="info" if device else "warning",
+                    confidence="high" if robot.tree.complete and not device else "medium",
+                )
+
+
+def _advice(path, device):
+    if not device:
+        for base, key in BASES.items():
+            name = path.removeprefix(base)
+            if name != path:
+                return f"let systemd create it with {key}={name}, or write -{path}"
+    return f"write -{path}"

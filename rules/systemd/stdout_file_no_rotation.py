@@ -1,0 +1,61 @@
+"""Output goes to a file that grows for ever.
+
+## What it finds
+StandardOutput= or StandardError= with `append:` or `file:`, and no logrotate file of the tree that covers the file.
+
+## Why it matters on a robot
+ROS nodes write a lot. The small disk of a robot is full after weeks, and then nothing works any more, the update least of all.
+
+## Bad
+```ini
+[Service]
+StandardOutput=append:/var/log/rover/base.log
+```
+
+## Good
+```ini
+[Service]
+StandardOutput=journal
+```
+
+## References
+- systemd.exec(5), StandardOutput=; logrotate(8)
+"""
+
+import re
+from fnmatch import fnmatchcase
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+TO_FILE = re.compile(r"(?:append|file):(/\S+)$")
+PATTERN = re.compile(r"^[ \t]*[\"']?(/[^\s\"'{]+)", re.M)
+SINKS = ("/dev/", "/proc/", "/run/")
+
+
+@rule("info")
+def stdout_file_no_rotation(robot: Robot):
+    for unit in robot.units.services:
+        seen = set()
+        for key in ("StandardOutput", "StandardError"):
+            value = unit.get(key)
+            match = TO_FILE.match(value) if value else None
+            if not match or match[1] in seen or match[1].startswith(SINKS) or unit.get("Type") == "oneshot":
+                continue
+            seen.add(match[1])
+            if any(fnmatchcase(match[1], pattern) for pattern in _rotated(robot)) or unit.is_opaque(value):
+                continue
+            yield finding(
+                value,
+                f"{match[1]} grows without limit: nothing rotates it",
+                advice="use the journal, or ship a logrotate file for it",
+            )
+
+
+def _rotated(robot):
+    """The patterns of all logrotate files."""
+    for path in robot.tree.paths:
+        if "/logrotate.d/" in path or path.endswith("/logrotate.conf"):
+            source = robot.tree.read(path, judged=False)
+            yield from PATTERN.findall(source.text) if source else ()
