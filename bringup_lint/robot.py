@@ -17,6 +17,7 @@ from bringup_lint.source import Problem
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.ros_environment import RosEnvironment
     from bringup_lint.discover.tree import Tree
     from bringup_lint.graph.accounts import Accounts
     from bringup_lint.graph.daemons import Daemon
@@ -287,3 +288,10 @@ class Robot:
         from bringup_lint.graph.can import Can
 
         return Can(self)
+
+    @cached_property
+    def ros(self) -> RosEnvironment:
+        """The variables of ROS 2, wherever they are set, and the environment of every process that runs it."""
+        from bringup_lint.graph.ros_environment import RosEnvironment
+
+        return RosEnvironment(self)
