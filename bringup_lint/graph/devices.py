@@ -211,6 +211,18 @@ def _of_env_files(robot: Robot) -> Iterator[DeviceUse]:
             yield from uses_in(entry.value, "the containers")
 
 
+def _of_params(robot: Robot) -> Iterator[DeviceUse]:
+    from bringup_lint.model.yaml_node import Scalar
+
+    for file, parameter in robot.params.parameters:
+        if "/dev/" not in parameter.text or (robot.params.loads(file) and not robot.params.effective(file, parameter)):
+            continue
+        nodes = parameter.node.items if hasattr(parameter.node, "items") else [parameter.node]
+        for node in nodes:
+            if isinstance(node, Scalar) and "/dev/" in node.value:
+                yield from uses_in(node.value, f"{parameter.block.name}")
+
+
 def _of_launch(robot: Robot) -> Iterator[DeviceUse]:
     for file in robot.launch.judged:
         for action in _all_actions(file.actions):
@@ -260,6 +272,7 @@ COLLECTORS: tuple[tuple[tuple[str, ...], Collector], ...] = (
     (("compose",), _of_compose),
     (("compose",), _of_env_files),
     (("launch-python", "launch-xml", "launch-ros1", "launch-yaml"), _of_launch),
+    (("params",), _of_params),
 )
 """Who looks for uses, and the kinds of file without which there is nothing to look for."""
 

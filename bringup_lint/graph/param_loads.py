@@ -7,14 +7,17 @@ from typing import TYPE_CHECKING
 from typing import NamedTuple
 
 from bringup_lint.graph.launch_expand import Expansion
+from bringup_lint.graph.launch_resolve import text_of
 from bringup_lint.graph.launch_resolve import truth
 from bringup_lint.graph.launch_started import Started
 from bringup_lint.model.launch import ComposableNode
 from bringup_lint.model.launch_values import Choice
+from bringup_lint.model.launch_values import Concat
 from bringup_lint.model.launch_values import DerivedFile
 from bringup_lint.model.launch_values import DictValue
 from bringup_lint.model.launch_values import Literal
 from bringup_lint.model.launch_values import ParameterFile as LaunchedFile
+from bringup_lint.model.launch_values import PathJoin
 from bringup_lint.model.launch_values import Value
 from bringup_lint.source import Span
 
@@ -41,6 +44,8 @@ class Load(NamedTuple):
     """Place among the node's parameters; later ones win."""
     certain: bool
     """Not one of several files of which an argument chooses."""
+    substitutes: bool | None
+    """Whether launch fills in ``$(...)`` before; None when that depends on something that is not known."""
 
 
 def loads_in(launch: Launch, expansion: Expansion) -> Iterator[Load]:
@@ -64,6 +69,7 @@ def _load(
 ) -> Iterator[Load]:
     how = PYYAML if isinstance(node.action, ComposableNode) else RCL
     root_key = None
+    substitutes: bool | None = False
     where = value.span
     while isinstance(value, (LaunchedFile, DerivedFile, Choice)):
         if isinstance(value, Choice):
@@ -73,14 +79,16 @@ def _load(
         if isinstance(value, DerivedFile):
             how, root_key, value = REWRITTEN, value.root_key or root_key, value.base
         else:
-            if value.allow_substs is not None and truth(value.allow_substs) is not False and how == RCL:
+            if value.allow_substs is not None:
+                substitutes = truth(value.allow_substs, launch=False)
+            if substitutes is not False and how == RCL:
                 how = SUBSTITUTED
             value = value.file
     if isinstance(value, DictValue):
         return
     path = _path(launch, value)
     if path is not None:
-        yield Load(path, node, expansion, where, how, root_key, order, certain)
+        yield Load(path, node, expansion, where, how, root_key, order, certain, substitutes)
 
 
 def _path(launch: Launch, value: Value) -> str | None:
@@ -92,14 +100,13 @@ def _path(launch: Launch, value: Value) -> str | None:
     return None
 
 
-def names_unknown_file(node: Started, launch: Launch) -> bool:
-    """Whether some parameter source of a node is not known, so that it may be any file."""
-    for value in node.parameters:
+def is_replaced(load: Load, name: str) -> bool:
+    """Whether what comes later in the node's parameters sets a parameter again, or may do so."""
+    for value in load.node.parameters[load.order + 1 :]:
         for option, _ in _options(value):
             if isinstance(option, DictValue):
-                continue
-            while isinstance(option, (LaunchedFile, DerivedFile)):
-                option = option.file if isinstance(option, LaunchedFile) else option.base
-            if isinstance(option, Choice) or _path(launch, option) is None:
+                if option.open or any(text_of(key) in (None, name) for key, _ in option.items):
+                    return True
+            elif not isinstance(option, (LaunchedFile, DerivedFile, Literal, PathJoin, Concat)):
                 return True
     return False

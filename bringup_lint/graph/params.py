@@ -12,6 +12,7 @@ from bringup_lint.graph.param_values import Item
 from bringup_lint.model.params import Parameter
 from bringup_lint.model.params import ParameterFile
 from bringup_lint.model.params import Value
+from bringup_lint.model.params import matches
 from bringup_lint.parsers.params import parse
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
@@ -19,6 +20,8 @@ from bringup_lint.source import Span
 
 if TYPE_CHECKING:
     from bringup_lint.graph.param_loads import Load
+    from bringup_lint.graph.param_matching import Mismatch
+    from bringup_lint.graph.param_time import Simulated
     from bringup_lint.robot import Robot
 
 
@@ -104,9 +107,40 @@ class Params:
                     found.setdefault(id(file), []).append(load)
         return found
 
+    @cached_property
+    def unreached(self) -> list[Mismatch]:
+        """Nodes that get nothing of a file which has a block that is nearly theirs."""
+        from bringup_lint.graph.param_matching import unreached
+
+        return list(unreached(self))
+
+    @cached_property
+    def unused(self) -> list[Mismatch]:
+        """Blocks that reach no node, and are nearly the name of one."""
+        from bringup_lint.graph.param_matching import unused
+
+        return list(unused(self))
+
+    @cached_property
+    def simulated(self) -> list[Simulated]:
+        """Nodes of a robot's bring-up that wait for the time of a simulation."""
+        from bringup_lint.graph.param_time import simulated
+
+        return list(simulated(self))
+
     def loads(self, file: ParameterFile) -> list[Load]:
         """The nodes of the tree's launch files that are given a file."""
         return self._loads.get(id(file), [])
+
+    def effective(self, file: ParameterFile, parameter: Parameter) -> list[Load]:
+        """The loads by which a value may reach a node: its block may be for the node, and nothing later sets it again."""
+        from bringup_lint.graph.param_loads import is_replaced
+
+        return [
+            load
+            for load in self.loads(file)
+            if (load.node.fqn is None or matches(parameter.block.name, load.node.fqn)) and not is_replaced(load, parameter.name)
+        ]
 
     def reader(self, file: ParameterFile) -> str:
         """``rcl`` when at least one node gets the file as it is, ``pyyaml`` when all get it through PyYAML, else empty."""

@@ -2,7 +2,7 @@
 
 ## What it finds
 A path in a folder where the tree's rules make links (such as /dev/robot/), used in a unit, a `.device`
-dependency, an environment, compose or launch file, that none of them makes. In a tree without any rule, paths
+dependency, an environment, compose, launch or parameter file, that none of them makes. In a tree without any rule, paths
 in folders of one's own are told for information.
 
 ## Why it matters on a robot

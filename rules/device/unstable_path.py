@@ -1,7 +1,7 @@
 """A device is opened by a number that changes.
 
 ## What it finds
-`/dev/ttyUSB0`, `/dev/ttyACM1`, `/dev/video2` in units, their environment files, compose and launch files; a
+`/dev/ttyUSB0`, `/dev/ttyACM1`, `/dev/video2` in units, their environment files, compose, launch and parameter files; a
 warning in scripts and shell defaults, for information as the default of a launch argument. On-board ports
 (ttyS, ttyTHS, ttyAMA) and links by id or path pass, and so do files for simulation.
 

@@ -1,0 +1,62 @@
+"""A path in a parameter lies in somebody's home.
+
+## What it finds
+Values below `/home/<user>/` and `/root/`, and for information files or folders that begin
+with `~/`, which only some nodes expand. The folder in which a unit of the tree
+works passes, and so do examples and private topic names.
+
+## Why it matters on a robot
+The path exists only on the machine on which it was written. ROS does not expand `~` in parameters.
+
+## Bad
+```yaml
+map_server:
+  ros__parameters:
+    yaml_filename: /home/anna/maps/hall.yaml
+```
+
+## Good
+```yaml
+map_server:
+  ros__parameters:
+    yaml_filename: /var/lib/robot/maps/hall.yaml
+```
+
+## References
+- launch_ros, `ParameterFile(allow_substs=True)`
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import is_example
+from bringup_lint.api import rule
+
+_HOME = re.compile(r"(?:file://)?(/home/[^/\s<>${}]+/|/root/)\S*\Z")
+_TILDE = re.compile(r"~/\S+\.[A-Za-z0-9]{1,8}\Z")
+_PATH_KEY = re.compile(r"(?:path|file|filename|dir|directory|folder)\Z")
+
+
+@rule("warning")
+def absolute_home_path(robot: Robot):
+    kept = [str(value) for unit in robot.units.judged if (value := unit.get("WorkingDirectory"))] if robot.of_kind("systemd-unit") else []
+    for file, parameter in robot.params.parameters:
+        if is_example(file.source.name) or "/test" in f"/{file.source.name}":
+            continue
+        for item in robot.params.items(parameter):
+            if item.type != "string":
+                continue
+            if _HOME.match(item.text) and not any(item.text.startswith(folder.rstrip("/") + "/") for folder in kept if folder):
+                yield finding(
+                    item.span,
+                    f"The path of '{parameter.name}' lies in somebody's home: it exists only on that machine",
+                    advice="use a folder of the robot, such as /var/lib, or a package's share folder with allow_substs",
+                )
+            elif _TILDE.match(item.text) or (item.text.startswith("~/") and _PATH_KEY.search(str(parameter.key).lower())):
+                yield finding(
+                    item.span,
+                    f"ROS does not expand the ~ of '{parameter.name}': unless the node does, it looks for a folder called '~'",
+                    advice="write the whole path, or $(env HOME) in a file that is loaded with allow_substs",
+                    severity="info",
+                )

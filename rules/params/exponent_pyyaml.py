@@ -1,0 +1,55 @@
+"""A number with an exponent becomes text for a composed node.
+
+## What it finds
+`1e-3`, `1e3` and `1.0e3` in files that launch itself reads for composable nodes. PyYAML wants a dot and a sign.
+
+## Why it matters on a robot
+rcl reads a double, PyYAML reads text: the composed node gets a string where it declares a double, and does not load.
+
+## Bad
+```yaml
+filter:
+  ros__parameters:
+    epsilon: 1e-3
+```
+
+## Good
+```yaml
+filter:
+  ros__parameters:
+    epsilon: 1.0e-3
+```
+
+## References
+- YAML 1.1, float; PyYAML's resolver
+- rcl_yaml_param_parser, `get_value`
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+_EXPONENT = re.compile(r"([+-]?)([0-9]+)(\.[0-9]*)?[eE]([+-]?)([0-9]+)\Z")
+
+
+@rule("warning", fix="safe", symptoms=["InvalidParameterTypeException"])
+def exponent_pyyaml(robot: Robot):
+    for file, parameter in robot.params.parameters:
+        composed = next((load for load in robot.params.loads(file) if load.how == "pyyaml"), None)
+        for item in robot.params.items(parameter) if composed else ():
+            found = None if item.quoted else _EXPONENT.match(item.text)
+            if found is None or (found[3] and found[4]):
+                continue
+            sign, whole, fraction, exponent_sign, exponent = found.groups()
+            better = f"{sign}{whole}{fraction if fraction and len(fraction) > 1 else '.0'}e{exponent_sign or '+'}{exponent}"
+            yield finding(
+                item.span,
+                f"launch reads '{item.text}' as text for the component {composed.node.label()}: it gets a string instead of a double",
+                advice=f"write {better}",
+                related=[note(composed.where, "loaded for a component here")],
+                fix=fix(f"Write {better}", (item.span, better)),
+            )

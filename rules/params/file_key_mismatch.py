@@ -1,0 +1,48 @@
+"""A node gets a parameter file in which nothing is for it.
+
+## What it finds
+A node with a known name and namespace that is given a file of which no block and no wildcard matches its full name, though
+one is nearly it: the same name in another namespace, or misspelt. Silent for components, containers and names that are not
+known.
+
+## Why it matters on a robot
+All parameters stay at the defaults of the code, without any message. It shows when the robot drives.
+
+## Bad
+```yaml
+planner:                # the node is /robot1/planner
+  ros__parameters: {max_speed: 0.5}
+```
+
+## Good
+```yaml
+/**/planner:
+  ros__parameters: {max_speed: 0.5}
+```
+
+## References
+- https://github.com/manankharwar/fusioncore/issues/134
+- rcl_yaml_param_parser, node names and wildcards
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", fix="unsafe")
+def file_key_mismatch(robot: Robot):
+    for found in robot.params.unreached:
+        tail = found.name.rpartition("/")[2]
+        better = found.name if found.misspelt else f"/**/{tail}"
+        single = len(found.block.keys) == 1
+        yield finding(
+            found.load.where,
+            f"{found.file.source.basename} has a block for '{found.block.name}', the node is {found.name}: all its parameters stay "
+            "at the defaults, without any message",
+            advice=f"name the block {better}",
+            related=[note(found.block.key, "the block that does not match"), note(found.load.node.span, "the node")],
+            fix=fix(f"Name the block {better}", (found.block.key, better), safe=False) if single else None,
+        )

@@ -1,0 +1,48 @@
+"""A block of parameters matches no node that is started with the file.
+
+## What it finds
+Node keys that no node which gets the file is called, but nearly: a misspelt name, or the right name in another namespace.
+Silent when a node's name or namespace is not known, when something else mentions the file, and for components.
+
+## Why it matters on a robot
+No message appears. The node runs with the defaults of its code, and the tuned values are never used.
+
+## Bad
+```yaml
+motor_controler:        # the node is called motor_controller
+  ros__parameters:
+    max_speed: 0.5
+```
+
+## Good
+```yaml
+motor_controller:
+  ros__parameters:
+    max_speed: 0.5
+```
+
+## References
+- https://github.com/ros2/ros2/issues/569
+- https://github.com/ros2/rcl/issues/954
+- https://github.com/ros-navigation/navigation2/issues/3182
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning", fix="unsafe")
+def node_not_in_launch(robot: Robot):
+    for found in robot.params.unused:
+        name = found.name.removeprefix("/")
+        single = len(found.block.keys) == 1
+        yield finding(
+            found.block.key,
+            f"No node is called '{found.block.name}' (there is {found.name}): these parameters are never used, the defaults stay",
+            advice=f"write {name}",
+            related=[note(found.load.node.span, f"{found.name} is started here"), note(found.load.where, "gets the file here")],
+            fix=fix(f"Write {name}", (found.block.key, name), safe=False) if single else None,
+        )

@@ -1,0 +1,85 @@
+"""A QoS override has no effect, or stops the node.
+
+## What it finds
+Parameters below `qos_overrides` whose topic is not written with its full name, whose entity is neither `publisher` nor
+`subscription`, or whose policy or value does not exist.
+
+## Why it matters on a robot
+A wrong name is ignored without a message, and the topic keeps the policy of the code; a wrong value stops the node.
+
+## Bad
+```yaml
+detector:
+  ros__parameters:
+    qos_overrides:
+      scan:
+        subscription:
+          reliability: best_effort
+```
+
+## Good
+```yaml
+detector:
+  ros__parameters:
+    qos_overrides:
+      /scan:
+        subscription:
+          reliability: best_effort
+```
+
+## References
+- rclcpp, `QosOverridingOptions`
+- rclpy, `qos_overriding_options`
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import nearest
+from bringup_lint.api import rule
+
+_ENTITY = re.compile(r"(?:publisher|subscription)(?:_\w+)?\Z")
+_BEST = ("system_default", "best_available")
+_WORDS = {
+    "history": ("keep_last", "keep_all", "system_default"),
+    "reliability": ("reliable", "best_effort", *_BEST),
+    "durability": ("volatile", "transient_local", *_BEST),
+    "liveliness": ("automatic", "manual_by_topic", *_BEST),
+}
+_NUMBERS = ("depth", "deadline", "lifespan", "liveliness_lease_duration")
+_FLAG = "avoid_ros_namespace_conventions"
+
+
+@rule("warning", symptoms=["InvalidQosOverridesException"])
+def qos_override_invalid(robot: Robot):
+    for _, parameter in robot.params.parameters:
+        parts = parameter.name.split(".")
+        if parts[0] != "qos_overrides" or len(parts) < 2 or "$(" in parameter.name + parameter.text:
+            continue
+        message, advice, where = _wrong(parts[1:], parameter)
+        if message:
+            yield finding(where, message, advice=advice)
+
+
+def _wrong(parts, parameter):
+    name = parameter.name.removeprefix("qos_overrides.")
+    key, value = parameter.key, parameter.value
+    topic = parts[0]
+    if not topic.startswith("/"):
+        return f"The QoS override for '{topic}' is ignored: the topic must have its full name", "write it with a leading / and its namespace", key
+    if len(parts) != 3 or not _ENTITY.match(parts[1]):
+        near = nearest(parts[1], ("publisher", "subscription"), 4) if len(parts) == 3 else []
+        return f"The QoS override '{name}' is ignored: it must be topic, publisher or subscription, policy", f"write {near[0]}" if near else "write topic.publisher.policy or topic.subscription.policy", key
+    policy = parts[2]
+    if policy not in (*_WORDS, *_NUMBERS, _FLAG):
+        near = nearest(policy, (*_WORDS, *_NUMBERS, _FLAG), 3)
+        return f"There is no QoS policy '{policy}': the override is ignored", f"write {near[0]}" if near else "use history, depth, reliability, durability, deadline, lifespan or liveliness", key
+    if policy in _WORDS and str(value.data).lower() not in _WORDS[policy]:
+        return f"'{parameter.text}' is no {policy}: the node ends with an exception", f"use {', '.join(_WORDS[policy][:2])}", parameter.span
+    if policy in _NUMBERS and value.type != "integer":
+        unit = "a number of messages" if policy == "depth" else "nanoseconds"
+        return f"{policy} must be an integer ({unit}): the node ends with an exception", f"write {unit} as an integer", parameter.span
+    if policy == _FLAG and value.type != "bool":
+        return f"{policy} must be true or false: the node ends with an exception", "write true or false", parameter.span
+    return "", "", key

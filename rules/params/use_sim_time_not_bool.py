@@ -1,0 +1,51 @@
+"""use_sim_time is not a boolean.
+
+## What it finds
+`use_sim_time` with quotes, or as a number, in parameter files. Files only for composable nodes pass: launch reads the text once more.
+
+## Why it matters on a robot
+The node's clock refuses the value: it logs an error and stays on wall time while the others follow the simulation, or it
+ends with an exception.
+
+## Bad
+```yaml
+/**:
+  ros__parameters:
+    use_sim_time: "true"
+```
+
+## Good
+```yaml
+/**:
+  ros__parameters:
+    use_sim_time: true
+```
+
+## References
+- rclcpp, `TimeSource`: "Invalid type ... for parameter 'use_sim_time', should be 'bool'"
+- https://github.com/ros/joint_state_publisher/issues/103
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+_PLAIN = {"true": "true", "1": "true", "yes": "true", "on": "true", "false": "false", "0": "false", "no": "false", "off": "false"}
+
+
+@rule("error", fix="safe", symptoms=["Invalid type", "use_sim_time parameter cannot be set to anything but a bool"])
+def use_sim_time_not_bool(robot: Robot):
+    for file, parameter in robot.params.parameters:
+        value = parameter.value
+        if parameter.name != "use_sim_time" or value.type in ("bool", "not_set") or "$(" in parameter.text:
+            continue
+        if {load.how for load in robot.params.loads(file)} == {"pyyaml"}:
+            continue
+        plain = _PLAIN.get(str(value.data).strip().lower())
+        yield finding(
+            parameter.span,
+            f"use_sim_time is the {value.type.replace('_', ' ')} {parameter.text}, not a boolean: the node refuses it and stays on wall time",
+            advice=f"write {plain or 'true or false'}",
+            fix=fix(f"Write {plain}", (parameter.span, plain)) if plain else None,
+        )
