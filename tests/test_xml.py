@@ -78,7 +78,7 @@ def test_namespaces():
         ('<?xml version="1.0" encoding="UTF-16"?><a>ä</a>', "encoding"),
         ("<?xml?><a/>", "bad-declaration"),
         ("<!DOCTYPE a><a/>", "doctype"),
-        ("<a>]]></a>", "bad-reference"),
+        ("<a>]]></a>", "cdata-end"),
     ],
 )
 def test_problem(text, code):

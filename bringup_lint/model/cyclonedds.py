@@ -70,7 +70,7 @@ class Remark(NamedTuple):
     """Of names: ``unknown-element``, ``unknown-attribute``, ``ambiguous-name``, ``abbreviated``, ``alias``,
     ``deprecated``, ``moved``, ``build``. Of structure: ``xml``, ``root``, ``duplicate``, ``unexpected-text``,
     ``missing``. Of values: ``value``, ``unit``, ``range``, ``bare-number``, ``expansion``. Of values together:
-    ``mixed-interfaces``, ``anonymous``, ``autodetermined``, ``watermarks``, ``transport``, ``ports``,
+    ``mixed-interfaces``, ``anonymous``, ``autodetermined``, ``interface-twice``, ``watermarks``, ``transport``, ``ports``,
     ``priority``, ``address``."""
     where: Located | Span
     fatal: bool

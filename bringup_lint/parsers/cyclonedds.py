@@ -18,6 +18,7 @@ from bringup_lint.model.cyclonedds import Setting
 from bringup_lint.model.xml import Document
 from bringup_lint.model.xml import Element
 from bringup_lint.parsers.cyclonedds_checks import check
+from bringup_lint.parsers.cyclonedds_checks import interfaces_twice
 from bringup_lint.parsers.cyclonedds_schema import match
 from bringup_lint.parsers.cyclonedds_schema import schema
 from bringup_lint.parsers.cyclonedds_values import complaint
@@ -37,6 +38,7 @@ ALL_FEATURES = frozenset({"security", "ssl", "tcp", "shm", "network_partitions",
 TOLERATED = frozenset(
     {
         "bad-comment",
+        "cdata-end",
         "control-character",
         "doctype",
         "encoding",
@@ -83,7 +85,9 @@ def read(
     tolerated = INLINE_TOLERATED if inline else TOLERATED
     for problem in document.problems:
         fatal = problem.code not in tolerated or (problem.code == "doctype" and _has_subset(document))
-        if fatal or problem.code == "doctype":
+        if problem.code == "duplicate-attribute":
+            configuration.remarks.append(Remark("duplicate", problem.where, True, problem.detail))
+        elif fatal or problem.code == "doctype":
             configuration.remarks.append(
                 Remark("xml", problem.where, fatal, f"{problem.code}: {problem.detail}")
             )
@@ -91,11 +95,25 @@ def read(
         # the shorthand end tag of inline XML is not read
         configuration.remarks.clear()
         return configuration
+    _refused_by_its_xml_reader(document, configuration)
     if document.root is not None:
         _Reader(configuration, environment, features).document(document.root)
     for domain in configuration.domains:
         domain.remarks.extend(check(domain, version))
+    interfaces_twice(configuration.domains)
     return configuration
+
+
+def _refused_by_its_xml_reader(document: Document, configuration: Configuration) -> None:
+    """What is well-formed XML, and yet not for this library."""
+    if document.source.text.startswith("\ufeff"):
+        mark = document.source.span(0, 1)
+        configuration.remarks.append(Remark("xml", mark, True, "byte-order-mark: it stands before the first <"))
+    for instruction in document.instructions:
+        inside = [each for each in document.elements if each.span.start < instruction.start < each.span.end]
+        if inside and inside[-1].text:
+            detail = "instruction: a processing instruction inside a value"
+            configuration.remarks.append(Remark("xml", instruction, True, detail))
 
 
 def _has_subset(document: Document) -> bool:
@@ -189,6 +207,10 @@ class _Reader:
     def inside(self, element: Element, item: Item, owner: Element) -> None:
         if item.is_attribute:
             # an element that became an attribute, such as Domain/Id
+            for attribute in element.attributes:
+                self.remark("unknown-attribute", attribute.name, True, attribute.name, item)
+            for child in element.children:
+                self.remark("unknown-element", child.name, True, child.name, item)
             if element.text:
                 self.value(element.name, element.text, item, element, owner)
             return

@@ -47,6 +47,17 @@ def _interfaces(domain: Domain) -> Iterator[Remark]:
             yield Remark("anonymous", element.name, True)
 
 
+def interfaces_twice(domains: list[Domain]) -> None:
+    """Name the same interface twice, also in several blocks that count for every domain."""
+    seen: set[str] = set()
+    for domain in domains:
+        names = seen if domain.applies_to_any else set()
+        for setting in domain.all(f"{INTERFACE}@name"):
+            if setting.effective and setting.effective in names:
+                domain.remarks.append(Remark("interface-twice", setting.value, True, setting.effective, setting.item))
+            names.add(setting.effective or "")
+
+
 def _mixed_interfaces(domain: Domain) -> Iterator[Remark]:
     old = [
         each

@@ -48,6 +48,7 @@ TOLERATED = frozenset(
         "encoding",
         "entity",
         "bad-reference",
+        "cdata-end",
         "less-than-in-value",
         "missing-blank",
         "second-root",

@@ -7,7 +7,7 @@ depth and size are
 bounded. A DOCTYPE is always a problem, and its declarations have no effect.
 
 Problem codes: ``bad-attribute``, ``bad-comment``, ``bad-declaration``, ``bad-instruction``,
-``bad-reference``, ``bad-tag``, ``control-character``, ``doctype``, ``duplicate-attribute``,
+``bad-reference``, ``bad-tag``, ``cdata-end``, ``control-character``, ``doctype``, ``duplicate-attribute``,
 ``empty-document``, ``encoding``, ``entity``, ``late-declaration``, ``less-than-in-value``,
 ``mismatched-tag``, ``missing-blank``, ``second-root``, ``stray-end-tag``, ``text-outside-root``,
 ``too-deep``, ``too-large``, ``too-many-problems``, ``unclosed-element``, ``unclosed-markup``,
@@ -153,7 +153,7 @@ class _Reader:
             self.open[-1].texts.append(decode(self.source, start, end, self.report))
             bad = self.text.find("]]>", start, end)
             if bad != -1:
-                self.report("bad-reference", bad, bad + 3, "]]> must be written ]]&gt;")
+                self.report("cdata-end", bad, bad + 3, "]]> must be written ]]&gt;")
             return
         run = self.text[start:end]
         if run.strip(_BLANK):

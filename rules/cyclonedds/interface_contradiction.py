@@ -1,7 +1,7 @@
 """An autodetermined Cyclone DDS interface with a name.
 
 ## What it finds
-A `NetworkInterface` with `autodetermine="true"` and a name or address.
+A `NetworkInterface` with `autodetermine="true"` and a name or address, or one interface that is named twice.
 
 ## Why it matters on a robot
 The library refuses it and creates no participant: no ROS node starts.
@@ -26,9 +26,15 @@ from bringup_lint.api import rule
 
 
 @rule(
-    "error", symptoms=["An autodetermined interface should not have its name or address property specified"]
+    "error", symptoms=["An autodetermined interface should not have its name or address property specified", "may not be selected twice"]
 )
 def interface_contradiction(robot: Robot):
+    for _, remark in robot.dds.remarks("interface-twice"):
+        yield finding(
+            remark.where,
+            f"Interface {remark.detail} is selected twice: no participant can be created, no node starts",
+            advice="keep one of the two",
+        )
     for _, remark in robot.dds.remarks("autodetermined"):
         yield finding(
             remark.where,
