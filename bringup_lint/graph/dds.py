@@ -90,6 +90,10 @@ class Dds:
     transport_named = staticmethod(fastdds_names.transport_named)
     with_blanks = staticmethod(fastdds_names.with_blanks)
     multicast_peers = staticmethod(fastdds_names.multicast_peers)
+    seconds = staticmethod(fastdds_names.seconds)
+    transport_type = staticmethod(fastdds_names.transport_type)
+    number = staticmethod(fastdds_names.number)
+    used_transports = staticmethod(fastdds_names.used_transports)
 
     def fastdds_remarks(self, *codes: str) -> Iterator[tuple[Profiles, ProfileRemark]]:
         """What the library would say about the Fast DDS files, by code."""

@@ -101,3 +101,40 @@ def multicast_peers(peers: Element) -> bool:
     """Whether a list of peers names a multicast group itself."""
     addresses = (child.find("address") for child in locators(peers))
     return any(each is not None and re.match(r"2(?:2[4-9]|3[0-9])\.", each.text) for each in addresses)
+
+
+def seconds(element: Element | None, default: float) -> float | None:
+    """A duration; None when it is infinite or depends on a variable."""
+    if element is None:
+        return default
+    parts = {str(child.name): str(child.text) for child in element.children}
+    if not parts or not all(text.isdigit() for text in parts.values()):
+        return None
+    return int(parts.get("sec", "0")) + int(parts.get("nanosec", "0")) / 1e9
+
+
+def number(element: Element | None, default: int) -> int | None:
+    """A plain number; None when it is something else."""
+    if element is None:
+        return default
+    return int(element.text) if element.text.isdigit() else None
+
+
+def used_transports(profiles: Profiles) -> set[str]:
+    """The transports that the default participants name."""
+    participants = [profile.element for profile in profiles.of_kind("participant") if profile.is_default]
+    return {
+        str(name.text)
+        for participant in participants
+        for element in participant.walk()
+        if element.name == "userTransports"
+        for name in element.find_all("transport_id")
+    }
+
+
+def transport_type(name: Located) -> str:
+    """The type of the transport that an element, given by its name, stands in."""
+    before = name.span.source.text[: name.span.start]
+    inside = before[before.rfind("<transport_descriptor>") :] + name.span.source.text[name.span.start :]
+    match = re.search(r"<type>\s*(\w+)", inside)
+    return match[1] if match else ""

@@ -69,9 +69,9 @@ class Remark(NamedTuple):
     code: str
     """Of names: ``unknown-element``, ``unknown-attribute``, ``ambiguous-name``, ``abbreviated``, ``alias``,
     ``deprecated``, ``moved``, ``build``. Of structure: ``xml``, ``root``, ``duplicate``, ``unexpected-text``,
-    ``missing``. Of values: ``value``, ``unit``, ``range``, ``bare-number``, ``expansion``. Of values together:
-    ``mixed-interfaces``, ``anonymous``, ``autodetermined``, ``interface-twice``, ``watermarks``, ``transport``, ``ports``,
-    ``priority``, ``address``."""
+    ``missing``. Of values: ``value``, ``unit``, ``range``, ``bare-number``, ``expansion``. Of values
+    together: ``mixed-interfaces``, ``anonymous``, ``autodetermined``, ``interface-twice``, ``watermarks``,
+    ``transport``, ``ports``, ``priority``, ``address``."""
     where: Located | Span
     fatal: bool
     """Whether no participant can be created."""

@@ -21,7 +21,8 @@ class Remark(NamedTuple):
 
     code: str
     """Of structure: ``xml``, ``root``, ``unknown-element``, ``unknown-attribute``, ``duplicate``, ``empty``,
-    ``missing``, ``comment``, ``instruction``, ``ignored``. Of values: ``bool``, ``enum``, ``number``,
+    ``missing``, ``comment``, ``instruction``, ``ignored``,
+    ``passed-over``. Of values: ``bool``, ``enum``, ``number``,
     ``duration``, ``address``, ``value``. Of profiles: ``profile-name``, ``profile-duplicate``,
     ``transport-undefined``, ``transport-duplicate``."""
     where: Located | Span

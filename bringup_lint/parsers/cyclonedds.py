@@ -65,10 +65,11 @@ def parse(
     inline: bool = False,
     environment: Mapping[str, str] | None = None,
     features: frozenset[str] = ALL_FEATURES,
+    region: tuple[int, int] | None = None,
 ) -> Configuration:
-    """Read a configuration. ``environment`` None means that variables are not known: such values are not
-    judged."""
-    document = parse_xml(source)
+    """Read a configuration, or the stretch of a source that holds one. ``environment`` None means that
+    variables are not known: such values are not judged."""
+    document = parse_xml(source, *(region or ()))
     return read(document, version, inline=inline, environment=environment, features=features)
 
 
@@ -91,7 +92,7 @@ def read(
             configuration.remarks.append(
                 Remark("xml", problem.where, fatal, f"{problem.code}: {problem.detail}")
             )
-    if inline and "</>" in document.source.text:
+    if inline and document.root is not None and "</>" in document.root.span.text:
         # the shorthand end tag of inline XML is not read
         configuration.remarks.clear()
         return configuration
@@ -108,7 +109,9 @@ def _refused_by_its_xml_reader(document: Document, configuration: Configuration)
     """What is well-formed XML, and yet not for this library."""
     if document.source.text.startswith("\ufeff"):
         mark = document.source.span(0, 1)
-        configuration.remarks.append(Remark("xml", mark, True, "byte-order-mark: it stands before the first <"))
+        configuration.remarks.append(
+            Remark("xml", mark, True, "byte-order-mark: it stands before the first <")
+        )
     for instruction in document.instructions:
         inside = [each for each in document.elements if each.span.start < instruction.start < each.span.end]
         if inside and inside[-1].text:

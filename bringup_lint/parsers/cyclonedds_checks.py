@@ -54,7 +54,9 @@ def interfaces_twice(domains: list[Domain]) -> None:
         names = seen if domain.applies_to_any else set()
         for setting in domain.all(f"{INTERFACE}@name"):
             if setting.effective and setting.effective in names:
-                domain.remarks.append(Remark("interface-twice", setting.value, True, setting.effective, setting.item))
+                domain.remarks.append(
+                    Remark("interface-twice", setting.value, True, setting.effective, setting.item)
+                )
             names.add(setting.effective or "")
 
 

@@ -94,6 +94,15 @@ def _features(cell: str, version: str) -> list[str]:
     return [name for name, versions in found if not versions or version in versions.split(",")]
 
 
+def _begins(item: Item, wanted: str) -> bool:
+    """Whether a name is the beginning of an item's. By a slip of the library, the name of an item with aliases may also
+    be the beginning of what is written."""
+    if item.deprecated:
+        return False
+    name = item.name.lower()
+    return name.startswith(wanted) or (bool(item.aliases) and wanted.startswith(name))
+
+
 def match(items: list[Item], name: str, inline: bool) -> Match:
     """Find the item that a written name means."""
     wanted = name.lower()
@@ -102,7 +111,7 @@ def match(items: list[Item], name: str, inline: bool) -> Match:
             return Match(item, "exact")
         if any(alias.lower() == wanted for alias in item.aliases):
             return Match(item, "alias")
-    prefixed = [item for item in items if not item.deprecated and item.name.lower().startswith(wanted)]
+    prefixed = [item for item in items if _begins(item, wanted)]
     if not prefixed:
         return Match(None, "unknown")
     if len(prefixed) > 1:

@@ -42,6 +42,7 @@ UNSUPPORTED = ("qos_profile", "application", "type")
 """Tags that the library names as not supported below ``profiles``, and passes over."""
 TOLERATED = frozenset(
     {
+        "bad-declaration",
         "bad-comment",
         "control-character",
         "doctype",
@@ -191,7 +192,10 @@ class _Reader:
             if twin in seen and known.once:
                 self.remark("duplicate", child.name, True, child.name, known.path)
             seen |= {twin, str(child.name)}
-            self.inside(child, known)
+            if known.only and not self.reads(element, known):
+                self.remark("passed-over", child.name, False, known.name, known.path)
+            else:
+                self.inside(child, known)
         if not element.children and item.not_empty:
             self.remark("empty", element.name, True, item.name, item.path)
             return
@@ -200,6 +204,12 @@ class _Reader:
         for known in set(shape.children.values()):
             if known.required and not seen & {known.name, *known.aliases}:
                 self.remark("missing", element.name, True, known.name, known.path)
+
+    @staticmethod
+    def reads(transport: Element, item: Item) -> bool:
+        """Whether a transport of this type reads one of its elements."""
+        kind = transport.find("type")
+        return kind is None or not kind.text or str(kind.text).lower().startswith(item.only)
 
     def allocation(self, element: Element, item: Item) -> None:
         """Initial and largest number; a step of zero is fine when nothing can grow. The largest is 0 for no

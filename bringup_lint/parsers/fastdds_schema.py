@@ -24,6 +24,8 @@ class Item:
     not_empty: bool
     once: bool
     aliases: tuple[str, ...]
+    only: tuple[str, ...]
+    """The kinds of transport (udp, tcp, shm) that read the element; empty for all."""
     ignored: bool
     """The library says that it does not support it, and goes on."""
     children: dict[str, Item] = field(default_factory=dict)
@@ -39,7 +41,7 @@ def schema(version: str) -> dict[str, Item]:
             items[row["path"]] = _item(row, row[version])
     roots = {path.partition("/")[0].partition("@")[0] for path in items if path.startswith("{")}
     for root in roots:
-        items[root] = Item(root, root, "group", (), False, False, False, False, (), False)
+        items[root] = Item(root, root, "group", (), False, False, False, False, (), (), False)
     for path, item in items.items():
         parent = path.rpartition("@" if "@" in path else "/")[0]
         if parent in items:
@@ -60,6 +62,7 @@ def _item(row: dict[str, str], status: str) -> Item:
         row["empty"] == "error",
         row["twice"] == "error",
         tuple(row["aliases"].split(",")) if row["aliases"] else (),
+        tuple(row["only"].split(",")) if row["only"] else (),
         status == "ignored",
     )
 

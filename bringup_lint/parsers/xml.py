@@ -49,20 +49,21 @@ _TEXT_ENCODINGS = {"utf-8", "utf8", "us-ascii", "ascii"}
 _DOCTYPE_MARK = re.compile(r"[\[\]<>\"']")
 
 
-def parse(source: Source) -> Document:
-    """Read any text; never raises."""
-    return _Reader(source).read()
+def parse(source: Source, start: int = 0, end: int | None = None) -> Document:
+    """Read any text, or a stretch of one; never raises."""
+    return _Reader(source, start, len(source.text) if end is None else end).read()
 
 
 class _Reader:
-    def __init__(self, source: Source) -> None:
+    def __init__(self, source: Source, start: int, end: int) -> None:
         self.source = source
-        self.text = source.text
+        self.text = source.text[:end]
         self.document = Document(source)
         self.open: list[Element] = []
         self.declared: list[list[str]] = []
         self.prefixes = Counter(("xml", "xmlns"))
-        self.at = 1 if self.text.startswith("\ufeff") else 0
+        self.begin = start + 1 if self.text.startswith("\ufeff", start) else start
+        self.at = self.begin
         self.stopped = False
 
     def report(self, code: str, start: int, end: int, detail: str = "") -> None:
@@ -167,8 +168,9 @@ class _Reader:
         if name is None:
             self.report("bad-instruction", start, end, "no name")
         elif name[0] == "xml":
-            code = "bad-declaration" if start == 0 else "late-declaration"
-            self.report(code, start, end, "" if start == 0 else "it must be the first thing in the file")
+            first = start == self.begin
+            code = "bad-declaration" if first else "late-declaration"
+            self.report(code, start, end, "" if first else "it must be the first thing in the file")
         else:
             self.document.instructions.append(self.source.span(start, end))
         if name is None or name[0] == "xml":

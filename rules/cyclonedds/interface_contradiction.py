@@ -26,7 +26,11 @@ from bringup_lint.api import rule
 
 
 @rule(
-    "error", symptoms=["An autodetermined interface should not have its name or address property specified", "may not be selected twice"]
+    "error",
+    symptoms=[
+        "An autodetermined interface should not have its name or address property specified",
+        "may not be selected twice",
+    ],
 )
 def interface_contradiction(robot: Robot):
     for _, remark in robot.dds.remarks("interface-twice"):

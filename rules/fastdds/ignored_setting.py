@@ -37,3 +37,10 @@ def ignored_setting(robot: Robot):
             f"{remark.where} is not supported in XML: it has no effect, and every start logs an error",
             advice="delete it",
         )
+    for _, remark in robot.dds.fastdds_remarks("passed-over"):
+        kind = robot.dds.transport_type(remark.where)
+        yield finding(
+            remark.where,
+            f"A {kind} transport does not read {remark.where}: it has no effect",
+            advice="delete it, or choose another type",
+        )

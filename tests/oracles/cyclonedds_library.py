@@ -1,4 +1,4 @@
-"""Asks the real Cyclone DDS: one child process creates a domain for each configuration, until one makes it abort."""
+"""Asks the real Cyclone DDS: a child process creates a domain for each configuration, until it aborts."""
 
 from __future__ import annotations
 
@@ -46,7 +46,11 @@ def ask(configurations: list[str], folder: Path) -> list[Verdict]:
     while pending:
         batch.write_text(json.dumps(pending), "utf-8")
         run = subprocess.run(
-            [sys.executable, "-c", _CHILD, str(batch)], capture_output=True, timeout=300, check=False, cwd=folder
+            [sys.executable, "-c", _CHILD, str(batch)],
+            capture_output=True,
+            timeout=300,
+            check=False,
+            cwd=folder,
         )
         verdicts |= _read(run.stderr.decode("utf-8", "replace"))
         rest = [each for each in pending if each[0] not in verdicts]
@@ -62,5 +66,7 @@ def _read(output: str) -> dict[int, Verdict]:
         message, _, verdict = rest.partition(f"\n{MARK} ")
         words = re.sub(r"\d{8,}\.\d+ \[\d*\] +\w+: ", "", message)
         lines = [line.strip() for line in words.splitlines() if line.strip()]
-        found[int(number)] = Verdict(verdict.startswith("accepted"), "; ".join(lines) or verdict.strip() or "crash")
+        found[int(number)] = Verdict(
+            verdict.startswith("accepted"), "; ".join(lines) or verdict.strip() or "crash"
+        )
     return found

@@ -1,4 +1,5 @@
-"""Cyclone DDS from PyPI accepts and rejects what bringup-lint says it does: every setting, slips in whole files, the corpus."""
+"""Cyclone DDS from PyPI accepts and rejects what bringup-lint says it does: every setting, slips in whole
+files, the corpus."""
 
 from __future__ import annotations
 
@@ -13,6 +14,7 @@ from bringup_lint.graph.cyclonedds_discovery import PEER
 from bringup_lint.graph.cyclonedds_discovery import bad_addresses
 from bringup_lint.model.cyclonedds import Domain
 from bringup_lint.parsers.cyclonedds import parse
+from bringup_lint.parsers.cyclonedds_uri import split_uri
 from bringup_lint.source import Source
 from bringup_lint.toml import read_toml
 from tests.oracles.cyclonedds_library import FEATURES
@@ -29,18 +31,82 @@ DIFFERENCES = read_toml((FOLDER / "differences" / "cyclonedds.toml").read_text("
 MUTANTS = 400
 """For each seed."""
 AGREEMENT = 0.99
-VALUES = (
-    "true|False| TRUE|no|0|1|-1|42|65535|65536|2147483648|4294967296|1.5|1e3|0x10|+7||default|auto|none|any|10kB|10 MB|100KB"
-    "|3GB|10ms|5 s|5sec|2hr|inf|-5ms|20us|1day|spdp|spdp,asm|asm,-spdp|lax|finest|trace|udp|all|always|realtime|8Mb/s|x|info"
-    "|config,data|recv|1,2|1.5 kB|5 |${UNSET}|${UNSET:-true}|${UNSET|$UNSET"
-).split("|")
+VALUES = [
+    "true",
+    "False",
+    " TRUE",
+    "no",
+    "0",
+    "1",
+    "-1",
+    "42",
+    "65535",
+    "65536",
+    "2147483648",
+    "4294967296",
+    "1.5",
+    "1e3",
+    "0x10",
+    "+7",
+    "",
+    "default",
+    "auto",
+    "none",
+    "any",
+    "10kB",
+    "10 MB",
+    "100KB",
+    "3GB",
+    "10ms",
+    "5 s",
+    "5sec",
+    "2hr",
+    "inf",
+    "-5ms",
+    "20us",
+    "1day",
+    "spdp",
+    "spdp,asm",
+    "asm,-spdp",
+    "lax",
+    "finest",
+    "trace",
+    "udp",
+    "all",
+    "always",
+    "realtime",
+    "8Mb/s",
+    "x",
+    "info",
+    "config,data",
+    "recv",
+    "1,2",
+    "1.5 kB",
+    "5 ",
+    "${UNSET}",
+    "${UNSET:-true}",
+    "${UNSET",
+    "$UNSET",
+]
 NEEDED = {"Peer": ' Address="localhost"', "Thread": ' Name="recv"', "NetworkInterface": ' name="lo"'}
 FILES_ARE_WRITTEN = ("OutputFile", "PacketCaptureFile")
 
 
 def refusals(text: str, inline: bool) -> list[str]:
     """Why bringup-lint says that no participant can be created."""
-    configuration = parse(Source("a.xml", text), VERSION, inline=inline, environment={}, features=FEATURES)
+    source = Source("a.xml", text)
+    if inline:
+        parts = list(split_uri(source.located(0, len(text))))
+        codes = ["no-file" for part in parts if not part.inline]
+        regions = [(part.text.span.start, part.text.span.end) for part in parts if part.inline]
+        return codes + [
+            code for region in regions for code in refusals_of(source, inline=True, region=region)
+        ]
+    return refusals_of(source)
+
+
+def refusals_of(source: Source, **options: object) -> list[str]:
+    configuration = parse(source, VERSION, environment={}, features=FEATURES, **options)
     used = [domain for domain in configuration.domains if is_domain_0(domain)]
     remarks = [*configuration.remarks, *(remark for domain in used for remark in domain.remarks)]
     codes = [remark.code for remark in remarks if remark.fatal]
@@ -67,7 +133,8 @@ def compare(texts: list[str], verdicts: list[Verdict], inline: bool) -> None:
         if verdict.accepted == bool(codes)
     ]
     wrong = [each for each in differing if not (explained(each[1]) and not each[2])]
-    print(f"{len(texts)} configurations, {sum(not v.accepted for v in verdicts)} refused, {len(differing)} differ")
+    refused = sum(not verdict.accepted for verdict in verdicts)
+    print(f"{len(texts)} configurations, {refused} refused, {len(differing)} differ")
     for text, verdict, codes in wrong[:10]:
         print(f"--- {codes} / {verdict}\n{text[:600]}")
     assert not [each for each in wrong if each[2]], "refused by us alone"
@@ -108,7 +175,9 @@ def test_slips_in_files(name: str, tmp_path: Path) -> None:
 
 def test_slips_inline(tmp_path: Path) -> None:
     seed = (FOLDER / "dds/cyclonedds.xml").read_text("utf-8").partition("-->\n")[2]
-    texts = [text for text in mutants(seed, VALUES, MUTANTS, seed=8) if text.startswith("<") and "</>" not in text]
+    texts = [
+        text for text in mutants(seed, VALUES, MUTANTS, seed=8) if text.startswith("<") and "</>" not in text
+    ]
     compare(texts, ask(texts, tmp_path), inline=True)
 
 
@@ -128,5 +197,3 @@ def _files(texts: list[str], folder: Path) -> list[str]:
     for path, text in zip(paths, texts, strict=True):
         path.write_text(text, "utf-8")
     return [f"file://{path}" for path in paths]
-
-

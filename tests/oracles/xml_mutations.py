@@ -106,7 +106,9 @@ def add_attribute(text: str, draw: random.Random, values: list[str]) -> str:
 
 def add_markup(text: str, draw: random.Random, values: list[str]) -> str:
     match = _pick(_TAG, text, draw)
-    extra = draw.choice(("<!-- a -- b -->", "text", "&", "&amp;", "<", "<?robot?>", "<bogus/>", "]]>", "<a:b/>", "</x>"))
+    extra = draw.choice(
+        ("<!-- a -- b -->", "text", "&", "&amp;", "<", "<?robot?>", "<bogus/>", "]]>", "<a:b/>", "</x>")
+    )
     return text if match is None else text[: match.end()] + extra + text[match.end() :]
 
 

@@ -1,0 +1,57 @@
+"""A Fast DDS lease that ends before it is renewed.
+
+## What it finds
+A default participant whose `leaseDuration` (20 s when it is not given) is not longer than
+`leaseAnnouncement` (3 s when it is not given).
+
+## Why it matters on a robot
+The library refuses to create the participant: no ROS node starts. A short lease for quick detection of
+lost robots is the usual cause.
+
+## Bad
+```xml
+<leaseDuration>
+  <sec>2</sec>
+</leaseDuration>
+```
+
+## Good
+```xml
+<leaseDuration>
+  <sec>2</sec>
+</leaseDuration>
+<leaseAnnouncement>
+  <nanosec>500000000</nanosec>
+</leaseAnnouncement>
+```
+
+## References
+- Fast DDS 2.14.5, tried with the real library: exit status 1
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["LeaseDuration should be >= leaseDuration announcement period"])
+def lease_not_above_announcement(robot: Robot):
+    for profiles in robot.dds.profile_files:
+        for profile in profiles.of_kind("participant"):
+            for element in profile.element.walk() if profile.is_default and not profiles.dropped else ():
+                if element.name != "discovery_config":
+                    continue
+                lease = robot.dds.seconds(element.find("leaseDuration"), 20)
+                period = robot.dds.seconds(element.find("leaseAnnouncement"), 3)
+                if lease is None or period is None or lease > period:
+                    continue
+                written = [element.find("leaseDuration"), element.find("leaseAnnouncement")]
+                where, *others = [each for each in written if each is not None]
+                yield finding(
+                    where.name,
+                    f"The lease of {lease:g} s is not longer than the announcement period of {period:g} s: "
+                    "no node starts",
+                    advice="announce at least twice within a lease",
+                    related=[note(each.name, "the announcement period") for each in others],
+                )

@@ -1,0 +1,72 @@
+"""A Fast DDS message size that does not fit its buffers.
+
+## What it finds
+A transport of a default participant whose `maxMessageSize` (65500 when it is not given) is larger than
+its `sendBufferSize` or `receiveBufferSize` (0 means the kernel's own), larger than 65500 for UDP, or
+larger than `segment_size` (524288 when it is not given) for shared memory.
+
+## Why it matters on a robot
+The transport cannot be registered and the participant cannot be created: no ROS node starts.
+
+## Bad
+```xml
+<type>UDPv4</type>
+<sendBufferSize>32768</sendBufferSize>
+```
+
+## Good
+```xml
+<type>UDPv4</type>
+<sendBufferSize>32768</sendBufferSize>
+<maxMessageSize>8192</maxMessageSize>
+```
+
+## References
+- Fast DDS 2.14.5, tried with the real library: exit status 1
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule(
+    "error",
+    symptoms=[
+        "maxMessageSize cannot be greater than",
+        "max_message_size cannot be greater than segment_size",
+        "User transport failed to register",
+    ],
+)
+def message_exceeds_buffer(robot: Robot):
+    for profiles in robot.dds.profile_files:
+        used = robot.dds.used_transports(profiles) if not profiles.dropped else set()
+        for transport in profiles.transports:
+            name, kind = transport.find("transport_id"), transport.find("type")
+            if name is None or kind is None or name.text not in used:
+                continue
+            size = robot.dds.number(transport.find("maxMessageSize"), 65500)
+            limits = (
+                [("segment_size", 524288)]
+                if kind.text == "SHM"
+                else [("sendBufferSize", 0), ("receiveBufferSize", 0)]
+            )
+            for limit_name, default in limits:
+                element = transport.find(limit_name)
+                limit = robot.dds.number(element, default)
+                if size is None or not limit or size <= limit:
+                    continue
+                where = element if element is not None else transport.find("maxMessageSize")
+                yield finding(
+                    where.text,
+                    f"Messages of {size} bytes do not fit {limit_name} {limit}: no participant can be "
+                    "created, no node starts",
+                    advice=f"raise {limit_name}, or lower maxMessageSize",
+                )
+            if kind.text.startswith("UDP") and size is not None and size > 65500:
+                text = transport.find("maxMessageSize").text
+                message = (
+                    f"{size} bytes are more than a UDP message holds (65500): no participant can be "
+                    "created, no node starts"
+                )
+                yield finding(text, message, advice="write 65500 or less")
