@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.host import Jail
     from bringup_lint.graph.launch import Launch
     from bringup_lint.graph.params import Params
+    from bringup_lint.graph.ros_logs import RosLogs
     from bringup_lint.graph.sysctl import Sysctl
     from bringup_lint.graph.notify import Notify
     from bringup_lint.graph.udev import Udev
@@ -204,6 +205,13 @@ class Robot:
         from bringup_lint.graph.daemons import load_daemons
 
         return load_daemons(self, "logind")
+
+    @cached_property
+    def logs(self) -> RosLogs:
+        """What units and ROS write, and the logrotate files that rotate it."""
+        from bringup_lint.graph.ros_logs import RosLogs
+
+        return RosLogs(self)
 
     @cached_property
     def compose(self) -> Compose:

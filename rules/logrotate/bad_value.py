@@ -1,0 +1,81 @@
+"""A value that logrotate cannot read: the whole stanza is skipped.
+
+## What it finds
+A count, size, mode, owner or path that logrotate refuses, or one that is missing. Sizes take k, M and G, without B.
+
+## Why it matters on a robot
+One bad value makes logrotate leave out the whole stanza, or, above the first stanza, the rest of the file. The logs of that
+stanza grow until the disk is full.
+
+## Bad
+```
+/var/log/ros2/*.log {
+    size 100MB
+    copytruncate
+}
+```
+
+## Good
+```
+/var/log/ros2/*.log {
+    size 100M
+    copytruncate
+}
+```
+
+## References
+- logrotate(8), "size"
+- logrotate: "found error in /var/log/ros2/*.log, skipping"
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+WHAT = {
+    "argument-expected": "{name} needs a value",
+    "bad-number": "{name} takes a whole number, not '{value}'",
+    "bad-size": "'{value}' is not a size: logrotate knows k, M and G",
+    "unknown-unit": "'{value}' is not a size: logrotate knows k, M and G",
+    "bad-weekday": "weekly takes a day from 0 to 7, not '{value}'",
+    "extra-arguments": "{name} has too many words: '{value}'",
+    "su-incomplete": "su needs a user and a group",
+    "bad-address": "mail takes one address, not '{value}'",
+    "bad-path": "{name} takes one path without blanks, not '{value}'",
+    "bad-options": "{name} cannot be split into words: '{value}'",
+    "global-only": "{name} may not stand inside a stanza",
+}
+SIZE = re.compile(r"(\d+)\s*([kKmMgG])(?:i?[bB])?")
+
+
+@rule("error", fix="safe", symptoms=["found error in", "unknown unit", "bad size", "bad rotation count", "argument expected after"])
+def bad_value(robot: Robot):
+    for file in robot.logs.files:
+        for problem in file.problems:
+            if problem.code not in WHAT:
+                continue
+            value = problem.where
+            text = meant(value) if problem.code in ("bad-size", "unknown-unit") else None
+            what = WHAT[problem.code].format(name=problem.detail or value, value=value)
+            yield finding(
+                value,
+                f"{what}: {cost(file, value)}",
+                advice=f"write {text}" if text else "see logrotate(8) for what may stand here",
+                fix=fix(f"write {text}", (value, text)) if text else None,
+            )
+
+
+def meant(value):
+    found = SIZE.fullmatch(value)
+    return f"{found[1]}{found[2].lower() if found[2] in 'kK' else found[2].upper()}" if found else None
+
+
+def cost(file, value):
+    if file.unread_from is not None and file.unread_from >= value.span.start:
+        after = [problem for problem in file.problems if problem.where.span.start > value.span.start]
+        if not after:
+            return "logrotate reads nothing of the file from here on"
+    return "logrotate skips the whole stanza"

@@ -1,0 +1,80 @@
+"""A postrotate script sends SIGHUP to ROS: the robot's software ends at every rotation.
+
+## What it finds
+A script of a stanza that sends HUP to a unit that runs ROS, or to ros2 itself.
+
+## Why it matters on a robot
+Neither ros2 launch nor the nodes handle SIGHUP: they die of it. systemd counts that as a clean exit, so that
+Restart=on-failure leaves the robot down, every night at the same time.
+
+## Bad
+```
+/var/log/ros2/*.log {
+    postrotate
+        systemctl kill --signal=HUP robot.service
+    endscript
+}
+```
+
+## Good
+```
+/var/log/ros2/*.log {
+    copytruncate
+}
+```
+
+## References
+- systemd.service(5), "SuccessExitStatus="
+- <https://github.com/ros2/launch/issues/712>
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+HUP = re.compile(r"(?:-|--signal[= ]|-s ?)(?:SIG)?HUP\b|(?<=\s)-1\b", re.I)
+ROS = re.compile(r"\bros2\b|/opt/ros/|_node\b|\bros2?_")
+KILLERS = frozenset({"kill", "killall", "pkill", "systemctl"})
+
+
+@rule("error", fix="safe", symptoms=["Main process exited, code=killed, status=1/HUP"])
+def hup_ros(robot: Robot):
+    for stanza in robot.logs.stanzas:
+        for script in stanza.scripts:
+            for command in robot.logs.commands(script):
+                text = " ".join(command.words)
+                if command.name not in KILLERS or not HUP.search(text):
+                    continue
+                unit = next((u for u in robot.units.ros if u.name in named(command)), None)
+                if unit is None and not (ROS.search(text) or (robot.logs.is_of_ros(stanza) and unknown(robot, command))):
+                    continue
+                back = unit is not None and robot.units.restart(unit).restart in ("always", "on-success")
+                what = f"{unit.name} runs ROS" if unit else "This is ROS"
+                yield finding(
+                    command.words[0],
+                    f"{what}, where nothing handles SIGHUP: the rotation kills it"
+                    + ("" if back else ", and systemd calls that a clean exit"),
+                    advice="use copytruncate and delete the script",
+                    related=[note(unit.where, f"{unit.name} is defined here")] if unit else (),
+                    fix=change(stanza, script) if len(robot.logs.commands(script)) == 1 else None,
+                )
+
+
+def named(command):
+    words = {str(word) for word in command.words[1:]}
+    return words | {f"{word}.service" for word in words} if command.name == "systemctl" else frozenset()
+
+
+def unknown(robot, command):
+    """Whether systemctl signals a unit that the tree does not hold."""
+    units = [word for word in named(command) if word.endswith(".service")]
+    return bool(units) and command.name == "systemctl" and not any(robot.units.candidates(name) for name in units)
+
+
+def change(stanza, script):
+    text = "" if stanza.own("copytruncate") else "copytruncate"
+    return fix("copytruncate instead of the script", (script.span, text))

@@ -1,0 +1,45 @@
+"""A script without endscript: logrotate gives the file up.
+
+## What it finds
+prerotate, postrotate, firstaction, lastaction or preremove without a line `endscript`.
+
+## Why it matters on a robot
+logrotate takes the rest of the file for the script, then drops the stanza: its logs are never rotated.
+
+## Bad
+```
+/var/log/ros2/*.log {
+    postrotate
+        systemctl try-restart robot.service
+}
+```
+
+## Good
+```
+/var/log/ros2/*.log {
+    postrotate
+        systemctl try-restart robot.service
+    endscript
+}
+```
+
+## References
+- logrotate(8)
+- logrotate: "prerotate, postrotate or preremove without endscript"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["without endscript"])
+def missing_endscript(robot: Robot):
+    for file in robot.logs.files:
+        for problem in file.problems:
+            if problem.code == "missing-endscript":
+                yield finding(
+                    problem.where,
+                    f"{problem.where} has no endscript: logrotate drops the stanza and all that follows",
+                    advice="end the script with a line that says endscript",
+                )

@@ -1,0 +1,56 @@
+"""ROS nodes go on writing to the file that logrotate renamed.
+
+## What it finds
+A stanza for ROS logs with `create` and without copytruncate, whose scripts restart nothing.
+
+## Why it matters on a robot
+Nodes never reopen their logs. After `create` they write to the renamed file, which is then compressed or deleted, and the new
+file stays empty: the logs of the day on which something happened are gone.
+
+## Bad
+```
+/var/log/ros2/*.log {
+    weekly
+    create 0640 robot robot
+}
+```
+
+## Good
+```
+/var/log/ros2/*.log {
+    weekly
+    copytruncate
+}
+```
+
+## References
+- logrotate(8), "copytruncate"
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+RESTARTS = re.compile(r"\b(?:try-restart|restart|reload-or-restart|stop)\b")
+
+
+@rule("warning", fix="unsafe")
+def no_copytruncate(robot: Robot):
+    for stanza in robot.logs.stanzas:
+        create = stanza.own("create")
+        if create is None or stanza.skipped or stanza.get("copytruncate", "copy", "minage"):
+            continue
+        source = next(filter(None, map(robot.logs.source_of, stanza.paths)), None)
+        if source is None or any(RESTARTS.search(script.body) for script in stanza.scripts):
+            continue
+        yield finding(
+            create.name,
+            "ROS nodes never reopen their logs: they go on writing to the renamed file",
+            advice="write copytruncate instead of create",
+            related=[note(source, "ROS writes its logs here")] if hasattr(source, "span") else (),
+            fix=fix("copytruncate", (create.span, "copytruncate"), safe=False),
+        )

@@ -1,0 +1,65 @@
+"""A line that logrotate cannot read: the stanza or the rest of the file is skipped.
+
+## What it finds
+A line that begins neither with a word nor with a path, a directive that runs into the next character, open quotes, text
+behind `}`; also lines that end in carriage return and line feed.
+
+## Why it matters on a robot
+Inside a stanza, logrotate skips the whole stanza; outside, it reads nothing of the file from there on. Nothing is rotated, and
+the disk fills up.
+
+## Bad
+```
+/var/log/ros2/*.log {
+    - weekly
+}
+```
+
+## Good
+```
+/var/log/ros2/*.log {
+    weekly
+}
+```
+
+## References
+- logrotate(8)
+- logrotate: "lines must begin with a keyword or a filename (possibly in double quotes)"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+WHAT = {
+    "not-separated": "'{text}' runs into the next character",
+    "bad-line-start": "'{text}' is neither a directive nor a path",
+    "bad-quotes": "The quotes around the paths are not closed",
+    "text-after-brace": "logrotate ignores what stands behind '}}'",
+}
+
+
+@rule("error", symptoms=["lines must begin with a keyword", "not properly separated", "unexpected text after }"])
+def syntax(robot: Robot):
+    for file in robot.logs.files:
+        dos = "\r\n" in file.source.text
+        for problem in file.problems:
+            if problem.code not in WHAT:
+                continue
+            if dos and problem.code in ("bad-line-start", "text-after-brace"):
+                yield finding(
+                    problem.where,
+                    "The lines end in CR LF: logrotate takes the CR for text and skips the stanzas",
+                    advice="save the file with LF line ends",
+                )
+                break
+            inside = any(s.header.start < problem.where.span.start and s.skipped for s in file.stanzas)
+            cost = "the stanza is skipped" if inside else "nothing of the file is read from here on"
+            what = WHAT[problem.code].format(text=problem.where[:40])
+            alone = problem.code == "text-after-brace"
+            yield finding(
+                problem.where,
+                what if alone else f"{what}: {cost}",
+                advice="begin each line with a directive or a path",
+                severity="warning" if alone else None,
+            )

@@ -1,0 +1,46 @@
+"""A user or group that does not exist: logrotate skips the whole stanza.
+
+## What it finds
+A user or group of `create`, `createolddir` or `su` that a complete root file system has neither in its databases nor in
+sysusers.d.
+
+## Why it matters on a robot
+logrotate leaves the stanza out, and the logs grow until the disk is full.
+
+## Bad
+```
+/var/log/ros2/*.log {
+    su robt robot
+}
+```
+
+## Good
+```
+/var/log/ros2/*.log {
+    su robot robot
+}
+```
+
+## References
+- logrotate(8), "su", "create"
+- logrotate: "unknown user 'robt'"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["unknown user", "unknown group"])
+def unknown_user(robot: Robot):
+    for file in robot.logs.files:
+        for directive in [*file.directives, *(each for stanza in file.stanzas for each in stanza.directives)]:
+            user, group = robot.logs.owners(directive)
+            accounts = robot.accounts
+            for name, kind, known in ((user, "user", accounts.has_user), (group, "group", accounts.has_group)):
+                if name is not None and not name.isdigit() and known(name) is False:
+                    yield finding(
+                        name,
+                        f"There is no {kind} '{name}': logrotate skips the whole stanza",
+                        advice=f"create the {kind}, or name one that exists",
+                    )
