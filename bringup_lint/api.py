@@ -45,6 +45,7 @@ _WORDS = {
     "move_lines": "bringup_lint.graph.unit_edits",
     "nearest": "bringup_lint.spelling",
     "paths": "bringup_lint.graph.sandbox",
+    "respawns": "bringup_lint.graph.launch_supervision",
     "runs_as_root": "bringup_lint.model.dockerfile",
     "sandbox": "bringup_lint.graph.sandbox",
 }
