@@ -46,6 +46,7 @@ from bringup_lint.model.launch_values import ParameterFile
 from bringup_lint.model.launch_values import Unknown
 from bringup_lint.model.launch_values import Value
 from bringup_lint.model.launch_values import children
+from bringup_lint.model.launch_values import same
 from bringup_lint.parsers.launch_python.budget import bounded
 from bringup_lint.source import Located
 from bringup_lint.source import Source
@@ -202,9 +203,9 @@ class Expander:
     def bind(self, name: str, value: Value, symbol: Value, origin: Span, declared: bool = False) -> None:
         """Set a launch configuration; under an open condition it may keep what it was."""
         before = self.scope.arguments.get(name)
-        if self.by_default is None and before is not None:
+        if self.by_default is None and before is not None and not same(before.value, value):
             value = bounded(Choice((((), before.value), (self.conditions, value)), origin))
-        if self.conditions and before is not None:
+        if self.conditions and before is not None and not same(before.symbol, symbol):
             symbol = bounded(Choice((((), before.symbol), (self.conditions, symbol)), origin))
         self.scope.arguments[name] = Binding(bounded(value), bounded(symbol), origin, declared)
 
