@@ -9,6 +9,7 @@ import warnings
 from typing import Any
 
 from bringup_lint.model.launch import LaunchFile
+from bringup_lint.model.launch_values import Concat
 from bringup_lint.model.launch_values import FileDir
 from bringup_lint.model.launch_values import Literal
 from bringup_lint.model.launch_values import Operation
@@ -116,6 +117,9 @@ def path_text(value: Any) -> str | None:
     if isinstance(value, PathJoin):
         parts = [path_text(part) for part in value.parts]
         return None if None in parts else "/".join(part.strip("/") for part in parts if part)
+    if isinstance(value, Concat):
+        parts = [path_text(part) for part in value.parts]
+        return None if None in parts else "".join(parts)
     return None
 
 
