@@ -1,5 +1,8 @@
 """Netplan's files and their merge."""
 
+import os
+from pathlib import Path
+
 import pytest
 from hypothesis import given
 from hypothesis import settings
@@ -11,6 +14,7 @@ from bringup_lint.parsers.netplan import parse
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 from bringup_lint.spelling import nearest
+from tests.lint import lint
 
 
 def read(**files: str) -> Netplan:
@@ -173,3 +177,33 @@ def test_no_text_raises_and_every_problem_lies_inside(start, tree):
             lists = (interface.addresses, interface.routes, interface.access_points, interface.members)
             assert all(isinstance(items, list) for items in lists)
         list(plan.default_routes)
+
+
+CORPUS = os.environ.get("BRINGUP_LINT_CORPUS", "")
+
+
+@pytest.mark.corpus
+@pytest.mark.skipif(not CORPUS, reason="BRINGUP_LINT_CORPUS names no folder")
+def test_netplans_own_examples_are_clean():
+    examples = Path(CORPUS) / "canonical__netplan"
+    run = lint(
+        "--select",
+        "netplan",
+        "--output-format",
+        "concise",
+        "--min-severity",
+        "warning",
+        "examples",
+        cwd=examples,
+    )
+    assert (run.code, run.stdout) == (0, "")
+
+
+@pytest.mark.corpus
+@pytest.mark.skipif(not CORPUS, reason="BRINGUP_LINT_CORPUS names no folder")
+def test_the_labelled_password_is_found():
+    robot = Path(CORPUS) / "turtlebot__turtlebot4_setup"
+    run = lint(
+        "--select", "netplan", "--output-format", "concise", "--min-severity", "warning", ".", cwd=robot
+    )
+    assert [line.partition(":")[2].partition(":")[0] for line in run.stdout.splitlines()] == ["10"]

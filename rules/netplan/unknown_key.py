@@ -36,6 +36,17 @@ from bringup_lint.api import fix
 from bringup_lint.api import nearest
 from bringup_lint.api import rule
 
+FOREIGN = {
+    "ssid": "write the SSID as the key itself, below access-points",
+    "psk": "write password",
+    "address": "write addresses: [10.0.0.10/24]",
+    "ip": "write addresses: [10.0.0.10/24]",
+    "netmask": "append the prefix length to the address: 10.0.0.10/24",
+    "gateway": "write routes: [{to: default, via: 10.0.0.1}]",
+    "dns": "write nameservers: {addresses: [10.0.0.1]}",
+}
+"""Keys of other tools, and what netplan has instead."""
+
 
 @rule("error", fix="safe", symptoms=["Error in network definition: unknown key"])
 def unknown_key(robot: Robot):
@@ -43,12 +54,17 @@ def unknown_key(robot: Robot):
         key, table = problem.where, problem.detail
         if table == "root":
             continue
-        near = nearest(key, robot.netplan.keys(table))
+        near = [] if key in FOREIGN else nearest(key, robot.netplan.keys(table))
         elsewhere = None if near else robot.netplan.home_of(key)
-        message = f"Unknown key '{key}' in {table}: netplan generates nothing"
         if near:
             advice = f"did you mean {' or '.join(near)}?"
+        elif key in FOREIGN:
+            advice = FOREIGN[str(key)]
         else:
             advice = f"move it into {elsewhere}" if elsewhere else f"remove it: {table} has no such key"
-        change = fix(f"rename to {near[0]}", (key, near[0]), safe=len(near) == 1) if near else None
-        yield finding(key, message, advice=advice, fix=change)
+        yield finding(
+            key,
+            f"Unknown key '{key}' in {table}: netplan generates nothing",
+            advice=advice,
+            fix=fix(f"rename to {near[0]}", (key, near[0]), safe=len(near) == 1) if near else None,
+        )

@@ -17,6 +17,8 @@ _NETPLAN = re.compile(
     rf"|^network:[ \t]*\{{[ \t\r\n]*(?:version[ \t]*:[ \t]*2\b|renderer[ \t]*:|(?:{_TYPES})[ \t]*:)",
     re.M,
 )
+_TOP_KEY = re.compile(r"^[\"']?([A-Za-z_][\w .-]*?)[\"']?[ \t]*:(?:[ \t]|\r?$)", re.M)
+"""Other keys beside ``network:`` mark a file of another tool that borrows netplan's format."""
 _CLOUD_NETWORK = re.compile(r"^network:|^version:[ \t]*[12]\b", re.M)
 
 
@@ -31,7 +33,10 @@ def _is_netplan(path: str, head: Head) -> bool:
         return False
     if _FOLDER.search(f"/{path}"):
         return True
-    return bool(_NETPLAN.search(head())) and not head().startswith("#cloud-config")
+    text = head()
+    if not _NETPLAN.search(text) or text.startswith("#cloud-config"):
+        return False
+    return all(key == "network" for key in _TOP_KEY.findall(text))
 
 
 KINDS = (
