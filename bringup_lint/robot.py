@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch import Launch
     from bringup_lint.graph.params import Params
     from bringup_lint.graph.ros_logs import RosLogs
+    from bringup_lint.graph.secrets import Secret
     from bringup_lint.graph.sysctl import Sysctl
     from bringup_lint.graph.notify import Notify
     from bringup_lint.graph.udev import Udev
@@ -114,6 +115,13 @@ class Robot:
 
         source = self.tree.find(robot_path)
         return next(iter(self.parsed(parse, [source])), None) if source else None
+
+    @cached_property
+    def secrets(self) -> list[Secret]:
+        """Secrets that stand in clear text in units, environment files, compose files and Dockerfiles."""
+        from bringup_lint.graph.secrets import secrets
+
+        return list(secrets(self))
 
     @cached_property
     def units(self) -> Units:

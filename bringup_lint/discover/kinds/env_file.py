@@ -1,4 +1,4 @@
-"""Environment files that set variables of ROS 2, whoever reads them."""
+"""Environment files: by their names, or, where the name alone tells little, because they set variables of ROS 2."""
 
 from __future__ import annotations
 
@@ -7,14 +7,21 @@ import re
 from bringup_lint.discover.kinds import Head
 from bringup_lint.discover.kinds import Kind
 
-_NAME = re.compile(
-    r"/[^/]*\.env(?:\.[\w-]+)?$|/env(?:ironment)?$|/etc/(?:default|robot|ros\d?)/[^/]+$|/environment\.d/[^/]+\.conf$"
+_NAME = re.compile(r"/[^/]*\.env(?:\.[\w-]+)?$|/etc/environment$")
+_MAYBE = re.compile(r"/env(?:ironment)?$|/etc/(?:default|robot|ros\d?)/[^/]+$|/environment\.d/[^/]+\.conf$")
+_ENTRY = re.compile(r"^[ \t]*(?:export[ \t]+)?[A-Za-z_]\w*[ \t]*=", re.M)
+_VARIABLE = re.compile(
+    r"^\s*(?:export\s+)?(?:ROS_|RMW_|CYCLONEDDS_|FASTRTPS_|FASTDDS_|RCUTILS_|ZENOH_)\w*=", re.M
 )
-_VARIABLE = re.compile(r"^\s*(?:export\s+)?(?:ROS_|RMW_|CYCLONEDDS_|FASTRTPS_|FASTDDS_|RCUTILS_|ZENOH_)\w*=", re.M)
 
 
 def _is_env_file(path: str, head: Head) -> bool:
-    return bool(_NAME.search(f"/{path}")) and not path.endswith((".py", ".sh")) and bool(_VARIABLE.search(head()))
+    path = f"/{path}"
+    if path.endswith((".py", ".sh")):
+        return False
+    if _NAME.search(path):
+        return bool(_ENTRY.search(head()))
+    return bool(_MAYBE.search(path) and _VARIABLE.search(head()))
 
 
 KINDS = (Kind("env-file", _is_env_file),)
