@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -45,6 +46,7 @@ if TYPE_CHECKING:
 
 Model = TypeVar("Model")
 
+_INLINE_CYCLONEDDS = re.compile(r"CYCLONEDDS_URI[\"']?\s*[:=][^\n]*<")
 _ROS_KINDS = (
     "launch-python",
     "launch-xml",
@@ -93,7 +95,9 @@ class Robot:
 
     @property
     def kinds(self) -> Iterable[str]:
-        return self._by_kind.keys()
+        """The kinds of file in the tree; inline XML in CYCLONEDDS_URI counts as ``cyclonedds``."""
+        inline = any(source.judged and _INLINE_CYCLONEDDS.search(source.text) for source in self.sources)
+        return self._by_kind.keys() | ({"cyclonedds"} if inline else set())
 
     @property
     def problems(self) -> list[Problem]:

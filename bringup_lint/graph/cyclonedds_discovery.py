@@ -143,3 +143,8 @@ def least_buffers(domain: Domain) -> Iterator[tuple[Setting, str]]:
 def size_of(setting: Setting) -> int | None:
     """A memory size in bytes; None when it is the default or not known."""
     return None if setting.effective is None else size(setting.effective)
+
+
+def domain_number(text: str) -> int | None:
+    """The number of a Domain's Id; None for ``any``, a variable, or what is no number."""
+    return int(text) if text.isascii() and text.isdigit() else None

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from collections.abc import Iterator
 from dataclasses import dataclass
 from dataclasses import field
+from functools import cached_property
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -13,6 +15,8 @@ from bringup_lint.graph import cyclonedds_discovery
 from bringup_lint.graph import cyclonedds_names
 from bringup_lint.graph import dds_network
 from bringup_lint.graph import fastdds_names
+from bringup_lint.graph.dds_selection import Selection
+from bringup_lint.graph.dds_selection import selections
 from bringup_lint.model.cyclonedds import Configuration
 from bringup_lint.model.cyclonedds import Domain
 from bringup_lint.model.cyclonedds import Remark
@@ -73,6 +77,7 @@ class Dds:
     bad_addresses = staticmethod(cyclonedds_discovery.bad_addresses)
     is_address = staticmethod(cyclonedds_discovery.is_address)
     address_of = staticmethod(cyclonedds_discovery.address_of)
+    domain_number = staticmethod(cyclonedds_discovery.domain_number)
     least_buffers = staticmethod(cyclonedds_discovery.least_buffers)
     size_of = staticmethod(cyclonedds_discovery.size_of)
 
@@ -121,6 +126,15 @@ class Dds:
         plan = self.plan_of(configuration)
         return dds_network.own_addresses(plan) if plan else set()
 
+    @cached_property
+    def selections(self) -> list[Selection]:
+        """The processes of the robot that surely read a Cyclone DDS configuration."""
+        return list(selections(self.robot))
+
+    def readers(self, configuration: Configuration) -> list[Selection]:
+        """The processes that read a configuration file."""
+        return [each for each in self.selections if configuration.source in each.files]
+
     def remarks(self, *codes: str) -> Iterator[tuple[Configuration, Remark]]:
         """What the library would say about the Cyclone DDS files, by code."""
         for configuration in self.configurations:
@@ -147,15 +161,30 @@ def load_dds(robot: Robot) -> Dds:
     distro = robot.target.ros
     cyclone, fast = cyclonedds_of(distro), fastdds_of(distro)
     files = [source for source in robot.of_kind("cyclonedds", "fastdds") if not source.template]
-    configurations = robot.parsed(
-        partial(cyclonedds.parse, version=cyclone.version),
-        [source for source in files if source.kind == "cyclonedds"],
-    )
+    read = partial(cyclonedds.parse, version=cyclone.version)
     profiles = robot.parsed(
         partial(fastdds.parse, version=SERIES.get(fast.version, fast.version)),
         [source for source in files if source.kind == "fastdds"],
     )
-    return Dds(robot, cyclone, distro, configurations, fast, profiles)
+    dds = Dds(robot, cyclone, distro, fastdds=fast, profile_files=profiles)
+    dds.configurations = robot.parsed(read, [source for source in files if source.kind == "cyclonedds"])
+    if any(INLINE in source.text for source in robot.sources):
+        dds.configurations += _inline(dds, read)
+    return dds
+
+
+INLINE = "CYCLONEDDS_URI"
+
+
+def _inline(dds: Dds, read: Callable[..., Configuration]) -> Iterator[Configuration]:
+    """The configurations that stand in environments themselves, each place once."""
+    regions = {}
+    for selection in dds.selections:
+        for text in selection.inline:
+            if text.span.text == text:
+                regions[(id(text.span.source), text.span.start)] = text.span
+    for span in regions.values():
+        yield read(span.source, inline=True, region=(span.start, span.end))
 
 
 SERIES = {"2.1": "2.6", "2.3": "2.6", "2.10": "2.14"}

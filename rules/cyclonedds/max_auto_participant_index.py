@@ -1,37 +1,40 @@
-"""A participant index that leaves the ports of its domain.
+"""More processes than Cyclone DDS has participant indices.
 
 ## What it finds
-`MaxAutoParticipantIndex` or `ParticipantIndex` above 119. The ports of a domain end there: index 120
-uses ports of the next domain. The finding is for information: it hurts only when that domain is used
-too.
+`ParticipantIndex` `auto` (or Jazzy's default) with a `MaxAutoParticipantIndex` below the number of
+processes that the units of the robot start with this file, counted from their launch files; components
+of a container count once, and what is conditional does not count. And, for information, an index above
+119, whose ports belong to the next domain.
 
 ## Why it matters on a robot
-Every peer is asked at as many ports as there are indices, at each announcement, and the highest ports
-belong to the next domain: robots of neighbouring domains meet there.
+Indices 0 to the maximum are given out; the next process dies with `Failed to find a free participant
+index`. Which one that is changes with every boot.
 
 ## Bad
 ```xml
-<MaxAutoParticipantIndex>500</MaxAutoParticipantIndex>
+<MaxAutoParticipantIndex>9</MaxAutoParticipantIndex>   <!-- 12 nodes -->
 ```
 
 ## Good
 ```xml
-<MaxAutoParticipantIndex>100</MaxAutoParticipantIndex>
+<MaxAutoParticipantIndex>30</MaxAutoParticipantIndex>
 ```
 
 ## References
+- Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
 - DDSI-RTPS 2.5, section 9.6.2.3: port 7400 + 250 x domain + 2 x participant + 10
 - https://github.com/ros2/rmw_cyclonedds/issues/458
 """
 
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("info", symptoms=["Failed to find a free participant index for domain"])
+@rule("error", symptoms=["Failed to find a free participant index for domain"])
 def max_auto_participant_index(robot: Robot):
-    for _, domain in robot.dds.domains:
+    for configuration, domain in robot.dds.domains:
         for path in ("Discovery/MaxAutoParticipantIndex", "Discovery/ParticipantIndex"):
             setting = domain.get(path)
             text = setting.effective if setting else None
@@ -40,6 +43,25 @@ def max_auto_participant_index(robot: Robot):
                 yield finding(
                     setting.value,
                     f"Index {text} means port {port} + 250 x domain, which belongs to the next domain (from "
-                    f"{7400 + 250})",
+                    "7650)",
                     advice="stay at or below 119",
+                    severity="info",
                 )
+        index = domain.get("Discovery/ParticipantIndex")
+        limit = domain.get("Discovery/MaxAutoParticipantIndex")
+        readers = robot.dds.readers(configuration)
+        count = sum(selection.processes for selection in readers)
+        if index is None or (index.effective or "").lower() != "auto" or not readers:
+            continue
+        highest = (
+            int(limit.effective) if limit and (limit.effective or "").isdigit() else 9 if not limit else None
+        )
+        if highest is None or (limit is None and not robot.dds.old_discovery) or count <= highest + 1:
+            continue
+        yield finding(
+            limit.value if limit else index.value,
+            f"Only {highest + 1} participants fit, and at least {count} processes start: the rest die at "
+            "once",
+            advice=f"write MaxAutoParticipantIndex {max(30, count + 10)}, the same on all hosts",
+            related=[note(each.where, f"{each.who}: {each.processes}") for each in readers],
+        )

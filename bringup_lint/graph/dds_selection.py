@@ -1,0 +1,139 @@
+"""Which processes read which Cyclone DDS configuration: ``CYCLONEDDS_URI`` of units and compose services,
+resolved."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from dataclasses import field
+from typing import TYPE_CHECKING
+
+from bringup_lint.graph.environment import process_environment
+from bringup_lint.parsers.cyclonedds_uri import split_uri
+from bringup_lint.source import Located
+from bringup_lint.source import Source
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.environment import Environment
+    from bringup_lint.model.compose import Service
+    from bringup_lint.robot import Robot
+
+URI = "CYCLONEDDS_URI"
+
+
+@dataclass(eq=False)
+class Selection:
+    """One process of the robot, and what its environment says about Cyclone DDS."""
+
+    who: str
+    """``robot.service``, or ``service base`` of a compose file."""
+    where: Located
+    """The command line of the unit, or the name of the service."""
+    uri: Located
+    """The value that counts."""
+    files: list[Source] = field(default_factory=list)
+    """The files of the list that the tree holds, in order."""
+    inline: list[Located] = field(default_factory=list)
+    complete: bool = True
+    """Every part of the list is known."""
+    domain: int | None = None
+    """ROS_DOMAIN_ID as it really is; None when nobody knows."""
+    domain_where: Located | None = None
+    processes: int = 1
+    """At least so many processes take part: what the launch files of the unit start by default."""
+
+
+def selections(robot: Robot) -> Iterator[Selection]:
+    """Every process that surely reads a configuration."""
+    yield from _of_units(robot)
+    yield from _of_services(robot)
+
+
+def _of_units(robot: Robot) -> Iterator[Selection]:
+    for unit in robot.units.dds:
+        for process in robot.units.started(unit):
+            environment = process_environment(process, robot)
+            variable = environment.get(URI)
+            if (
+                variable is None
+                or variable.text is None
+                or not _reads_it(environment.text("RMW_IMPLEMENTATION"))
+            ):
+                continue
+            selection = Selection(unit.name, process.line, variable.value)
+            if variable.text == variable.value:
+                _resolve(selection, variable.value, robot.tree.find)
+            else:
+                selection.complete = False
+            _domain(selection, environment)
+            selection.processes = _processes(robot, process.launches)
+            yield selection
+
+
+def _domain(selection: Selection, environment: Environment) -> None:
+    variable = environment.get("ROS_DOMAIN_ID")
+    if variable is None:
+        selection.domain = 0 if environment.complete else None
+    elif variable.text is not None and re.fullmatch(r"[1-9]?[0-9]{1,2}", variable.text):
+        selection.domain, selection.domain_where = int(variable.text), variable.value
+
+
+def _of_services(robot: Robot) -> Iterator[Selection]:
+    for service in robot.compose.services:
+        values = dict(robot.compose.variables(service, URI, "RMW_IMPLEMENTATION", "ROS_DOMAIN_ID"))
+        uri = values.get(URI)
+        if uri is None or "$" in uri or not _reads_it(values.get("RMW_IMPLEMENTATION")):
+            continue
+        selection = Selection(f"service {service.name}", service.name, uri)
+        _resolve(selection, uri, lambda path, service=service: _mounted(robot, service, path))
+        domain = values.get("ROS_DOMAIN_ID")
+        if domain is not None and re.fullmatch(r"[1-9]?[0-9]{1,2}", domain):
+            selection.domain, selection.domain_where = int(domain), domain
+        yield selection
+
+
+def _mounted(robot: Robot, service: Service, path: str) -> Source | None:
+    """The file that a bind mount puts at a path of the container."""
+    for volume in service.volumes:
+        if volume.target is None or volume.source is None or "$" in volume.source:
+            continue
+        target = str(volume.target).rstrip("/")
+        if path == target or path.startswith(f"{target}/"):
+            below = f"{volume.source.rstrip('/')}{path[len(target) :]}"
+            return (
+                robot.tree.find(below) if below.startswith("/") else robot.tree.beside(service.source, below)
+            )
+    return None
+
+
+def _reads_it(rmw: str | None) -> bool:
+    return rmw is None or "cyclone" in rmw
+
+
+def _resolve(selection: Selection, uri: Located, find: object) -> None:
+    for part in split_uri(uri):
+        if part.inline:
+            selection.inline.append(part.text)
+            continue
+        file = find(str(part.text)) if part.text.startswith("/") else None
+        if file is None:
+            selection.complete = False
+        else:
+            selection.files.append(file)
+
+
+def _processes(robot: Robot, launches: list) -> int:
+    """A lower bound: components share the process of their container."""
+    count = 0
+    for _, command in launches:
+        file = robot.launch.named(command.package, command.target)
+        if file is None:
+            count += 1
+            continue
+        started = robot.launch.expansion(file).nodes
+        count += sum(
+            node.by_default is True and not node.conditions and node.is_node and node.container is None
+            for node in started
+        )
+    return max(count, 1)

@@ -1,0 +1,54 @@
+"""A Cyclone DDS file for another domain than the one the robot runs on.
+
+## What it finds
+A process reads a file whose `Domain` blocks all have an `Id` other than `any`, and none is the
+process's ROS_DOMAIN_ID (0 when its whole environment is known and does not set it).
+
+## Why it matters on a robot
+The library skips blocks of other domains without a word: nothing of the file counts, and the robot runs
+with multicast and default settings.
+
+## Bad
+```xml
+# robot.env: ROS_DOMAIN_ID=42
+<Domain Id="0">
+```
+
+## Good
+```xml
+<Domain Id="any">
+```
+
+## References
+- Cyclone DDS 0.10.5 and 11.0.1, tried with the real library: an unknown element below Id 42 passes on
+  domain 0
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", fix="safe")
+def domain_id_mismatch(robot: Robot):
+    for configuration in robot.dds.configurations:
+        ids = [domain.id for domain in configuration.domains]
+        numbers = [robot.dds.domain_number(each) for each in ids if each is not None]
+        if not ids or None in ids or None in numbers:
+            continue
+        for selection in robot.dds.readers(configuration):
+            if selection.domain is None or selection.domain in numbers:
+                continue
+            related = [note(selection.uri, f"{selection.who} reads the file")]
+            if selection.domain_where is not None:
+                related.append(note(selection.domain_where, f"{selection.who} runs on this domain"))
+            yield finding(
+                ids[0],
+                f"The file configures domain {numbers[0]}, but {selection.who} runs on {selection.domain}: "
+                "it has no effect",
+                advice="write any",
+                related=related,
+                fix=fix("write any", (ids[0], "any")) if len(ids) == 1 else None,
+            )
