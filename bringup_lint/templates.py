@@ -68,7 +68,7 @@ _EXAMPLE_FOLDER = re.compile(r"(?:^|/)(?:examples?|docs?|documentation|samples?|
 
 def is_stand_in(value: str) -> bool:
     """Whether a value only stands in for the real one: ``<your-password>``, ``${PSK}``, ``CHANGE_ME``."""
-    return bool(_STAND_IN.fullmatch(value.strip()))
+    return len(value) < 200 and bool(_STAND_IN.fullmatch(value.strip()))
 
 
 def is_example(name: str) -> bool:

@@ -48,7 +48,7 @@ def dds_ports(robot: Robot):
         needed = (base, base + 1, base + 10, base + 11)
         missing = [port for port in needed if not any(each.first <= port <= each.last for each in ranges)]
         if missing:
-            opened = ", ".join(f"{e.first}-{e.last}" if e.last > e.first else f"{e.first}" for e in for_dds)
+            opened = ", ".join(f"{e.first}-{e.last}" if e.last > e.first else f"{e.first}" for e in ranges)
             yield finding(
                 for_dds[0].where,
                 f"The firewall opens {opened}; domain {number} needs {base} to {base + 11} and up",
