@@ -8,6 +8,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph import param_values
+from bringup_lint.graph.launch_resolve import text_of
 from bringup_lint.graph.param_values import Item
 from bringup_lint.model.params import Parameter
 from bringup_lint.model.params import ParameterFile
@@ -19,10 +20,14 @@ from bringup_lint.source import Problem
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.param_declared import Declared
     from bringup_lint.graph.param_loads import Load
     from bringup_lint.graph.param_matching import Mismatch
     from bringup_lint.graph.param_time import Simulated
     from bringup_lint.robot import Robot
+
+_UNTYPED = ("ardent", "bouncy", "crystal", "dashing", "eloquent", "foxy")
+"""Distributions in which a declared parameter may take any type."""
 
 
 class Params:
@@ -83,9 +88,45 @@ class Params:
     def tab_width(self, file: ParameterFile) -> int | None:
         return param_values.tab_width(file)
 
+    def declared(self, parameter: Parameter) -> Declared | None:
+        """How the workspace declares a parameter: what all nodes that may get it agree on, None when that is not known."""
+        file = self._by_source.get(id(parameter.span.source))
+        if file is None or self.robot.target.ros in _UNTYPED:
+            return None
+        found = None
+        for load in self.effective(file, parameter):
+            each = self._declared_by(text_of(load.node.package) if load.node.package is not None else None).get(parameter.name)
+            if each is None or (found is not None and found.type != each.type):
+                return None
+            found = each
+        return found
+
     def declared_type(self, parameter: Parameter) -> str | None:
         """The type that the workspace's sources declare for a parameter; None when it is not known."""
-        return None
+        found = self.declared(parameter)
+        return found.type if found else None
+
+    @cached_property
+    def typed(self) -> list[tuple[Parameter, Declared]]:
+        """The values whose type the workspace declares, with the declaration."""
+        pairs = ((parameter, self.declared(parameter)) for _, parameter in self.parameters)
+        return [(parameter, found) for parameter, found in pairs if found is not None]
+
+    @cached_property
+    def _by_source(self) -> dict[int, ParameterFile]:
+        return {id(file.source): file for file in self.files}
+
+    def _declared_by(self, name: str | None) -> dict[str, Declared]:
+        if name not in self._declarations:
+            from bringup_lint.graph.param_declared import declared_in
+
+            package = self.robot.launch.workspace.packages.get(name) if name else None
+            self._declarations[name] = declared_in(self.robot, package) if package else {}
+        return self._declarations[name]
+
+    @cached_property
+    def _declarations(self) -> dict[str | None, dict[str, Declared]]:
+        return {}
 
     @cached_property
     def _loads(self) -> dict[int, list[Load]]:

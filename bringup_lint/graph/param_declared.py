@@ -1,0 +1,165 @@
+"""The types with which the workspace's sources declare their parameters, where name and type are literal."""
+
+from __future__ import annotations
+
+import ast
+import os
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+from typing import NamedTuple
+
+from bringup_lint.source import Located
+from bringup_lint.source import Source
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.workspace import Package
+    from bringup_lint.robot import Robot
+
+SUFFIXES = (".py", ".cpp", ".cc", ".cxx", ".hpp", ".hh", ".h")
+FILES = 600
+"""Source files of one package that are read."""
+_TESTS = re.compile(r"(?:^|/)(?:tests?|examples?|build|install)/")
+_LOOSE = re.compile(r"dynamic_typing|automatically_declare_parameters_from_overrides|allow_undeclared_parameters")
+_PYTHON_TYPES = {bool: "bool", int: "integer", float: "double", str: "string"}
+_CPP_TYPES = {
+    "bool": "bool",
+    "int": "integer",
+    "int32_t": "integer",
+    "int64_t": "integer",
+    "long": "integer",
+    "uint16_t": "integer",
+    "size_t": "integer",
+    "double": "double",
+    "float": "double",
+    "std::string": "string",
+}
+_CPP_CALL = re.compile(
+    r"\bdeclare_parameter\s*(?:<\s*(?P<type>[\w:]+(?:\s*<\s*[\w:]+\s*>)?)\s*>)?\s*\(\s*\"(?P<name>[\w./-]+)\"\s*"
+    r"(?P<more>,\s*(?P<default>[^,;(){}]*(?:\([^(){};]*\))?)\s*)?[,)]"
+    r"|\bdeclare_parameter_if_not_declared\s*\(\s*[\w.>-]+(?:\(\))?\s*,\s*\"(?P<other>[\w./-]+)\"\s*,\s*"
+    r"(?P<value>rclcpp::ParameterValue\([^(){};]*\)|rclcpp::[\w:]+)\s*[,)]"
+)
+_CPP_DEFAULT = (
+    (re.compile(r"(?:true|false)\Z"), "bool"),
+    (re.compile(r"[+-]?(?:0|[1-9][0-9]*)[uUlL]*\Z"), "integer"),
+    (re.compile(r"[+-]?(?:[0-9]+\.[0-9]*|\.[0-9]+|[0-9]+(?=[eE]))(?:[eE][+-]?[0-9]+)?[fF]?\Z"), "double"),
+    (re.compile(r"(?:std::string\()?\"[^\"]*\"\)?\Z"), "string"),
+    (re.compile(r"rclcpp::(?:ParameterType::)?PARAMETER_(BOOL|INTEGER|DOUBLE|STRING)\Z"), ""),
+)
+_COMMENT = re.compile(r"\"(?:\\.|[^\"\\\n])*\"|//[^\n]*|/\*.*?\*/", re.S)
+
+
+class Declared(NamedTuple):
+    type: str
+    """``bool``, ``integer``, ``double``, ``string`` or a list of them."""
+    place: Located
+    """The name in the source."""
+
+
+def declared_in(robot: Robot, package: Package) -> dict[str, Declared]:
+    """Parameter -> type, for the names that a package declares with one type wherever it declares them."""
+    found: dict[str, Declared | None] = {}
+    for source in _sources(robot, package):
+        if _LOOSE.search(source.text):
+            return {}
+        for each in _of_python(source) if source.name.endswith(".py") else _of_cpp(source):
+            name = str(each.place)
+            other = found.setdefault(name, each)
+            if other is not None and other.type != each.type:
+                found[name] = None
+    return {name: each for name, each in found.items() if each is not None and each.type}
+
+
+def _sources(robot: Robot, package: Package) -> Iterator[Source]:
+    count = 0
+    for path in sorted(robot.tree.paths):
+        if not path.startswith(package.folder + os.sep) or not path.endswith(SUFFIXES):
+            continue
+        if _TESTS.search(path[len(package.folder) :]) or count >= FILES:
+            continue
+        count += 1
+        source = robot.tree.read(path, judged=False)
+        if source is None or "declare_parameter" not in source.text:
+            if source is not None and _LOOSE.search(source.text):
+                yield source
+            continue
+        if robot.launch.workspace.owner(source) is package:
+            yield source
+
+
+def _of_python(source: Source) -> Iterator[Declared]:
+    try:
+        tree = ast.parse(source.text)
+    except (SyntaxError, ValueError, RecursionError):
+        return
+    for node in ast.walk(tree):
+        if not isinstance(node, ast.Call) or not isinstance(node.func, ast.Attribute):
+            continue
+        if node.func.attr == "declare_parameter" and node.args:
+            default = node.args[1] if len(node.args) > 1 else None
+            yield from _python_one(source, node.args[0], default, "", simple=not node.keywords and len(node.args) < 4)
+        elif node.func.attr == "declare_parameters" and len(node.args) == 2:
+            space, pairs = node.args
+            if isinstance(space, ast.Constant) and isinstance(pairs, (ast.List, ast.Tuple)):
+                prefix = f"{space.value}." if space.value else ""
+                for pair in pairs.elts:
+                    if isinstance(pair, ast.Tuple) and len(pair.elts) >= 2:
+                        yield from _python_one(source, pair.elts[0], pair.elts[1], prefix, simple=True)
+
+
+def _python_one(source: Source, name: ast.expr, default: ast.expr | None, prefix: str, simple: bool) -> Iterator[Declared]:
+    if isinstance(name, ast.Constant) and isinstance(name.value, str):
+        start = source.line_starts[name.lineno - 1] + _column(source, name)
+        span = source.span(start, min(start + len(name.value) + 2, len(source.text)))
+        yield Declared(_python_type(default) if simple else "", Located(prefix + name.value, span))
+
+
+def _column(source: Source, node: ast.expr) -> int:
+    """The column in code points; ``ast`` counts bytes."""
+    line = source.line_text(node.lineno)
+    return len(line.encode()[: node.col_offset].decode("utf-8", "ignore"))
+
+
+def _python_type(default: ast.expr | None) -> str:
+    if isinstance(default, ast.Attribute):
+        words = ast.unparse(default).rpartition("Type.")
+        return words[2].lower() if words[1] and words[2].isupper() else ""
+    try:
+        value = ast.literal_eval(default) if default is not None else None
+    except (ValueError, TypeError, SyntaxError, MemoryError, RecursionError):
+        return ""
+    if isinstance(value, (list, tuple)):
+        types = {type(item) for item in value}
+        inner = _PYTHON_TYPES.get(types.pop(), "") if len(types) == 1 else ""
+        return f"{inner}_array" if inner else ""
+    return _PYTHON_TYPES.get(type(value), "")
+
+
+def _of_cpp(source: Source) -> Iterator[Declared]:
+    text = _COMMENT.sub(lambda found: found[0] if found[0].startswith('"') else re.sub(r"[^\n]", " ", found[0]), source.text)
+    for found in _CPP_CALL.finditer(text):
+        group = "name" if found["name"] is not None else "other"
+        name = source.located(*found.span(group))
+        if found["type"]:
+            yield Declared(_cpp_type(found["type"]), name)
+        else:
+            yield Declared(_cpp_default(found["default"] or found["value"] or ""), name)
+
+
+def _cpp_type(text: str) -> str:
+    text = re.sub(r"\s+", "", text)
+    vector = re.fullmatch(r"std::vector<([\w:]+)>", text)
+    inner = _CPP_TYPES.get(vector[1] if vector else text, "")
+    return f"{inner}_array" if vector and inner else inner
+
+
+def _cpp_default(text: str) -> str:
+    text = text.strip()
+    wrapped = re.fullmatch(r"rclcpp::ParameterValue\((.*)\)", text, re.S)
+    text = wrapped[1].strip() if wrapped else text
+    for pattern, type_ in _CPP_DEFAULT:
+        match = pattern.match(text)
+        if match:
+            return type_ or match[1].lower()
+    return ""

@@ -1,0 +1,54 @@
+"""A double is given for a parameter that is declared as an integer.
+
+## What it finds
+Doubles in a parameter file for parameters that the sources of the workspace declare as an integer, with a literal name and
+type. Silent where the node allows any type, or declares the name with several types.
+
+## Why it matters on a robot
+ROS does not convert: the node ends with InvalidParameterTypeException at start.
+
+## Bad
+```yaml
+motors:
+  ros__parameters:
+    baudrate: 115200.0
+```
+
+## Good
+```yaml
+motors:
+  ros__parameters:
+    baudrate: 115200
+```
+
+## References
+- https://github.com/ros2/rclcpp/issues/979
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+_WHOLE = re.compile(r"([+-]?(?:0|[1-9][0-9]*))\.0*\Z")
+
+
+@rule("warning", fix="safe", symptoms=["InvalidParameterTypeException", "of type {double}", "expecting type {integer}"])
+def double_for_int(robot: Robot):
+    for parameter, declared in robot.params.typed:
+        if (parameter.value.type, declared.type) not in (("double", "integer"), ("double_array", "integer_array")):
+            continue
+        items = robot.params.items(parameter)
+        whole = [match[1] for item in items if (match := _WHOLE.match(item.text))]
+        plain = len(whole) == len(items)
+        yield finding(
+            parameter.span,
+            f"'{parameter.name}: {parameter.text}' is a double, the node declares an integer: it ends with "
+            "InvalidParameterTypeException",
+            advice=f"write {whole[0]}" if plain else "write a whole number",
+            related=[note(declared.place, "declared as an integer here")],
+            fix=fix("Write an integer", *((item.span, text) for item, text in zip(items, whole))) if plain else None,
+        )

@@ -1,0 +1,54 @@
+"""An integer is given for a parameter that is declared as a double.
+
+## What it finds
+Integers in a parameter file for parameters that the sources of the workspace declare as a double, with a literal name and
+type. Silent where the node allows any type, or declares the name with several types.
+
+## Why it matters on a robot
+ROS does not convert: the node ends with InvalidParameterTypeException at start.
+
+## Bad
+```yaml
+motors:
+  ros__parameters:
+    max_speed: 1
+```
+
+## Good
+```yaml
+motors:
+  ros__parameters:
+    max_speed: 1.0
+```
+
+## References
+- https://github.com/ros2/rclcpp/issues/979
+- https://github.com/ros-controls/ros2_controllers/issues/136
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+_DECIMAL = re.compile(r"[+-]?(?:0|[1-9][0-9]*)\Z")
+
+
+@rule("warning", fix="safe", symptoms=["InvalidParameterTypeException", "of type {integer}", "expecting type {double}"])
+def int_for_double(robot: Robot):
+    for parameter, declared in robot.params.typed:
+        if (parameter.value.type, declared.type) not in (("integer", "double"), ("integer_array", "double_array")):
+            continue
+        items = robot.params.items(parameter)
+        plain = all(_DECIMAL.match(item.text) for item in items)
+        yield finding(
+            parameter.span,
+            f"'{parameter.name}: {parameter.text}' is an integer, the node declares a double: it ends with "
+            "InvalidParameterTypeException",
+            advice=f"write {items[0].text}.0" if plain else "write a number with a point",
+            related=[note(declared.place, "declared as a double here")],
+            fix=fix("Write a double", *((item.span, f"{item.text}.0") for item in items)) if plain else None,
+        )
