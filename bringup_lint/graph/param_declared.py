@@ -71,6 +71,13 @@ def declared_in(robot: Robot, package: Package) -> dict[str, Declared]:
     return {name: each for name, each in found.items() if each is not None and each.type}
 
 
+def mentions(robot: Robot, package: Package, word: str) -> bool:
+    """Whether any source of a package holds a word: a parameter that is nowhere named is never declared there."""
+    paths = (path for path in robot.tree.paths if path.startswith(package.folder + os.sep) and path.endswith(SUFFIXES))
+    sources = (robot.tree.read(path, judged=False) for path in paths)
+    return any(source is not None and word in source.text for source in sources)
+
+
 def _sources(robot: Robot, package: Package) -> Iterator[Source]:
     count = 0
     for path in sorted(robot.tree.paths):

@@ -112,6 +112,17 @@ class Params:
         pairs = ((parameter, self.declared(parameter)) for _, parameter in self.parameters)
         return [(parameter, found) for parameter, found in pairs if found is not None]
 
+    def is_never_read(self, parameter: Parameter) -> bool:
+        """Whether the sources of every node that gets a value are in the workspace, and none of them names it."""
+        from bringup_lint.graph.param_declared import mentions
+
+        file = self._by_source.get(id(parameter.span.source))
+        loads = self.loads(file) if file else []
+        names = {text_of(load.node.package) if load.node.package is not None else None for load in loads}
+        packages = [self.robot.launch.workspace.packages.get(name or "") for name in names]
+        word = str(parameter.key).rpartition(".")[2]
+        return bool(packages) and all(each and not mentions(self.robot, each, word) for each in packages)
+
     @cached_property
     def _by_source(self) -> dict[int, ParameterFile]:
         return {id(file.source): file for file in self.files}

@@ -2,7 +2,7 @@
 
 ## What it finds
 `[]` and `{}` as values. An error for an empty mapping in front of other parameters: to rcl it ends the block, or it swallows
-the names that follow.
+the names that follow; for information when no source of the nodes names the parameter.
 
 ## Why it matters on a robot
 An empty list has no type. The parameter counts as set without a value: a node that declares it with a type ends with an
@@ -52,4 +52,5 @@ def empty_list(robot: Robot):
                 parameter.span,
                 f"'{parameter.name}' is an empty {kind} without a type: a node that declares it with a type ends with an exception",
                 advice="leave the line out, or write a list with one value of the type" if kind == "list" else "leave the line out",
+                severity="info" if robot.params.is_never_read(parameter) else None,
             )
