@@ -25,6 +25,7 @@ from bringup_lint.source import Span
 __all__ = ["Edit", "Finding", "Located", "Robot", "Source", "Span", "finding", "fix", "note", "rule"]
 
 _WORDS = {
+    "at_least": "bringup_lint.graph.ros_distros",
     "commands_of": "bringup_lint.parsers.dockerfile",
     "daemons": "bringup_lint.graph.daemons",
     "delete_lines": "bringup_lint.graph.unit_edits",
@@ -46,6 +47,7 @@ _WORDS = {
     "nearest": "bringup_lint.spelling",
     "paths": "bringup_lint.graph.sandbox",
     "respawns": "bringup_lint.graph.launch_supervision",
+    "ros_values": "bringup_lint.parsers.ros_values",
     "runs_as_root": "bringup_lint.model.dockerfile",
     "sandbox": "bringup_lint.graph.sandbox",
 }

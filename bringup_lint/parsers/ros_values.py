@@ -1,0 +1,66 @@
+"""The values of ROS variables as rcl, rmw and rcutils read them (rcl ``domain_id.c``, ``localhost.c``, ``discovery_options.c``;
+rcutils ``logging.c``)."""
+
+from __future__ import annotations
+
+import re
+from typing import NamedTuple
+
+MAX_DOMAIN = 232
+"""The last domain whose ports fit below 65536 (RTPS 9.6.2.3)."""
+EPHEMERAL_DOMAINS = range(102, 215)
+"""Domains whose ports lie in Linux's default ephemeral range, 32768 to 60999."""
+DISCOVERY_RANGES = ("OFF", "LOCALHOST", "SUBNET", "SYSTEM_DEFAULT")
+RMW_IMPLEMENTATIONS = (
+    "rmw_fastrtps_cpp",
+    "rmw_fastrtps_dynamic_cpp",
+    "rmw_cyclonedds_cpp",
+    "rmw_connextdds",
+    "rmw_gurumdds_cpp",
+    "rmw_zenoh_cpp",
+)
+LOGGING_SWITCHES = ("RCUTILS_LOGGING_USE_STDOUT", "RCUTILS_COLORIZED_OUTPUT", "RCUTILS_LOGGING_BUFFERED_STREAM")
+FORMAT_TOKENS = (
+    "severity",
+    "name",
+    "message",
+    "time",
+    "date_time_with_ms",
+    "time_as_nanoseconds",
+    "function_name",
+    "file_name",
+    "line_number",
+    "short_file_name",
+)
+
+_STRTOUL = re.compile(r"[ \t\n\v\f\r]*(?P<sign>[+-]?)(?:0[xX](?P<hex>[0-9a-fA-F]+)|0(?P<octal>[0-7]*)|(?P<decimal>[1-9][0-9]*))")
+
+
+class DomainId(NamedTuple):
+    """What rcl makes of ``ROS_DOMAIN_ID``."""
+
+    number: int | None
+    """None: not an integral number, so that every process exits."""
+    plain: bool
+    """Written as what it means: decimal digits without leading zero."""
+
+
+def domain_id(text: str) -> DomainId:
+    """rcl calls ``strtoul`` with base 0, and minds what is left over only when the number is 0."""
+    if text == "":
+        return DomainId(0, True)
+    found = _STRTOUL.match(text)
+    number = 0
+    if found is not None:
+        number = int(found["hex"] or "0", 16) or int(found["octal"] or "0", 8) or int(found["decimal"] or "0")
+    rest = text[found.end() :] if found else text
+    if number == 0 and rest:
+        return DomainId(None, False)
+    if found["sign"] == "-" and number:
+        number = 0 if number == 1 else 2**64 - number
+    return DomainId(number, bool(re.fullmatch(r"0|[1-9][0-9]*", text)))
+
+
+def highest_port(domain: int) -> int:
+    """The unicast user port of the first participant of a domain, with the default port parameters."""
+    return 7411 + 250 * domain

@@ -1,0 +1,60 @@
+"""The middleware that runs does not read the configuration that is set.
+
+## What it finds
+A process whose environment selects one middleware and configures only the other: CYCLONEDDS_URI with Fast DDS (which also runs when RMW_IMPLEMENTATION is not set, on Humble to Kilted), a Fast DDS profile with Cyclone DDS.
+
+## Why it matters on a robot
+The file is never read. The robot runs with the defaults: multicast discovery on every interface, no peers, no limits.
+
+## Bad
+```sh
+RMW_IMPLEMENTATION=rmw_fastrtps_cpp
+CYCLONEDDS_URI=file:///etc/robot/cyclonedds.xml
+```
+
+## Good
+```sh
+RMW_IMPLEMENTATION=rmw_cyclonedds_cpp
+CYCLONEDDS_URI=file:///etc/robot/cyclonedds.xml
+```
+
+## References
+- https://docs.ros.org/en/rolling/How-To-Guides/Working-with-multiple-RMW-implementations.html
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import at_least
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+FASTDDS = ("FASTRTPS_DEFAULT_PROFILES_FILE", "FASTDDS_DEFAULT_PROFILES_FILE")
+
+
+@rule("warning")
+def rmw_config_mismatch(robot: Robot):
+    for process in robot.ros.processes:
+        environment = process.environment
+        if not environment.complete:
+            continue
+        rmw = environment.get("RMW_IMPLEMENTATION")
+        cyclone = environment.get("CYCLONEDDS_URI")
+        fast = next((found for name in FASTDDS if (found := environment.get(name))), None)
+        if bool(cyclone) == bool(fast) or (rmw and rmw.text is None):
+            continue
+        name = rmw.text if rmw and rmw.text else _default(robot)
+        unread = cyclone if cyclone and name and "fastrtps" in name else fast if fast and name and "cyclone" in name else None
+        if unread is not None:
+            yield finding(
+                unread.value,
+                f"{process.name} runs {name}, which does not read {unread.name}: it runs with the defaults",
+                advice="set RMW_IMPLEMENTATION to the middleware that the file is for",
+                related=[note(rmw.value, "the middleware is selected here")] if rmw else [note(process.where, "sets no RMW_IMPLEMENTATION")],
+            )
+
+
+def _default(robot: Robot) -> str | None:
+    """The middleware of the distribution when none is selected."""
+    usual = at_least(robot.target.ros, "humble") and not at_least(robot.target.ros, "lyrical")
+    return "rmw_fastrtps_cpp" if usual else None

@@ -1,0 +1,65 @@
+"""RMW_IMPLEMENTATION names no known middleware.
+
+## What it finds
+A value that is no RMW package of ROS 2 and no package of the workspace; rmw_zenoh_cpp before Jazzy.
+
+## Why it matters on a robot
+Every process of ROS exits at start with code 102, because the library cannot be loaded.
+
+## Bad
+```sh
+RMW_IMPLEMENTATION=rmw_cyclonedds
+```
+
+## Good
+```sh
+RMW_IMPLEMENTATION=rmw_cyclonedds_cpp
+```
+
+## References
+- https://docs.ros.org/en/rolling/Concepts/Intermediate/About-Different-Middleware-Vendors.html
+- https://github.com/BerkeleyAutomation/FogROS2/issues/40
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import at_least
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import nearest
+from bringup_lint.api import ros_values
+from bringup_lint.api import rule
+
+
+@rule("error", fix="unsafe", symptoms=["failed to load shared library", "Error getting RMW implementation identifier"])
+def rmw_implementation_unknown(robot: Robot):
+    for setting in robot.ros.of("RMW_IMPLEMENTATION"):
+        name = setting.text
+        if not name or name in _own(robot):
+            continue
+        known = [rmw for rmw in ros_values.RMW_IMPLEMENTATIONS if rmw != "rmw_zenoh_cpp" or _has_zenoh(robot)]
+        if name in known:
+            continue
+        near = [rmw for rmw in known if name.lower().replace("rmw_", "").removesuffix("_cpp") in rmw] if len(name) > 3 else []
+        near = near[:1] or nearest(name, known)
+        yield finding(
+            setting.value,
+            f"RMW_IMPLEMENTATION '{name}' is no middleware"
+            + (f" of {robot.target.ros}" if name in ros_values.RMW_IMPLEMENTATIONS else "")
+            + ": every ROS process exits at start",
+            advice=f"write {near[0]}" if near else f"write one of {', '.join(known)}",
+            fix=fix(f"write {near[0]}", (setting.value, near[0]), safe=False) if near else None,
+        )
+
+
+def _has_zenoh(robot: Robot) -> bool:
+    return at_least(robot.target.ros, "jazzy") is not False
+
+
+def _own(robot: Robot) -> set[str]:
+    """Middleware packages of the workspace."""
+    return {
+        name
+        for source in robot.of_kind("ros-package")
+        if "rmw_implementation_packages" in source.text
+        for name in [source.text.partition("<name>")[2].partition("</name>")[0].strip()]
+    }

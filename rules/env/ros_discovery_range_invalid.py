@@ -1,0 +1,46 @@
+"""ROS_AUTOMATIC_DISCOVERY_RANGE is not one of its four words.
+
+## What it finds
+A value other than OFF, LOCALHOST, SUBNET and SYSTEM_DEFAULT, in capitals. Only for Iron and newer, which read the variable.
+
+## Why it matters on a robot
+rcl warns once and falls back to LOCALHOST: all other machines vanish.
+
+## Bad
+```sh
+ROS_AUTOMATIC_DISCOVERY_RANGE=subnet
+```
+
+## Good
+```sh
+ROS_AUTOMATIC_DISCOVERY_RANGE=SUBNET
+```
+
+## References
+- rcl, `discovery_options.c`
+- https://github.com/clearpathrobotics/clearpath_config/pull/191
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import at_least
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import ros_values
+from bringup_lint.api import rule
+
+
+@rule("error", fix="safe", symptoms=["Invalid value for ROS_AUTOMATIC_DISCOVERY_RANGE"])
+def ros_discovery_range_invalid(robot: Robot):
+    if not at_least(robot.target.ros, "iron"):
+        return
+    for setting in robot.ros.of("ROS_AUTOMATIC_DISCOVERY_RANGE"):
+        if setting.text in ("", *ros_values.DISCOVERY_RANGES):
+            continue
+        upper = setting.text.upper()
+        known = upper if upper in ros_values.DISCOVERY_RANGES else None
+        yield finding(
+            setting.value,
+            f"'{setting.text}' is no discovery range: the process falls back to LOCALHOST, all other machines vanish",
+            advice=f"write {known}" if known else "write OFF, LOCALHOST, SUBNET or SYSTEM_DEFAULT",
+            fix=fix(f"write {known}", (setting.value, known)) if known else None,
+        )

@@ -1,0 +1,47 @@
+"""ROS_DOMAIN_ID uses ports that outgoing connections take.
+
+## What it finds
+A domain from 102 to 214: its ports lie in Linux's ephemeral range. Robots that move the range or reserve the ports by sysctl are left alone.
+
+## Why it matters on a robot
+Any outgoing connection may get a port that DDS needs. Now and then a node fails at start with an address that is in use, and nothing can be seen afterwards.
+
+## Bad
+```sh
+ROS_DOMAIN_ID=150
+```
+
+## Good
+```sh
+ROS_DOMAIN_ID=50
+```
+
+## References
+- https://docs.ros.org/en/rolling/Concepts/Intermediate/About-Domain-ID.html
+- ip-sysctl: net.ipv4.ip_local_port_range is 32768 to 60999
+- https://github.com/selfpatch/ros2_medkit/issues/595
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import ros_values
+from bringup_lint.api import rule
+
+
+@rule("warning", symptoms=["Address already in use", "failed to create participant"])
+def ros_domain_id_ephemeral(robot: Robot):
+    if any(_moves_ports(source.text) for source in robot.of_kind("sysctl")):
+        return
+    for setting in robot.ros.of("ROS_DOMAIN_ID"):
+        number = ros_values.domain_id(setting.text).number
+        if number in ros_values.EPHEMERAL_DOMAINS:
+            yield finding(
+                setting.value,
+                f"domain {number} uses ports from {7400 + 250 * number} on, which outgoing connections may take first:"
+                " nodes fail at random",
+                advice="use a domain from 0 to 101, or reserve the ports with net.ipv4.ip_local_reserved_ports",
+            )
+
+
+def _moves_ports(text: str) -> bool:
+    return "ip_local_port_range" in text or "ip_local_reserved_ports" in text

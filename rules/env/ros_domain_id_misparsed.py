@@ -1,0 +1,41 @@
+"""ROS_DOMAIN_ID is read as another number than it shows.
+
+## What it finds
+A value that rcl accepts but reads differently: a leading zero is octal, 0x is hexadecimal, whatever follows the digits is left out.
+
+## Why it matters on a robot
+The process joins another domain than the rest of the robot. Nothing says so: its topics are just not there.
+
+## Bad
+```sh
+ROS_DOMAIN_ID=042
+```
+
+## Good
+```sh
+ROS_DOMAIN_ID=42
+```
+
+## References
+- rcl, `domain_id.c`: strtoul with base 0; the rest of the text counts only when the number is 0
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import ros_values
+from bringup_lint.api import rule
+
+
+@rule("error", fix="unsafe", symptoms=["no topics", "nodes do not see each other"])
+def ros_domain_id_misparsed(robot: Robot):
+    for setting in robot.ros.of("ROS_DOMAIN_ID"):
+        number, plain = ros_values.domain_id(setting.text)
+        if number is not None and not plain:
+            number = 0 if number > 2**32 else number
+            yield finding(
+                setting.value,
+                f"ROS_DOMAIN_ID '{setting.text}' is read as domain {number}",
+                advice="write the number in plain decimal digits",
+                fix=fix(f"write {number}, as it is read now", (setting.value, str(number)), safe=False),
+            )

@@ -1,0 +1,38 @@
+"""ROS_DOMAIN_ID is no number: no node starts.
+
+## What it finds
+A value of ROS_DOMAIN_ID from which no number can be read, such as a name or a number that kept its quotes.
+
+## Why it matters on a robot
+rcl refuses to initialise: every process of ROS exits at start.
+
+## Bad
+```sh
+ROS_DOMAIN_ID=lab
+```
+
+## Good
+```sh
+ROS_DOMAIN_ID=42
+```
+
+## References
+- rcl, `domain_id.c`: the text goes through strtoul with base 0
+- https://github.com/ros2/rmw_cyclonedds/issues/61
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import ros_values
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["ROS_DOMAIN_ID is not an integral number"])
+def ros_domain_id_not_integer(robot: Robot):
+    for setting in robot.ros.of("ROS_DOMAIN_ID"):
+        if ros_values.domain_id(setting.text).number is None:
+            yield finding(
+                setting.value,
+                f"ROS_DOMAIN_ID '{setting.text}' is no number: every ROS process exits at start",
+                advice="write a plain decimal number from 0 to 101",
+            )

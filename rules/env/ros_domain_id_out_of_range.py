@@ -1,0 +1,46 @@
+"""ROS_DOMAIN_ID needs a port beyond 65535.
+
+## What it finds
+A domain above 232. Robots whose DDS configuration changes the port base or the domain gain are left alone.
+
+## Why it matters on a robot
+The ports of a domain are computed from its number: no participant can be created, no node starts. Older versions of Fast DDS did not even say so.
+
+## Bad
+```sh
+ROS_DOMAIN_ID=300
+```
+
+## Good
+```sh
+ROS_DOMAIN_ID=30
+```
+
+## References
+- RTPS 2.2, section 9.6.2.3: 7400 + 250 x domain
+- https://docs.ros.org/en/rolling/Concepts/Intermediate/About-Domain-ID.html
+- https://github.com/ros2/rmw_fastrtps/issues/261
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import ros_values
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["domainId is over 232", "resulting port number is out of range", "failed to create domain"])
+def ros_domain_id_out_of_range(robot: Robot):
+    for setting in robot.ros.of("ROS_DOMAIN_ID"):
+        number = ros_values.domain_id(setting.text).number
+        if number is not None and ros_values.MAX_DOMAIN < number < 2**32 and not _own_ports(robot):
+            yield finding(
+                setting.value,
+                f"domain {number} needs UDP port {ros_values.highest_port(number)}: no node starts",
+                advice="use a domain from 0 to 101",
+            )
+
+
+def _own_ports(robot: Robot) -> bool:
+    """Some DDS file of the tree may move the ports."""
+    sources = robot.of_kind("cyclonedds", "fastdds")
+    return any(word in source.text for source in sources for word in ("DomainGain", "domainIDGain", "portBase", "<Base>"))

@@ -1,0 +1,45 @@
+"""ROS_LOCALHOST_ONLY is neither 0 nor 1.
+
+## What it finds
+A value of ROS_LOCALHOST_ONLY other than 0 and 1. Humble compares the whole text with 1, newer distributions look at the first character only.
+
+## Why it matters on a robot
+`true` and `yes` mean disabled: the robot talks to the whole network although somebody meant to keep it to itself.
+
+## Bad
+```sh
+ROS_LOCALHOST_ONLY=true
+```
+
+## Good
+```sh
+ROS_LOCALHOST_ONLY=1
+```
+
+## References
+- rcl, `localhost.c` (Humble) and `discovery_options.c` (Jazzy)
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import at_least
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule("error", fix="unsafe", tags=["CWE-923"])
+def ros_localhost_only_bad_value(robot: Robot):
+    for setting in robot.ros.of("ROS_LOCALHOST_ONLY"):
+        if setting.text in ("", "0", "1"):
+            continue
+        newer = at_least(robot.target.ros, "iron")
+        enabled = setting.text.startswith("1") if newer else False
+        if newer is None and setting.text.startswith("1"):
+            continue
+        yield finding(
+            setting.value,
+            f"ROS_LOCALHOST_ONLY '{setting.text}' means enabled" if enabled else
+            f"ROS_LOCALHOST_ONLY '{setting.text}' means disabled: the robot talks to the whole network",
+            advice="write 1 to stay on this machine, 0 to talk to the network",
+            fix=fix("write 1", (setting.value, "1"), safe=False),
+        )

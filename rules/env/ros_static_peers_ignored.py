@@ -1,0 +1,57 @@
+"""Static peers that are never contacted.
+
+## What it finds
+ROS_STATIC_PEERS in one environment with a discovery range OFF or SYSTEM_DEFAULT, or with ROS_LOCALHOST_ONLY=1, on Iron and newer.
+
+## Why it matters on a robot
+The listed machines are not contacted, and nothing says so: the base station never sees the robot.
+
+## Bad
+```sh
+ROS_AUTOMATIC_DISCOVERY_RANGE=OFF
+ROS_STATIC_PEERS=10.0.0.2
+```
+
+## Good
+```sh
+ROS_AUTOMATIC_DISCOVERY_RANGE=SUBNET
+ROS_STATIC_PEERS=10.0.0.2
+```
+
+## References
+- https://docs.ros.org/en/rolling/Tutorials/Advanced/Improved-Dynamic-Discovery.html
+- https://github.com/clearpathrobotics/clearpath_common/issues/269
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import at_least
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning")
+def ros_static_peers_ignored(robot: Robot):
+    if not at_least(robot.target.ros, "iron"):
+        return
+    for process in robot.ros.processes:
+        environment = process.environment
+        peers = environment.get("ROS_STATIC_PEERS")
+        if not peers or not peers.text or not environment.complete:
+            continue
+        reason = _reason(environment)
+        if reason is not None:
+            yield finding(
+                peers.value,
+                f"{process.name} never contacts these peers: {reason.name}={reason.text}",
+                advice="use ROS_AUTOMATIC_DISCOVERY_RANGE=SUBNET or LOCALHOST with static peers",
+                related=[note(reason.value, "set here")],
+            )
+
+
+def _reason(environment):
+    if environment.text("ROS_LOCALHOST_ONLY") == "1":
+        return environment.get("ROS_LOCALHOST_ONLY")
+    if environment.text("ROS_AUTOMATIC_DISCOVERY_RANGE") in ("OFF", "SYSTEM_DEFAULT"):
+        return environment.get("ROS_AUTOMATIC_DISCOVERY_RANGE")
+    return None

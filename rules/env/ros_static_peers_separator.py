@@ -1,0 +1,43 @@
+"""ROS_STATIC_PEERS are separated by something else than a semicolon.
+
+## What it finds
+A comma or a blank in ROS_STATIC_PEERS. A semicolon at the end is fine.
+
+## Why it matters on a robot
+The whole text is taken as one host name. Fast DDS cannot resolve it and refuses to create the node.
+
+## Bad
+```sh
+ROS_STATIC_PEERS=10.0.0.1,10.0.0.2
+```
+
+## Good
+```sh
+ROS_STATIC_PEERS=10.0.0.1;10.0.0.2
+```
+
+## References
+- rcl, `discovery_options.c`: peers are separated by `;`
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+import re
+
+
+@rule("error", fix="safe", symptoms=["Unable to resolve peer"])
+def ros_static_peers_separator(robot: Robot):
+    for setting in robot.ros.of("ROS_STATIC_PEERS"):
+        peers = [peer for peer in re.split(r"[,;\s]+", setting.text) if peer]
+        if len(peers) > 1 and re.search(r"[,\s]", setting.text.strip()):
+            right = ";".join(peers)
+            yield finding(
+                setting.value,
+                f"'{setting.text}' is taken as one host name: peers are separated by ';', no node starts with Fast DDS",
+                advice=f"write {right}",
+                fix=fix("separate the peers by ';'", (setting.value, right)) if setting.value == setting.text else None,
+            )
