@@ -48,6 +48,7 @@ _WORDS = {
     "paths": "bringup_lint.graph.sandbox",
     "respawns": "bringup_lint.graph.launch_supervision",
     "ros_values": "bringup_lint.parsers.ros_values",
+    "shell_commands": "bringup_lint.parsers.shell",
     "runs_as_root": "bringup_lint.model.dockerfile",
     "sandbox": "bringup_lint.graph.sandbox",
 }

@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 from bringup_lint.model.shell import Command
 from bringup_lint.source import Located
+from bringup_lint.source import Source
 
 _OPENING = frozenset({"if", "while", "until", "for", "case", "select", "{", "then", "else", "elif", "do"})
 _OPENS = frozenset({"if", "while", "until", "for", "case", "select", "{"})
@@ -61,6 +62,12 @@ def commands(script: Located) -> list[Command]:
     if words or assignments:
         found.append(Command(tuple(words), tuple(assignments), "", depth))
     return found
+
+
+
+def shell_commands(source: Source) -> list[Command]:
+    """The simple commands of a whole script file."""
+    return commands(source.located(0, len(source.text)))
 
 
 def tokens(script: Located) -> Iterator[Token]:

@@ -1,0 +1,47 @@
+"""The file that CYCLONEDDS_URI names does not exist.
+
+## What it finds
+A path in CYCLONEDDS_URI of a unit that a whole root file system does not hold. In a repository nothing can be missing for sure; containers have file systems of their own.
+
+## Why it matters on a robot
+Cyclone DDS ends with an error when its configuration cannot be opened: no domain is created, no node starts.
+
+## Bad
+```sh
+CYCLONEDDS_URI=file:///etc/robot/cyclone.xml      (the file is called cyclonedds.xml)
+```
+
+## Good
+```sh
+CYCLONEDDS_URI=file:///etc/robot/cyclonedds.xml
+```
+
+## References
+- tried with Cyclone DDS 0.10.5 and 11.0.1: "can't open configuration file"
+- https://github.com/suchetanrs/ORB-SLAM3-ROS2-Docker/issues/32
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["can't open configuration file", "rmw_create_node: failed to create domain"])
+def cyclonedds_uri_file_missing(robot: Robot):
+    for process in robot.ros.processes:
+        uri = process.environment.get("CYCLONEDDS_URI") if process.unit else None
+        if uri is None or uri.text is None or "<" in uri.text:
+            continue
+        rmw = process.environment.text("RMW_IMPLEMENTATION")
+        if rmw not in (None, "rmw_cyclonedds_cpp"):
+            continue
+        for part in uri.text.split(","):
+            path = part.strip().removeprefix("file://")
+            if path.startswith("/") and robot.tree.has(path) is False:
+                yield finding(
+                    uri.value,
+                    f"{path} does not exist: Cyclone DDS ends with an error, {process.name} starts no node",
+                    advice="ship the file, or correct the path",
+                    related=[note(process.where, f"{process.name} gets the variable")],
+                )

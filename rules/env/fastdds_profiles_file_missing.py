@@ -1,0 +1,43 @@
+"""The Fast DDS profile that the environment names does not exist.
+
+## What it finds
+A path in FASTRTPS_DEFAULT_PROFILES_FILE or FASTDDS_DEFAULT_PROFILES_FILE of a unit that a whole root file system does not hold.
+
+## Why it matters on a robot
+Fast DDS logs one line and runs with the defaults: multicast discovery, no peers. The robot seems to work until it meets another network.
+
+## Bad
+```sh
+FASTRTPS_DEFAULT_PROFILES_FILE=/etc/robot/fast.xml      (the file is called fastdds.xml)
+```
+
+## Good
+```sh
+FASTRTPS_DEFAULT_PROFILES_FILE=/etc/robot/fastdds.xml
+```
+
+## References
+- tried with Fast DDS 2.14.5: "realpath failed"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+VARIABLES = ("FASTRTPS_DEFAULT_PROFILES_FILE", "FASTDDS_DEFAULT_PROFILES_FILE")
+
+
+@rule("warning", symptoms=["realpath failed"])
+def fastdds_profiles_file_missing(robot: Robot):
+    for process in robot.ros.processes:
+        for name in VARIABLES if process.unit else ():
+            found = process.environment.get(name)
+            if found and found.text and found.text.startswith("/") and robot.tree.has(found.text) is False:
+                yield finding(
+                    found.value,
+                    f"{found.text} does not exist: {process.name} runs Fast DDS with its defaults, multicast and no peers",
+                    advice="ship the file, or correct the path",
+                    related=[note(process.where, f"{process.name} gets the variable")],
+                )

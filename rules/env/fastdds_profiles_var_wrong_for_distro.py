@@ -1,0 +1,52 @@
+"""The variable of the Fast DDS profile is not the one that this distribution reads.
+
+## What it finds
+Only FASTDDS_DEFAULT_PROFILES_FILE on Humble to Jazzy, whose Fast DDS 2 reads FASTRTPS_DEFAULT_PROFILES_FILE, or only the latter on Kilted and newer.
+
+## Why it matters on a robot
+The profile file is never loaded and nothing says so: multicast discovery stays on, peers and limits are not there.
+
+## Bad
+```sh
+FASTDDS_DEFAULT_PROFILES_FILE=/etc/robot/fastdds.xml      (on Jazzy)
+```
+
+## Good
+```sh
+FASTRTPS_DEFAULT_PROFILES_FILE=/etc/robot/fastdds.xml
+```
+
+## References
+- tried with Fast DDS 2.14.5
+- https://github.com/ros2/ros2_documentation/pull/6098
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import at_least
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+OLD, NEW = "FASTRTPS_DEFAULT_PROFILES_FILE", "FASTDDS_DEFAULT_PROFILES_FILE"
+
+
+@rule("error")
+def fastdds_profiles_var_wrong_for_distro(robot: Robot):
+    newer = at_least(robot.target.ros, "kilted")
+    if newer is None:
+        return
+    wrong, right = (OLD, NEW) if newer else (NEW, OLD)
+    for process in robot.ros.processes:
+        environment = process.environment
+        rmw = environment.get("RMW_IMPLEMENTATION")
+        if rmw is not None and (rmw.text is None or "fastrtps" not in rmw.text):
+            continue
+        found = environment.get(wrong)
+        if found is not None and environment.complete and right not in environment:
+            yield finding(
+                found.value,
+                f"Fast DDS of {robot.target.ros} does not read {wrong}: {process.name} never loads the profile",
+                advice=f"set {right}",
+                related=[note(process.where, f"{process.name} gets the variable")],
+            )

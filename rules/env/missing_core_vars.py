@@ -1,0 +1,43 @@
+"""A ROS process leaves the domain or the middleware to the defaults.
+
+## What it finds
+A unit that runs ROS 2 and sets neither ROS_DOMAIN_ID nor RMW_IMPLEMENTATION, although all sources of its environment are known.
+
+## Why it matters on a robot
+It joins domain 0 with the default middleware, together with every other robot and laptop of the network.
+
+## Bad
+```ini
+[Service]
+ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch robot_base base.launch.py'
+```
+
+## Good
+```ini
+[Service]
+EnvironmentFile=/etc/robot/ros.env
+```
+
+## References
+- https://docs.ros.org/en/rolling/Concepts/Intermediate/About-Domain-ID.html
+- https://github.com/CMU-cabot/cabot/issues/160
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+CORE = ("ROS_DOMAIN_ID", "RMW_IMPLEMENTATION")
+
+
+@rule("info")
+def missing_core_vars(robot: Robot):
+    for process in robot.ros.processes:
+        missing = [name for name in CORE if process.environment.defines(name) is False]
+        if process.unit in robot.units.ros and missing and process.source.judged:
+            yield finding(
+                process.where,
+                f"{process.name} does not set {' and '.join(missing)}: it runs with the defaults",
+                advice="set them in an environment file that all units of the robot read",
+            )

@@ -1,0 +1,43 @@
+"""A token of the log format is unknown.
+
+## What it finds
+`{token}` in RCUTILS_CONSOLE_OUTPUT_FORMAT that rcutils does not know.
+
+## Why it matters on a robot
+The token is printed as it stands in every line of the log.
+
+## Bad
+```sh
+RCUTILS_CONSOLE_OUTPUT_FORMAT=[{level}] {message}
+```
+
+## Good
+```sh
+RCUTILS_CONSOLE_OUTPUT_FORMAT=[{severity}] {message}
+```
+
+## References
+- rcutils, `logging.c`: the tokens of the output format
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import nearest
+from bringup_lint.api import ros_values
+from bringup_lint.api import rule
+
+
+import re
+
+
+@rule("warning")
+def rcutils_format_unknown_token(robot: Robot):
+    for setting in robot.ros.of("RCUTILS_CONSOLE_OUTPUT_FORMAT"):
+        for token in re.finditer(r"\{(\w+)\}", setting.value):
+            if token[1] not in ros_values.FORMAT_TOKENS:
+                near = nearest(token[1], ros_values.FORMAT_TOKENS)
+                yield finding(
+                    setting.value.part(*token.span()),
+                    f"rcutils does not know {token[0]} and prints it in every line of the log",
+                    advice=f"write {{{near[0]}}}" if near else f"known: {', '.join(ros_values.FORMAT_TOKENS)}",
+                )

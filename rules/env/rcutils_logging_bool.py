@@ -1,0 +1,44 @@
+"""A logging switch of rcutils is neither 0 nor 1.
+
+## What it finds
+RCUTILS_LOGGING_USE_STDOUT, RCUTILS_COLORIZED_OUTPUT or RCUTILS_LOGGING_BUFFERED_STREAM with another value than 0 or 1. An empty value is fine.
+
+## Why it matters on a robot
+Logging cannot be initialised: every process of ROS ends at start.
+
+## Bad
+```sh
+RCUTILS_COLORIZED_OUTPUT=true
+```
+
+## Good
+```sh
+RCUTILS_COLORIZED_OUTPUT=1
+```
+
+## References
+- rcutils, `logging.c`: the value must be 0 or 1
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import ros_values
+from bringup_lint.api import rule
+
+
+WORDS = {"true": "1", "yes": "1", "on": "1", "false": "0", "no": "0", "off": "0"}
+
+
+@rule("error", fix="safe", symptoms=["unexpected value [", "failed to configure logging"])
+def rcutils_logging_bool(robot: Robot):
+    for setting in robot.ros.of(*ros_values.LOGGING_SWITCHES):
+        if setting.text in ("", "0", "1"):
+            continue
+        meant = WORDS.get(setting.text.lower())
+        yield finding(
+            setting.value,
+            f"{setting.name} '{setting.text}' makes logging fail: every ROS process ends at start",
+            advice=f"write {meant}" if meant else "write 0 or 1",
+            fix=fix(f"write {meant}", (setting.value, meant)) if meant else None,
+        )

@@ -1,0 +1,63 @@
+"""A setup file is sourced while unset variables are errors.
+
+## What it finds
+`source .../setup.bash` in a script after `set -u`, `set -eu...` or `set -o nounset`, when neither `set +u` stands between nor AMENT_TRACE_SETUP_FILES is set.
+
+## Why it matters on a robot
+The setup files of ROS read variables that are not set: the script ends there, and the service with it.
+
+## Bad
+```sh
+set -euo pipefail
+source /opt/ros/jazzy/setup.bash
+```
+
+## Good
+```sh
+set -eo pipefail
+source /opt/ros/jazzy/setup.bash
+set -u
+```
+
+## References
+- bash(1), "set -u"
+- ament_package, `prefix_level/setup.sh`: reads AMENT_TRACE_SETUP_FILES
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+from bringup_lint.api import shell_commands
+
+
+import re
+
+SETUP = re.compile(r"(?:^|/)(?:local_)?setup\.(?:bash|sh)$")
+
+
+@rule("error", symptoms=["unbound variable", "AMENT_TRACE_SETUP_FILES"])
+def setup_sourced_under_nounset(robot: Robot):
+    for source in robot.of_kind("shell-script"):
+        if source.judged and not source.template and "setup." in source.text:
+            yield from _check(source)
+
+
+def _check(source):
+    strict = None
+    for command in shell_commands(source):
+        words = [str(word) for word in command.words]
+        if words[:1] == ["set"]:
+            if "nounset" in words and "-o" in words or any(re.fullmatch(r"-[a-zA-Z]*u[a-zA-Z]*", word) for word in words[1:]):
+                strict = command.words[0]
+            elif "nounset" in words and "+o" in words or any(re.fullmatch(r"\+[a-zA-Z]*u[a-zA-Z]*", word) for word in words[1:]):
+                strict = None
+        if any(word.startswith("AMENT_TRACE_SETUP_FILES=") for word in (*words, *command.assignments)):
+            return
+        if strict is not None and words[:1] in (["source"], ["."]) and len(words) > 1 and SETUP.search(words[1]):
+            yield finding(
+                command.words[1],
+                "The setup file reads unset variables: under 'set -u' the script ends here",
+                advice="source it before 'set -u', or between 'set +u' and 'set -u'",
+                related=[note(strict, "unset variables become errors here")],
+            )

@@ -1,0 +1,51 @@
+"""The distribution does not read this variable.
+
+## What it finds
+Discovery range and static peers before Iron, variables of rmw_zenoh before Jazzy, names of ROS 1 and of early ROS 2 releases that nothing reads any more.
+
+## Why it matters on a robot
+The setting has no effect, and nothing says so: discovery stays as wide as it was.
+
+## Bad
+```sh
+ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST      (on Humble)
+```
+
+## Good
+```sh
+ROS_LOCALHOST_ONLY=1
+```
+
+## References
+- rcl of each distribution
+- https://docs.ros.org/en/rolling/Tutorials/Advanced/Improved-Dynamic-Discovery.html
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import at_least
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+SINCE = {
+    "ROS_AUTOMATIC_DISCOVERY_RANGE": ("iron", "use ROS_LOCALHOST_ONLY"),
+    "ROS_STATIC_PEERS": ("iron", "name the peers in the DDS configuration"),
+    "ZENOH_ROUTER_CONFIG_URI": ("jazzy", "rmw_zenoh comes with Jazzy"),
+    "ZENOH_SESSION_CONFIG_URI": ("jazzy", "rmw_zenoh comes with Jazzy"),
+    "ZENOH_CONFIG_OVERRIDE": ("jazzy", "rmw_zenoh comes with Jazzy"),
+}
+GONE = {"RCUTILS_CONSOLE_STDOUT_LINE_BUFFERED": "use RCUTILS_LOGGING_BUFFERED_STREAM"}
+
+
+@rule("warning")
+def var_ignored_on_distro(robot: Robot):
+    if robot.target.ros is None:
+        return
+    for setting in robot.ros.settings:
+        since, instead = SINCE.get(setting.name, ("", GONE.get(setting.name, "")))
+        if setting.name in GONE or (since and at_least(robot.target.ros, since) is False):
+            yield finding(
+                setting.value,
+                f"{robot.target.ros} does not read {setting.name}: it has no effect",
+                advice=instead,
+            )
