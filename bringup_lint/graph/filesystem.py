@@ -47,7 +47,9 @@ def is_made(path: str, unit: Unit, robot: Robot) -> bool | None:
     if any(path.startswith(f"{mount}/") for mount in _mounts(robot)):
         return None
     if robot.tree.complete and robot.tree.root is not None and not path.startswith(_VOLATILE):
-        return is_there(path, robot)
+        there = is_there(path, robot)
+        if there is not None:
+            return there
     if any((source.robot_path or "").startswith(f"{path}/") for source in robot.sources) or mentions(robot.tree, path):
         return True
     return False if path.startswith(_STATE) else None

@@ -112,7 +112,7 @@ class Notify:
 
     def _depends(self, name: str, other: str) -> bool:
         package = self.robot.launch.workspace.packages.get(name)
-        return package is None or package.depends_on(other)
+        return package is not None and package.depends_on(other)
 
     def _entry_points(self, folder: str, stem: str) -> Iterator[str]:
         for source in self.robot.of_kind("setup-py", "setup-cfg"):

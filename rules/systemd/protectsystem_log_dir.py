@@ -47,6 +47,7 @@ OF_ROOT = ("/var/log/", "/var/lib/", "/var/cache/", "/opt/", "/srv/", "/etc/", "
 
 @rule("error", fix="unsafe", symptoms=["Failed to get logging directory", "rcutils_mkdir", "Read-only file system"])
 def protectsystem_log_dir(robot: Robot):
+    seen = set()
     for unit in robot.units.ros:
         service, box = robot.units.supervision(unit), sandbox(unit, robot)
         processes = [process for process in robot.units.started(unit) if any(found.kind != "cli" for _, found in process.ros)]
@@ -54,9 +55,10 @@ def protectsystem_log_dir(robot: Robot):
             continue
         log = box.log_directory(processes[0])
         found = _verdict(unit, robot, box, log) if log is not None else None
-        if found is None:
+        if found is None or (found[0] is log.at and log.at.span in seen):
             continue
         where, message, severity = found
+        seen.add(log.at.span if log.at is not None else None)
         yield finding(
             where,
             message,

@@ -3,7 +3,8 @@
 ## What it finds
 /etc/security/limits.conf or limits.d grants rtprio, memlock or nice to the user of a ROS service (or to a group of the user),
 and the unit has no LimitRTPRIO=, LimitMEMLOCK= or LimitNICE=. PAM reads these files at login; systemd does not. An error when the
-service runs ros2_control; information when it is only nice and the unit sets Nice=, which systemd applies itself.
+service runs ros2_control; information when it is only nice and the unit sets Nice=, which systemd applies itself, and for services
+that show no interest in scheduling while another service of the user does.
 
 ## Why it matters on a robot
 By hand, from an SSH session, the control loop gets its priority; as a service it is refused, and nobody looks at the one line in
@@ -41,11 +42,13 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 SETTING = {"rtprio": "LimitRTPRIO", "memlock": "LimitMEMLOCK", "nice": "LimitNICE"}
+SCHEDULING = ("Nice", "CPUSchedulingPolicy", "CPUSchedulingPriority", "LimitRTPRIO", "LimitMEMLOCK", "LimitNICE", "IOSchedulingClass")
 CONTROL = re.compile(r"ros2_control_node|controller_manager|ros2_control")
 
 
 @rule("warning", fix="unsafe", symptoms=["Could not enable FIFO RT scheduling policy", "Operation not permitted"])
 def rt_limits_only_in_pam(robot: Robot):
+    interested = {str(unit.get("User")) for unit in robot.units.ros if _schedules(unit) or _controls(robot, unit)}
     for unit in robot.units.ros:
         if not unit.complete or unit.get("PAMName") or robot.units.supervision(unit).in_container:
             continue
@@ -56,10 +59,12 @@ def rt_limits_only_in_pam(robot: Robot):
         if not missing:
             continue
         only_nice = set(missing) == {"nice"}
-        control = any(CONTROL.search(text) for process in robot.units.started(unit) for text in process.texts)
+        control = _controls(robot, unit)
         severity = "error" if control else "warning"
+        if str(unit.get("User")) in interested and not control and not _schedules(unit):
+            severity = "info"
         if only_nice:
-            severity = "info" if unit.get("Nice") else "warning"
+            severity = "info" if unit.get("Nice") else severity
         keys = [f"{SETTING[item]}={_value(item, grants[-1].value)}" for item, grants in missing.items()]
         yield finding(
             unit.get("User") or unit.where,
@@ -69,6 +74,15 @@ def rt_limits_only_in_pam(robot: Robot):
             fix=fix("grant it to the service", unit.new_line("Service", "\n".join(keys)), safe=False) if unit.editable else None,
             severity=severity,
         )
+
+
+def _schedules(unit):
+    """Whether the unit sets any priority."""
+    return any(unit.get(key) for key in SCHEDULING)
+
+
+def _controls(robot, unit):
+    return any(CONTROL.search(text) for process in robot.units.started(unit) for text in process.texts)
 
 
 def _given_otherwise(unit, item):
