@@ -8,6 +8,7 @@ from collections.abc import Iterable
 from collections.abc import Iterator
 from functools import cached_property
 from typing import TYPE_CHECKING
+from typing import NamedTuple
 
 from bringup_lint.facts import launch_api
 from bringup_lint.facts.node_roles import HARDWARE
@@ -58,6 +59,16 @@ PUBLIC = ("nav2_", "ros2_", "ros_", "rclcpp_", "tf2_", "launch_", "image_", "joi
 """How packages of ROS itself begin."""
 EXPANSIONS = 2_000
 """Entries that are expanded in one run."""
+
+
+class LaunchCommand(NamedTuple):
+    """``ros2 launch package target name:=value ...`` in a unit."""
+
+    package: Located | None
+    target: Located
+    arguments: list[tuple[Located, Located]]
+    file: LaunchFile | None
+    """The launch file, when it is in the tree."""
 
 
 class Launch:
@@ -251,14 +262,25 @@ class Launch:
         return False
 
     @cached_property
+    def commands(self) -> list[LaunchCommand]:
+        """The ``ros2 launch`` commands of systemd units."""
+        found = []
+        for unit in self.robot.units.judged:
+            for process in self.robot.units.processes(unit):
+                for _, ros in process.launches:
+                    if ros.target is not None:
+                        passed = [(word, word.find(":=")) for word in ros.arguments]
+                        arguments = [(word.part(0, at), word.part(at + 2, len(word))) for word, at in passed if at > 0]
+                        file = self.named(ros.package, ros.target)
+                        found.append(LaunchCommand(ros.package, ros.target, arguments, file))
+        return found
+
+    @cached_property
     def _units(self) -> dict[int, list[Located]]:
         found: dict[int, list[Located]] = {}
-        for unit in self.robot.units.judged:
-            processes = self.robot.units.processes(unit)
-            for _, command in (found for process in processes for found in process.launches):
-                file = self.named(command.package, command.target)
-                if file is not None:
-                    found.setdefault(id(file), []).append(command.where)
+        for command in self.commands:
+            if command.file is not None:
+                found.setdefault(id(command.file), []).append(command.target)
         return found
 
     def units_of(self, file: LaunchFile) -> list[Located]:

@@ -1,7 +1,8 @@
 """An included launch file needs an argument that is not passed.
 
 ## What it finds
-Includes of files that declare an argument without a default, where the include does not pass it and nothing before has set it.
+Includes of files that declare an argument without a default, where the include does not pass it and nothing before has set it;
+and units that launch such a file without it.
 
 ## Why it matters on a robot
 launch checks the arguments when it reaches the include, and aborts.
@@ -47,4 +48,15 @@ def include_missing_required_arg(robot: Robot):
                     advice=f"pass '{declared.name}'",
                     related=[note(declared.action.span, "declared here without a default")],
                     severity="warning" if include.conditions else None,
+                )
+    for command in robot.launch.commands:
+        passed = {str(name) for name, _ in command.arguments}
+        for declared in robot.launch.expansion(command.file).declared if command.file else ():
+            own = declared.file is command.file and not declared.conditions and declared.before is None
+            if own and declared.action.default is None and declared.name not in passed:
+                yield finding(
+                    command.target,
+                    f"the required argument '{declared.name}' is not passed: launch refuses to start",
+                    advice=f"pass {declared.name}:=",
+                    related=[note(declared.action.span, "declared here without a default")],
                 )

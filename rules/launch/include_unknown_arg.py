@@ -1,8 +1,8 @@
 """An argument is passed to a launch file that does not have it.
 
 ## What it finds
-Keys in `launch_arguments` (`<arg>` inside `<include>`) that the included file and everything it includes neither declares
-nor reads.
+Keys in `launch_arguments` (`<arg>` inside `<include>`), and `name:=value` of `ros2 launch` commands in units, that the
+launched file and everything it includes neither declares nor reads.
 
 ## Why it matters on a robot
 launch accepts any name. The value is ignored without a word, and the included part runs with its default: in simulated time,
@@ -35,24 +35,32 @@ from bringup_lint.api import rule
 def include_unknown_arg(robot: Robot):
     for file in robot.launch.judged:
         for include in robot.launch.expansion(file).includes:
-            target = include.target
-            if include.source is not file or target is None:
+            if include.source is not file or include.target is None:
                 continue
-            inner = robot.launch.expansion(target)
-            if inner.open or any(each.reads_all for each in inner.files):
-                continue
-            known = {each.name for each in inner.declared} | robot.launch.read_in(inner.files)
-            for key, _ in include.action.arguments:
-                name = launch.literal(key)
-                if name is None or name in known or robot.launch.read_elsewhere(name, file, inner.files):
-                    continue
-                near = nearest(name, sorted(known), 3)
-                yield finding(
-                    name,
-                    f"'{name}' is not an argument of {target.source.basename}: the value is silently ignored",
-                    advice=f"pass '{near[0]}'" if near else "remove it, or declare it there",
-                    related=[note(target.entry, "the included file")],
-                    fix=fix(f"pass '{near[0]}'", (name, near[0]), safe=False)
-                    if len(near) == 1 and name.span.text == name
-                    else None,
-                )
+            names = [launch.literal(key) for key, _ in include.action.arguments]
+            inner = robot.launch.expansion(include.target).files
+            own = [name for name in names if name and not robot.launch.read_elsewhere(name, file, inner)]
+            yield from unknown(robot, own, include.target)
+    for command in robot.launch.commands:
+        if command.file is not None:
+            yield from unknown(robot, [name for name, _ in command.arguments], command.file)
+
+
+def unknown(robot, names, target):
+    inner = robot.launch.expansion(target)
+    if inner.open or any(each.reads_all for each in inner.files):
+        return
+    known = {each.name for each in inner.declared} | robot.launch.read_in(inner.files)
+    for name in names:
+        if name in known:
+            continue
+        near = nearest(name, sorted(known), 3)
+        yield finding(
+            name,
+            f"'{name}' is not an argument of {target.source.basename}: the value is silently ignored",
+            advice=f"pass '{near[0]}'" if near else "remove it, or declare it there",
+            related=[note(target.entry, "the launched file")],
+            fix=fix(f"pass '{near[0]}'", (name, near[0]), safe=False)
+            if len(near) == 1 and name.span.text == name
+            else None,
+        )

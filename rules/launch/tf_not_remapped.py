@@ -1,0 +1,60 @@
+"""Some nodes of a namespaced robot use the common tf tree.
+
+## What it finds
+Launch files in which some nodes remap `/tf` into their namespace, and others of the same namespace that use tf do not.
+
+## Why it matters on a robot
+`/tf` is an absolute name, so a namespace does not move it. Half of the nodes read and write the frames of this robot, half
+those of all robots: transforms are missing, or come from the neighbour.
+
+## Bad
+```python
+Node(package='nav2_amcl', executable='amcl', namespace='robot1', remappings=[('/tf', 'tf'), ('/tf_static', 'tf_static')]),
+Node(package='nav2_planner', executable='planner_server', namespace='robot1'),
+```
+
+## Good
+```python
+remappings = [('/tf', 'tf'), ('/tf_static', 'tf_static')]
+Node(package='nav2_amcl', executable='amcl', namespace='robot1', remappings=remappings),
+Node(package='nav2_planner', executable='planner_server', namespace='robot1', remappings=remappings),
+```
+
+## References
+- https://github.com/ros-navigation/navigation2/issues/4552
+- https://github.com/ros-navigation/navigation2/issues/3376
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import launch
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+USES_TF = ("localization", "planning", "control", "mapping", "costmap")
+PUBLISHERS = (("robot_state_publisher", "robot_state_publisher"), ("tf2_ros", "static_transform_publisher"))
+
+
+@rule("warning")
+def tf_not_remapped(robot: Robot):
+    for expansion in robot.launch.entries:
+        remapping = {}
+        for node in expansion.nodes:
+            if node.by_default is not False and node.namespace not in (None, "/") and moves_tf(node):
+                remapping.setdefault(node.namespace, node)
+        for node in expansion.nodes:
+            other = remapping.get(node.namespace)
+            if other is None or node.by_default is False or moves_tf(node):
+                continue
+            program = (launch.literal_text(node.package), launch.literal_text(node.executable))
+            if robot.launch.role(node).role in USES_TF or program in PUBLISHERS:
+                yield finding(
+                    node.span,
+                    f"{node.label()} uses the common /tf, other nodes of {node.namespace} use their own: transforms are missing",
+                    advice="remap ('/tf', 'tf') and ('/tf_static', 'tf_static') here too",
+                    related=[note(other.span, "remaps /tf")],
+                )
+
+
+def moves_tf(node):
+    return any(launch.literal_text(src) in ("/tf", "tf", None) for src, _ in node.remappings)

@@ -1,0 +1,58 @@
+"""Some nodes use the simulated clock and others do not.
+
+## What it finds
+Launch files that give the argument `use_sim_time` to some of their nodes, while nodes that work with time (localisation,
+mapping, planning, control) get neither it nor a parameter file.
+
+## Why it matters on a robot
+In a simulation, or when a recording is replayed, half of the nodes live in another time: transforms are too old or in the
+future, and every message is dropped.
+
+## Bad
+```python
+Node(package='robot_localization', executable='ekf_node', parameters=[{'use_sim_time': use_sim_time}]),
+Node(package='slam_toolbox', executable='async_slam_toolbox_node'),
+```
+
+## Good
+```python
+SetParameter(name='use_sim_time', value=use_sim_time),
+Node(package='robot_localization', executable='ekf_node'),
+Node(package='slam_toolbox', executable='async_slam_toolbox_node'),
+```
+
+## References
+- ROS 2 design, "Clock and Time"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import launch
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+TIMED = ("localization", "mapping", "planning", "control", "costmap", "map", "state")
+
+
+@rule("warning")
+def use_sim_time_not_propagated(robot: Robot):
+    for file in robot.launch.judged:
+        own = [node for node in robot.launch.expansion(file).nodes if node.file is file and hasattr(node.action, "parameters")]
+        given = [node for node in own if any(reads(source) for source in node.action.parameters)]
+        for node in own if given else ():
+            inline = all(isinstance(source, launch.DictValue) and not source.open for source in node.parameters)
+            if robot.launch.role(node).role not in TIMED or not inline or launch.setting(node, "use_sim_time").value:
+                continue
+            if any("use_sim_time" in (launch.text_of(word) or "") for word in node.arguments):
+                continue
+            yield finding(
+                node.span,
+                f"{node.label()} keeps the wall clock while other nodes of the file follow use_sim_time",
+                advice="set the parameter once for all nodes with SetParameter",
+                related=[note(given[0].span, "this node gets it")],
+            )
+
+
+def reads(source):
+    value = source.get("use_sim_time") if isinstance(source, launch.DictValue) else None
+    return value is not None and any(isinstance(each, launch.Argument) for each in launch.walk(value))
