@@ -91,6 +91,11 @@ class Domain:
     elements: list[tuple[Item, Element]] = field(default_factory=list)
     """Every recognised element, in document order."""
     remarks: list[Remark] = field(default_factory=list)
+    _by_owner: dict[int, list[Setting]] = field(default_factory=dict)
+
+    def add(self, setting: Setting) -> None:
+        self.settings.append(setting)
+        self._by_owner.setdefault(id(setting.owner), []).append(setting)
 
     def get(self, path: str) -> Setting | None:
         """The last setting below ``CycloneDDS/Domain/``."""
@@ -108,9 +113,8 @@ class Domain:
 
     def of(self, element: Element, attribute: str) -> Setting | None:
         """The value of an attribute, by its full name, of one element."""
-        return next(
-            (each for each in self.settings if each.owner is element and each.item.name == attribute), None
-        )
+        own = self._by_owner.get(id(element), ())
+        return next((each for each in own if each.item.name == attribute), None)
 
     @property
     def applies_to_any(self) -> bool:

@@ -218,12 +218,13 @@ class _Reader:
                 self.value(element.name, element.text, item, element, owner)
             return
         self.domain.elements.append((item, element))
+        before = len(self.domain.settings)
         self.attributes(element, item, owner)
         for child in element.children:
             self.child(child, item.children, item, owner)
         self.text(element, item, owner)
         if item.many or item.name == "Security":
-            self.required(element, item)
+            self.required(element, item, self.domain.settings[before:])
 
     def attributes(
         self, element: Element, item: Item, owner: Element, into: Callable[[Remark], None] | None = None
@@ -260,7 +261,7 @@ class _Reader:
         setting = Setting(item, name, value, self.effective(value, item), element)
         if item.path == "CycloneDDS/Domain@Id":
             self.domain.id = value
-        self.domain.settings.append(setting)
+        self.domain.add(setting)
         if setting.effective is None:
             return
         problem = complaint(item, setting.effective, self.configuration.version)
@@ -276,9 +277,9 @@ class _Reader:
             self.remark("expansion", value, True, str(error), item)
             return None
 
-    def required(self, element: Element, item: Item) -> None:
+    def required(self, element: Element, item: Item, settings: list[Setting]) -> None:
         """What has no default must be there: attributes and children, also below groups that are left out."""
-        held = {setting.path for setting in self.domain.settings if _within(setting.owner, element)}
+        held = {setting.path for setting in settings}
         for needed in _required(item):
             if needed.path not in held:
                 self.remark("missing", element.name, True, needed.name, needed)
@@ -290,9 +291,3 @@ def _required(item: Item) -> list[Item]:
         if not child.many:
             found += [each for each in _required(child) if each not in found]
     return found
-
-
-def _within(element: Element | None, ancestor: Element) -> bool:
-    while element is not None and element is not ancestor:
-        element = element.parent
-    return element is ancestor

@@ -34,6 +34,7 @@ from bringup_lint.source import Span
 MAX_SIZE = 4_000_000
 """Code points; far above any configuration file."""
 MAX_DEPTH = 200
+MAX_ELEMENTS = 30_000
 MAX_PROBLEMS = 50
 
 _BLANK = " \t\r\n"
@@ -65,6 +66,7 @@ class _Reader:
         self.begin = start + 1 if self.text.startswith("\ufeff", start) else start
         self.at = self.begin
         self.stopped = False
+        self.count = 0
 
     def report(self, code: str, start: int, end: int, detail: str = "") -> None:
         if len(self.document.problems) == MAX_PROBLEMS:
@@ -217,6 +219,10 @@ class _Reader:
             self.at = at + 1
             return
         self.at = tag.end
+        self.count += 1
+        if self.count > MAX_ELEMENTS:
+            self.stop("too-large", at, f"more than {MAX_ELEMENTS} elements")
+            return
         if len(self.open) == MAX_DEPTH:
             self.stop("too-deep", at, f"more than {MAX_DEPTH} elements inside one another")
             return

@@ -1,0 +1,162 @@
+"""The DDS readers on any input, and what the command says of hostile files."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import settings
+from hypothesis import strategies as st
+
+from bringup_lint.discover.kinds import kind_of
+from bringup_lint.facts import table
+from bringup_lint.model.cyclonedds import VERSIONS
+from bringup_lint.model.fastdds import VERSIONS as FAST_VERSIONS
+from bringup_lint.parsers import cyclonedds
+from bringup_lint.parsers import fastdds
+from bringup_lint.parsers.cyclonedds_schema import schema
+from bringup_lint.source import Source
+from tests.lint import lint
+
+NAMES = sorted({row["path"].replace("@", "/").rpartition("/")[2] for row in table("cyclonedds")})
+PROFILE_NAMES = sorted({row["path"].replace("@", "/").rpartition("/")[2] for row in table("fastdds")})
+VALUES = st.sampled_from(
+    ["true", "no", "10MB", "5 s", "${X:-1}", "${", "eth0", "", " x ", "é", "1" * 40, "0x10", "-1", "inf"]
+)
+
+
+def elements(names: list[str], root: str) -> st.SearchStrategy[str]:
+    name = st.sampled_from(names)
+    leaf = st.builds(lambda tag, value: f"<{tag}>{value}</{tag}>", name, VALUES)
+    attribute = st.builds(lambda tag, key, value: f'<{tag} {key}="{value}"/>', name, name, VALUES)
+    broken = st.sampled_from(["<", "</x>", "<!-- -- -->", "&", "<a", "text", "<?x?>", "]]>"])
+    node = st.recursive(
+        leaf | attribute | broken,
+        lambda inner: st.builds(
+            lambda tag, children: f"<{tag}>{''.join(children)}</{tag}>", name, st.lists(inner, max_size=4)
+        ),
+        max_leaves=12,
+    )
+    return st.lists(node, max_size=4).map(lambda nodes: f"<{root}>{''.join(nodes)}</{root}>")
+
+
+def inside(where: object, text: str) -> bool:
+    span = getattr(where, "span", where)
+    return 0 <= span.start <= span.end <= len(text)
+
+
+@settings(max_examples=100, deadline=None)
+@given(elements(NAMES, "CycloneDDS"), st.sampled_from(VERSIONS), st.booleans())
+def test_cyclonedds_reads_anything(text: str, version: str, inline: bool) -> None:
+    configuration = cyclonedds.parse(Source("a.xml", text), version, inline=inline)
+    assert all(inside(remark.where, text) for remark in configuration.all_remarks)
+    for domain in configuration.domains:
+        assert all(inside(setting.value, text) and setting.item.path for setting in domain.settings)
+
+
+@settings(max_examples=100, deadline=None)
+@given(elements(PROFILE_NAMES, "profiles"), st.sampled_from(FAST_VERSIONS))
+def test_fastdds_reads_anything(text: str, version: str) -> None:
+    profiles = fastdds.parse(Source("a.xml", text), version)
+    assert all(inside(remark.where, text) for remark in profiles.remarks)
+
+
+@given(st.text(max_size=200))
+@settings(max_examples=100, deadline=None)
+def test_any_text_is_read(text: str) -> None:
+    cyclonedds.parse(Source("a.xml", text))
+    fastdds.parse(Source("a.xml", text))
+
+
+@pytest.mark.parametrize("version", VERSIONS)
+def test_moved_items_lead_to_items(version: str) -> None:
+    known = schema(version).by_path
+    assert all(item.moved_to in known for item in known.values() if item.moved_to)
+
+
+@pytest.mark.parametrize("parse", [cyclonedds.parse, fastdds.parse])
+def test_time_is_linear(parse) -> None:
+    def seconds(count: int) -> float:
+        if parse is cyclonedds.parse:
+            names, peer = ["CycloneDDS", "Domain", "Discovery", "Peers"], '<Peer Address="10.0.0.1"/>'
+        else:
+            names, peer = ["profiles", "participant", "rtps", "builtin", "initialPeersList"], "<locator/>"
+        head, tail = "".join(f"<{name}>" for name in names), "".join(f"</{name}>" for name in reversed(names))
+        start = time.perf_counter()
+        parse(Source("a.xml", head + peer * count + tail))
+        return time.perf_counter() - start
+
+    seconds(100)
+    assert seconds(8000) < 40 * max(seconds(800), 0.01)
+
+
+def entities() -> str:
+    layers = "".join(f'<!ENTITY l{n + 1} "{f"&l{n};" * 10}">' for n in range(9))
+    return f'<!DOCTYPE CycloneDDS [<!ENTITY l0 "lol">{layers}]>\n<CycloneDDS><Domain Id="&l9;"/></CycloneDDS>'
+
+
+HOSTILE = {
+    "entities": entities(),
+    "external": '<!DOCTYPE CycloneDDS [<!ENTITY x SYSTEM "file:///etc/passwd">]>\n<CycloneDDS>&x;</CycloneDDS>',
+    "deep": "<CycloneDDS>" + "<Domain>" * 100_000,
+    "wide": "<CycloneDDS>" + "<Domain/>" * 200_000,
+    "attributes": "<CycloneDDS " + 'a="b" ' * 100_000 + "/>",
+    "cut": "<CycloneDDS><Domain",
+}
+
+
+@pytest.mark.parametrize("name", HOSTILE)
+def test_hostile_files_are_refused_quickly(name: str, tmp_path: Path) -> None:
+    (tmp_path / "cyclonedds.xml").write_text(HOSTILE[name], "utf-8")
+    start = time.perf_counter()
+    run = lint("--output-format", "concise", ".", cwd=tmp_path)
+    assert time.perf_counter() - start < 20
+    assert "[cyclonedds/" in run.stdout and "root:" not in run.stdout and run.code == 1, run
+
+
+@pytest.mark.parametrize(
+    "data", [b"<CycloneDDS>\xff\xfe</CycloneDDS>", "<CycloneDDS/>".encode("utf-16"), b"<CycloneDDS>\0"]
+)
+def test_wrong_encodings_are_findings(data: bytes, tmp_path: Path) -> None:
+    (tmp_path / "cyclonedds.xml").write_bytes(data)
+    run = lint("--output-format", "concise", "cyclonedds.xml", cwd=tmp_path)
+    assert run.code == 1 and "cyclonedds.xml" in run.stdout
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "kind"),
+    [
+        ("a.xml", "<CycloneDDS/>", "cyclonedds"),
+        ("a.xml", "\n<!-- x --><?xml version='1.0'?><cyclonedds>", "cyclonedds"),
+        ("config/cyclonedds.xml", "<General/>", "cyclonedds"),
+        ("config/network.xml", "<General/>", ""),
+        ("a.txt", "<CycloneDDS/>", ""),
+        ("a.xml", "<dds><profiles/></dds>", "fastdds"),
+        ("a.xml", "<profiles><participant profile_name='a'/></profiles>", "fastdds"),
+        ("a.xml", "<dds xmlns='http://www.eprosima.com'/>", "fastdds"),
+        ("fastdds.xml", "<DDS><profiles/></DDS>", "fastdds"),
+        ("a.xml", "<dds><qos_library name='a'/></dds>", ""),
+        ("governance.xml", "<dds><domain_access_rules/></dds>", ""),
+        ("a.xml", "<profiles><profile><id>maven</id></profile></profiles>", ""),
+        ("a.launch.xml", "<launch/>", ""),
+    ],
+)
+def test_kind(path: str, text: str, kind: str) -> None:
+    found = kind_of(path, lambda: text)
+    assert (found if found in ("cyclonedds", "fastdds") else "") == kind
+
+
+@pytest.mark.corpus
+def test_robots_of_the_corpus(corpus: Path) -> None:
+    """Robots whose files are labelled clean stay silent; the one labelled buffer is found."""
+    found = []
+    for folder in sorted(corpus.iterdir()):
+        if folder.is_dir() and not folder.name.startswith(("eProsima", "eclipse")):
+            run = lint(
+                "--select", "cyclonedds", "--select", "fastdds", "--output-format", "concise", ".", cwd=folder
+            )
+            found += [f"{folder.name}/{line}" for line in run.stdout.splitlines() if line]
+    assert len(found) == 1
+    assert "config/cyclonedds.xml:43:" in found[0] and "socket-buffer-exceeds-sysctl" in found[0]
