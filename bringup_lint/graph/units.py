@@ -283,10 +283,10 @@ class Units:
 
     @cached_property
     def stacks(self) -> list[list[Unit]]:
-        """The ROS services that start at boot together: those of one place, enabled, without a conflict between them."""
+        """The ROS services of one place that are enabled somewhere, so that they may run together."""
         places: dict[str, list[Unit]] = {}
         for unit in self.ros:
-            if unit.manager == "system" and not unit.is_template and boot.brought_in(self, unit, unit.name):
+            if unit.manager == "system" and not unit.is_template and any(True for _ in self.wanted_by(unit)):
                 places.setdefault(unit.place, []).append(unit)
         return [units for units in places.values() if len(units) > 1]
 
