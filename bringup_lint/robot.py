@@ -7,6 +7,7 @@ from collections.abc import Callable
 from collections.abc import Iterable
 from dataclasses import dataclass
 from dataclasses import field
+from datetime import date
 from functools import cached_property
 from typing import TYPE_CHECKING
 from typing import TypeVar
@@ -33,6 +34,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.params import Params
     from bringup_lint.graph.ros_logs import RosLogs
     from bringup_lint.graph.secrets import Secret
+    from bringup_lint.graph.sros2 import Sros2
     from bringup_lint.graph.sysctl import Sysctl
     from bringup_lint.graph.notify import Notify
     from bringup_lint.graph.udev import Udev
@@ -66,6 +68,8 @@ class Robot:
     tree: Tree
     configured_ros: str | None = None
     configured_systemd: int | None = None
+    today: date = field(default_factory=date.today)
+    """The day for which validity dates are judged."""
     failures: list[tuple[Source, Exception]] = field(default_factory=list)
     """Sources on which a parser failed inside."""
 
@@ -315,3 +319,10 @@ class Robot:
         from bringup_lint.graph.ros_environment import RosEnvironment
 
         return RosEnvironment(self)
+
+    @cached_property
+    def sros2(self) -> Sros2:
+        """Keystores, enclaves, governance and permissions documents, and the processes that use them."""
+        from bringup_lint.graph.sros2 import load_sros2
+
+        return load_sros2(self)

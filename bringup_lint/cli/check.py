@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import sys
 import time
+from datetime import date
 from pathlib import Path
 from typing import TYPE_CHECKING
 from typing import Any
@@ -55,6 +56,7 @@ def _names(ctx: click.Context, param: click.Parameter, value: tuple[str, ...]) -
 @click.option("--exit-zero", is_flag=True, help="Exit with 0 whatever is found.")
 @click.option("--target-ros", type=click.Choice(ROS_DISTROS), help="The ROS distribution that the robot runs.")
 @click.option("--target-systemd", type=click.IntRange(245), help="The systemd version that the robot runs.")
+@click.option("--now", type=click.DateTime(["%Y-%m-%d"]), help="Judge validity dates as on this day. [default: today]")
 @click.option("--no-ignores", is_flag=True, help="Show what comments in the files suppress.")
 @click.option("--config", "config_path", type=click.Path(dir_okay=False, path_type=Path), help="Configuration file.")
 @click.option("--isolated", is_flag=True, help="Read no configuration file.")
@@ -157,4 +159,5 @@ def read_robot(paths: tuple[str, ...], config: Config, options: dict[str, Any]) 
         deploy = {str(config.folder / path): place for path, place in config.deploy.items()}
         excluded = exclusion(config.folder, config.exclude)
         tree = discover(paths, root=options["root"], deploy=deploy, excluded=excluded)
-    return Robot(tree, config.target_ros, config.target_systemd)
+    now = options.get("now")
+    return Robot(tree, config.target_ros, config.target_systemd, now.date() if now else date.today())

@@ -1,0 +1,34 @@
+"""DDS Security documents and the keys beside them: XML by its first two elements, never other XML."""
+
+from __future__ import annotations
+
+import re
+
+from bringup_lint.discover.kinds import Head
+from bringup_lint.discover.kinds import Kind
+
+_XML = re.compile(r"\.xml$", re.I)
+_SIGNED = re.compile(r"\.(?:p7s|smime)$", re.I)
+_NOISE = re.compile(r"<!--.*?(?:-->|$)|<\?.*?\?>|<!DOCTYPE[^>\[]*(?:\[.*?\]\s*)?>", re.S)
+_TAGS = re.compile(r"<(?:\w+:)?([A-Za-z_][\w.-]*)[^>]*>\s*<(?:\w+:)?([A-Za-z_][\w.-]*)")
+_KEY = re.compile(r"(?:^|/)(?:private/[\w.-]*key[\w.-]*|enclaves/(?:[^/]+/)*key)\.(?:pem|p11)$")
+_CERTIFICATE = re.compile(r"(?:^|/)(?:public/[\w.-]*cert|enclaves/(?:[^/]+/)*cert)\.pem$")
+
+
+def _below(path: str, head: Head) -> tuple[str, str]:
+    """The names of the root and of its first child, of XML and of signed XML."""
+    if not _XML.search(path) and not _SIGNED.search(path):
+        return "", ""
+    text = _NOISE.sub("", head())
+    match = _TAGS.search(text)
+    if match is None or (_XML.search(path) and text[: match.start()].strip("\ufeff \t\r\n")):
+        return "", ""
+    return match[1], match[2]
+
+
+KINDS = (
+    Kind("sros2-governance", lambda path, head: _below(path, head) == ("dds", "domain_access_rules")),
+    Kind("sros2-permissions", lambda path, head: _below(path, head) == ("dds", "permissions")),
+    Kind("sros2-key", lambda path, head: bool(_KEY.search(path)) and "PRIVATE KEY" in head()),
+    Kind("sros2-certificate", lambda path, head: bool(_CERTIFICATE.search(path)) and "CERTIFICATE" in head()),
+)

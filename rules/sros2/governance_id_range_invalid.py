@@ -1,0 +1,48 @@
+"""A range of domains that has no minimum, or whose minimum is above its maximum.
+
+## What it finds
+An `id_range` without `min`, or with `min` above `max`, in governance and permissions documents. Schema
+validators accept both.
+
+## Why it matters on a robot
+Cyclone DDS rejects the document (code 110): no participant is created and no node starts.
+
+## Bad
+```xml
+<id_range>
+  <min>10</min>
+  <max>0</max>
+</id_range>
+```
+
+## Good
+```xml
+<id_range>
+  <min>0</min>
+  <max>10</max>
+</id_range>
+```
+
+## References
+- Cyclone DDS 0.10.5 with security, tried with the real library
+- OMG DDS Security 1.1, clause 9.4.1.2
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["Found domain range in Governance file without minimum value", "with invalid range"])
+def governance_id_range_invalid(robot: Robot):
+    for _, remark in robot.sros2.remarks("range", "number"):
+        if remark.code == "number":
+            text = remark.element.text
+            message = f"'{text}' is no domain" if text else f"{remark.detail} is empty"
+        else:
+            message = f"The range of domains is not valid, {remark.detail}"
+        yield finding(
+            remark.where,
+            f"{message}: the document is rejected (code 110), no node starts",
+            advice="write min and max, the smaller first, and sign the document again",
+        )

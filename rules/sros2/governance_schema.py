@@ -1,0 +1,87 @@
+"""A governance document whose elements are missing, unknown or out of order.
+
+## What it finds
+Elements of a governance document that are missing, unknown, repeated, or not in the order of the
+specification. Cyclone DDS accepts another order, Fast DDS reads strictly in sequence.
+
+## Why it matters on a robot
+The security plugin rejects the document when the participant is created (code 110): no node of the robot
+starts. `enable_liveliness_protection` is the one that examples forget.
+
+## Bad
+```xml
+<topic_rule>
+  <topic_expression>*</topic_expression>
+  <enable_discovery_protection>true</enable_discovery_protection>
+  <enable_read_access_control>true</enable_read_access_control>
+```
+
+## Good
+```xml
+<topic_rule>
+  <topic_expression>*</topic_expression>
+  <enable_discovery_protection>true</enable_discovery_protection>
+  <enable_liveliness_protection>true</enable_liveliness_protection>
+  <enable_read_access_control>true</enable_read_access_control>
+```
+
+## References
+- Cyclone DDS 0.10.5 with security, tried with the real library
+- OMG DDS Security 1.1, clause 9.4.1.2
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import Span
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule("error", fix="unsafe", symptoms=["Found topic rule in Governance file without", "code: 110"])
+def governance_schema(robot: Robot):
+    for document, remark in robot.sros2.remarks("missing", "unknown", "duplicate", "order", "empty"):
+        if document not in robot.sros2.governances:
+            continue
+        if remark.code == "missing":
+            yield finding(
+                remark.where,
+                f"{remark.where} lacks {remark.detail}: the document is rejected (code 110), no node starts",
+                advice=f"add {remark.detail}{_place(remark)}, and sign the document again",
+                fix=_insertion(remark),
+            )
+        elif remark.code == "order" and not robot.sros2.is_used(document.source):
+            continue
+        elif remark.code == "order":
+            yield finding(
+                remark.where,
+                f"{remark.detail} is out of order: Cyclone DDS takes it, Fast DDS rejects the document and no node starts",
+                advice="keep the order of the specification, and sign the document again",
+            )
+        elif remark.code == "empty":
+            yield finding(
+                remark.where,
+                f"{remark.detail} is empty: it covers no topic",
+                advice="write a topic name or a pattern, such as *",
+            )
+        else:
+            what = "is no element of a governance document" if remark.code == "unknown" else "stands here twice"
+            yield finding(
+                remark.where,
+                f"{remark.detail} {what}: the document is rejected, no node starts",
+                advice="delete it, and sign the document again",
+            )
+
+
+def _place(remark):
+    return f" in front of {remark.before.local}" if remark.before is not None else ""
+
+
+def _insertion(remark):
+    """Switch on what is missing, on a line of its own."""
+    if not remark.detail.startswith("enable_") or remark.before is None:
+        return None
+    tag = remark.before.tag
+    line = tag.source.line_text(tag.line)
+    indent = line[: len(line) - len(line.lstrip())]
+    element = f"<{remark.detail}>true</{remark.detail}>\n{indent}"
+    return fix(f"add {remark.detail}", (Span(tag.source, tag.start, tag.start), element), safe=False)

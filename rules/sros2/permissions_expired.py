@@ -1,0 +1,39 @@
+"""Permissions whose validity has ended.
+
+## What it finds
+A grant whose `not_after` lies before the day of the run (or the day given with `--now`).
+
+## Why it matters on a robot
+The participant is rejected (code 147): the node does not start, from one boot to the next and on all robots
+that were set up on the same day.
+
+## Bad
+```xml
+<not_after>2020-01-01T00:00:00</not_after>
+```
+
+## Good
+```xml
+<not_after>2027-01-01T00:00:00</not_after>
+```
+
+## References
+- Cyclone DDS 0.10.5 with security, tried with the real library
+- OMG DDS Security 1.1, clause 9.4.1.3
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["Permissions validity period expired for"], tags=["CWE-298"])
+def permissions_expired(robot: Robot):
+    for _, grant in robot.sros2.grants:
+        end = robot.sros2.moment(grant.not_after)
+        if end is not None and end.date() < robot.today:
+            yield finding(
+                grant.not_after,
+                f"The permissions expired on {end.date()}: the participant is rejected (code 147), the node does not start",
+                advice="give the grant a new validity and sign the document again",
+            )

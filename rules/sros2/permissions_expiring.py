@@ -1,0 +1,39 @@
+"""Permissions that end within 30 days.
+
+## What it finds
+A grant whose `not_after` lies within 30 days of the day of the run (or the day given with `--now`).
+
+## Why it matters on a robot
+From that day on the participant is rejected (code 147) and the node does not start any more.
+
+## Bad
+```xml
+<not_after>2026-06-10T00:00:00</not_after>
+```
+
+## Good
+```xml
+<not_after>2027-06-01T00:00:00</not_after>
+```
+
+## References
+- Cyclone DDS 0.10.5 with security, tried with the real library
+- OMG DDS Security 1.1, clause 9.4.1.3
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("warning")
+def permissions_expiring(robot: Robot):
+    for _, grant in robot.sros2.grants:
+        end = robot.sros2.moment(grant.not_after)
+        left = (end.date() - robot.today).days if end else -1
+        if 0 <= left <= 30:
+            yield finding(
+                grant.not_after,
+                f"The permissions expire in {left} day{'s' * (left != 1)}, on {end.date()}: the node does not start after that",
+                advice="renew the grant and sign the document again",
+            )

@@ -1,0 +1,52 @@
+"""Permissions whose validity has not begun, or never will.
+
+## What it finds
+A grant whose `not_before` lies after the day of the run (or the day given with `--now`), or not before its
+`not_after`.
+
+## Why it matters on a robot
+The participant is rejected (code 148): the node does not start. A robot without a battery-backed clock boots in
+the past, and meets this with any permissions until its time is set.
+
+## Bad
+```xml
+<not_before>2027-01-01T00:00:00</not_before>
+<not_after>2026-01-01T00:00:00</not_after>
+```
+
+## Good
+```xml
+<not_before>2026-01-01T00:00:00</not_before>
+<not_after>2027-01-01T00:00:00</not_after>
+```
+
+## References
+- Cyclone DDS 0.10.5 with security, tried with the real library
+- OMG DDS Security 1.1, clause 9.4.1.3
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["Permissions validity period has not started yet"])
+def permissions_not_yet_valid(robot: Robot):
+    for _, grant in robot.sros2.grants:
+        start, end = robot.sros2.moment(grant.not_before), robot.sros2.moment(grant.not_after)
+        if start is None:
+            continue
+        if end is not None and start >= end:
+            yield finding(
+                grant.not_before,
+                "The validity begins when it has already ended: the participant is never accepted, the node does not start",
+                advice="write the earlier date first, and sign the document again",
+                related=[note(grant.not_after, "the validity ends here")],
+            )
+        elif start.date() > robot.today:
+            yield finding(
+                grant.not_before,
+                f"The permissions are not valid before {start.date()} (code 148): the node does not start",
+                advice="correct the date and sign the document again",
+            )
