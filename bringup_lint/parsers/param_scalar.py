@@ -24,7 +24,7 @@ SMALLEST = 2.2250738585072014e-308
 
 def scalar(text: str, style: str = "", tag: str = "") -> Value:
     """``style`` is the sign that opens the scalar: a quote makes it a string, ``|`` and ``>`` do not."""
-    text = text.partition("\0")[0]
+    text = text.partition("\0")[0] if "\0" in text else str(text)
     if tag == STRING_TAG or style in ("'", '"'):
         return Value("string", text)
     if text in TRUE:

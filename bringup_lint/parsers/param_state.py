@@ -132,11 +132,12 @@ class State:
         entries = self.tables[self.node].entries if self.node < len(self.tables) else []
         return entries[self.parameter] if self.parameter < len(entries) else None
 
-    def scalar(self, text: str, style: str, value: Value) -> None:
+    def scalar(self, text: str, style: str, value: Value | None) -> None:
+        """``value`` is needed only where no key is due."""
         if self.is_key:
             if not text:
                 raise Refused("no-key", "No key")
-            self.key(text.partition("\0")[0])
+            self.key(text.partition("\0")[0] if "\0" in text else str(text))
             self.is_key = False
             return
         if not self.in_parameters or not self.tables or not self.tables[self.node].entries:

@@ -172,12 +172,13 @@ class _Reader:
                 block.parameters.append(Parameter(name, key.value, Value(NOT_SET, None), value, block))
             self.mapping(value, block)
             return
-        saved = state.save()
+        saved = None if isinstance(value, Scalar) else state.save()
         try:
             found = self.feed(value)
         except Refused as refused:
             self.refuse(refused, value)
-            state.restore(saved)
+            if saved is not None:
+                state.restore(saved)
             state.is_key, state.in_list = True, False
             found = None
         if not isinstance(value, Alias):
@@ -198,7 +199,7 @@ class _Reader:
         """Hand a node to the state; gives the value of a scalar or a plain list."""
         state = self.state
         if isinstance(node, Scalar):
-            value = scalar(node.value, node.style, node.tag)
+            value = None if state.is_key else scalar(node.value, node.style, node.tag)
             state.scalar(node.value, node.style, value)
             return value
         if isinstance(node, Sequence):
