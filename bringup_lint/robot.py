@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch import Launch
     from bringup_lint.graph.params import Params
     from bringup_lint.graph.ros_logs import RosLogs
+    from bringup_lint.graph.ros_secrets import Indirect
     from bringup_lint.graph.secrets import Secret
     from bringup_lint.graph.sros2 import Sros2
     from bringup_lint.graph.sysctl import Sysctl
@@ -130,6 +131,13 @@ class Robot:
         from bringup_lint.graph.secrets import secrets
 
         return list(secrets(self))
+
+    @cached_property
+    def exposed_secrets(self) -> list[Indirect]:
+        """Parameters that hand a secret to a node."""
+        from bringup_lint.graph.secrets import exposed
+
+        return list(exposed(self))
 
     @cached_property
     def units(self) -> Units:

@@ -8,6 +8,10 @@ from typing import TYPE_CHECKING
 from typing import NamedTuple
 
 from bringup_lint.graph.environment import environment_files
+from bringup_lint.graph.ros_secrets import Indirect
+from bringup_lint.graph.ros_secrets import indirect
+from bringup_lint.graph.ros_secrets import launch_words
+from bringup_lint.graph.ros_secrets import named_values
 from bringup_lint.parsers.env_file import parse
 from bringup_lint.parsers.systemd_values import split_environment
 from bringup_lint.source import Located
@@ -38,7 +42,7 @@ _WEAK = re.compile(
     r"(?:change[-_ ]?me|password|passwd|secret|admin|default|test|example|xxx+|foo|bar)\d*$", re.I
 )
 _OPTION = re.compile(r"--([A-Za-z][\w-]*)(?:=(.*))?$", re.S)
-_SAMPLE = re.compile(r"[.-](?:example|sample|template|dist|tmpl|default)s?(?:$|\.)|^(?:example|sample)", re.I)
+_SAMPLE = re.compile(r"_(?:example|sample|template)s?\.|[.-](?:example|sample|template|dist|tmpl|default)s?(?:$|\.)|^(?:example|sample)", re.I)
 
 
 class Secret(NamedTuple):
@@ -48,17 +52,17 @@ class Secret(NamedTuple):
     name: str
     """What it is called: a variable, an option."""
     holder: str
-    """``unit``, ``command``, ``env-file``, ``compose`` or ``image``."""
+    """``unit``, ``command``, ``env-file``, ``compose``, ``image``, ``params`` or ``launch``."""
     weak: bool
     """A well-known stand-in such as ``changeme``, which nevertheless works as a password."""
     sample: bool
-    """A sample of a documentation, by its own word: it ends in EXAMPLE."""
+    """A sample of a documentation, by its own word (it ends in EXAMPLE), or an account for everybody."""
 
 
 def secrets(robot: Robot) -> Iterator[Secret]:
-    """Every secret of the judged units, environment files, compose files and Dockerfiles, each place once."""
+    """Every secret of the judged units, environment, compose, parameter and launch files and Dockerfiles, each place once."""
     seen: set[tuple[int, int]] = set()
-    for found in (*_of_units(robot), *_of_env_files(robot), *_of_compose(robot), *_of_images(robot)):
+    for found in (*_of_units(robot), *_of_env_files(robot), *_of_compose(robot), *_of_images(robot), *_of_ros(robot)):
         source = found.value.span.source
         place = (id(source), found.value.span.start)
         if place in seen or not source.judged or _SAMPLE.search(source.basename) or is_example(source.name):
@@ -139,6 +143,24 @@ def _of_images(robot: Robot) -> Iterator[Secret]:
                     if equals:
                         value = word.part(len(name) + 1, len(word)).strip_located("\"'")
                         yield from _one(secret(name, value, "image"))
+
+
+def _of_ros(robot: Robot) -> Iterator[Secret]:
+    for each in named_values(robot):
+        found = secret(each.name, each.value, each.holder)
+        if found is not None:
+            yield found._replace(sample=True) if each.public else found
+    for words in launch_words(robot):
+        for found in _of_words((), words):
+            yield found._replace(holder="launch")
+
+
+def exposed(robot: Robot) -> Iterator[Indirect]:
+    """Parameters with the name of a secret that are filled from the environment or from arguments."""
+    for each in indirect(robot):
+        source = each.where.source
+        if _NAME.search(each.name) and source.judged and not is_example(source.name) and not _SAMPLE.search(source.basename):
+            yield each
 
 
 def _one(found: Secret | None) -> Iterator[Secret]:

@@ -3,7 +3,7 @@
 ## What it finds
 A value whose name (`..._PASSWORD`, `..._TOKEN`, `--api-key`) or form (keys of AWS, GitHub, GitLab, Slack,
 Stripe, a private key, a password in a URL) shows a secret, in `Environment=` and command lines of units, in
-environment files, compose files and Dockerfiles. Variables, paths of credential files, stand-ins such as
+environment files, compose files, Dockerfiles, parameter files and launch files. Variables, paths of credential files, stand-ins such as
 `<your-password>` and sample files are left out, and so are environment files that only root and a group can
 read.
 
@@ -38,6 +38,8 @@ WHO = {
     "env-file": "everybody who has a copy of this file has it",
     "compose": "everybody who has a copy of this file, or may inspect the container, has it",
     "image": "it stays in the layers of the image, for everybody who can pull it",
+    "params": "everybody who has a copy of this file has it, and every participant can ask the node for it",
+    "launch": "everybody who has a copy of this file has it",
 }
 INSTEAD = {
     "unit": "use LoadCredential=, or an EnvironmentFile= with mode 0600",
@@ -45,6 +47,8 @@ INSTEAD = {
     "env-file": "keep the file out of the repository, with mode 0600 on the robot, and change the secret",
     "compose": "use secrets: or a file outside the repository, and change the secret",
     "image": "use a build secret or a secret at run time, and change this one",
+    "params": "let the node read it from a file with mode 0600, and change the secret",
+    "launch": "let the node read it from a file with mode 0600, and change the secret",
 }
 
 
