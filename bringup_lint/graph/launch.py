@@ -181,13 +181,18 @@ class Launch:
 
     def read_in(self, files: Iterable[LaunchFile]) -> set[str]:
         """The launch configurations that files read."""
-        return {str(argument.name) for file in files for argument in file.reads}
+        return set().union(*(self._reads[id(file)] for file in files))
+
+    @cached_property
+    def _reads(self) -> dict[int, frozenset[str]]:
+        return {id(file): frozenset(str(argument.name) for argument in file.reads) for file in self.files}
 
     def read_elsewhere(self, name: str, file: LaunchFile, inner: list[LaunchFile]) -> bool:
         """Whether a configuration that leaks out of an include is read by another file that runs together with it."""
         inside = {id(file), *map(id, inner)}
-        others = (each for expansion in self.leading_to(file) for each in expansion.files)
-        return name in self.read_in(each for each in others if id(each) not in inside)
+        readers = (each for each in self.files if id(each) not in inside and name in self._reads[id(each)])
+        together = {id(each) for expansion in self.leading_to(file) for each in expansion.files}
+        return any(id(each) in together for each in readers)
 
     def unknown_before(self, expansion: Expansion, include: Included) -> bool:
         """Whether something before an include may set arguments unseen: an include that is not in the tree."""
@@ -264,7 +269,9 @@ class Launch:
     @cached_property
     def commands(self) -> list[LaunchCommand]:
         """The ``ros2 launch`` commands of systemd units."""
-        found = []
+        found: list[LaunchCommand] = []
+        if not self.robot.of_kind("systemd-unit", "systemd-dropin"):
+            return found
         for unit in self.robot.units.judged:
             for process in self.robot.units.processes(unit):
                 for _, ros in process.launches:

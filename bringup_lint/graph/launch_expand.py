@@ -6,6 +6,7 @@ from collections.abc import Callable
 from collections.abc import Iterable
 from dataclasses import dataclass
 from dataclasses import field
+from functools import cached_property
 from typing import Any
 from typing import NamedTuple
 
@@ -115,8 +116,9 @@ class Expansion:
     arguments: dict[str, Binding] = field(default_factory=dict)
     """The launch configurations at the end."""
 
-    @property
+    @cached_property
     def files(self) -> list[LaunchFile]:
+        """Every file that is read; ask only when the expansion is done."""
         found = {id(file): file for _, file in self.actions}
         found.setdefault(id(self.entry), self.entry)
         return list(found.values())
