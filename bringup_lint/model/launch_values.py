@@ -5,8 +5,10 @@ Every value knows its span. ``Unknown`` says why the evaluator gave up; rules st
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Any
 from typing import Union
 from typing import get_args
 
@@ -212,29 +214,30 @@ class Condition:
 
 def children(value: Value) -> tuple[Value, ...]:
     """The values directly inside."""
-    if isinstance(value, (Concat, PathJoin)):
-        return value.parts
-    if isinstance(value, ListValue):
-        return value.items
-    if isinstance(value, DictValue):
-        return tuple(inner for pair in value.items for inner in pair)
-    if isinstance(value, Operation):
-        return value.operands
-    if isinstance(value, Choice):
-        return tuple(option for _, option in value.options)
-    if isinstance(value, (Argument, Env)):
-        return (value.default,) if value.default is not None else ()
-    if isinstance(value, (PackageShare, PackagePrefix)):
-        return (value.package,)
-    if isinstance(value, DerivedFile):
-        return tuple(inner for inner in (value.base, value.rewrites, value.root_key) if inner is not None)
-    if isinstance(value, ParameterFile):
-        return (value.file,) if value.allow_substs is None else (value.file, value.allow_substs)
-    if isinstance(value, TypedValue):
-        return (value.value,)
-    if isinstance(value, Command):
-        return (value.command,)
-    return ()
+    inner = _CHILDREN.get(type(value))
+    return inner(value) if inner is not None else ()
+
+
+def _present(*values: Value | None) -> tuple[Value, ...]:
+    return tuple(value for value in values if value is not None)
+
+
+_CHILDREN: dict[type, Callable[[Any], tuple[Value, ...]]] = {
+    Concat: lambda value: value.parts,
+    PathJoin: lambda value: value.parts,
+    ListValue: lambda value: value.items,
+    DictValue: lambda value: tuple(inner for pair in value.items for inner in pair),
+    Operation: lambda value: value.operands,
+    Choice: lambda value: tuple(option for _, option in value.options),
+    Argument: lambda value: _present(value.default),
+    Env: lambda value: _present(value.default),
+    PackageShare: lambda value: (value.package,),
+    PackagePrefix: lambda value: (value.package,),
+    DerivedFile: lambda value: _present(value.base, value.rewrites, value.root_key),
+    ParameterFile: lambda value: _present(value.file, value.allow_substs),
+    TypedValue: lambda value: (value.value,),
+    Command: lambda value: (value.command,),
+}
 
 
 def walk(value: Value) -> Iterator[Value]:

@@ -30,6 +30,8 @@ class Exhausted(Exception):
 
 def bounded(value: Value) -> Value:
     """The value itself, or Unknown when it holds too much to be walked again and again."""
+    if isinstance(value, Literal):
+        return value
     count = 0
     todo = [value]
     while todo:
