@@ -49,7 +49,10 @@ if TYPE_CHECKING:
 
 Model = TypeVar("Model")
 
-_INLINE_CYCLONEDDS = re.compile(r"CYCLONEDDS_URI[\"']?\s*[:=][^\n]*<")
+_CONFIGURED = {
+    "cyclonedds": re.compile(r"CYCLONEDDS_URI[\"']?\s*[:=][^\n]*<"),
+    "fastdds": re.compile(r"RMW_IMPLEMENTATION[\"']?\s*[:=]\s*[\"']?rmw_fastrtps_"),
+}
 _ROS_KINDS = (
     "launch-python",
     "launch-xml",
@@ -100,9 +103,10 @@ class Robot:
 
     @property
     def kinds(self) -> Iterable[str]:
-        """The kinds of file in the tree; inline XML in CYCLONEDDS_URI counts as ``cyclonedds``."""
-        inline = any(source.judged and _INLINE_CYCLONEDDS.search(source.text) for source in self.sources)
-        return self._by_kind.keys() | ({"cyclonedds"} if inline else set())
+        """The kinds of file in the tree. A middleware that an environment configures counts as if it had a file."""
+        judged = [source.text for source in self.sources if source.judged]
+        configured = {kind for kind, pattern in _CONFIGURED.items() if any(map(pattern.search, judged))}
+        return self._by_kind.keys() | configured
 
     @property
     def problems(self) -> list[Problem]:

@@ -16,7 +16,10 @@ from bringup_lint.graph import cyclonedds_names
 from bringup_lint.graph import dds_network
 from bringup_lint.graph import fastdds_names
 from bringup_lint.graph.dds_selection import Selection
+from bringup_lint.graph.dds_selection import profile_selections
 from bringup_lint.graph.dds_selection import selections
+from bringup_lint.graph.dds_selection import sharing_memory
+from bringup_lint.graph.dds_selection import user_of
 from bringup_lint.model.cyclonedds import Configuration
 from bringup_lint.model.cyclonedds import Domain
 from bringup_lint.model.cyclonedds import Remark
@@ -26,8 +29,10 @@ from bringup_lint.parsers import cyclonedds
 from bringup_lint.parsers import fastdds
 from bringup_lint.parsers.cyclonedds_values import words
 from bringup_lint.source import Located
+from bringup_lint.source import Source
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.ros_environment import RosProcess
     from bringup_lint.model.netplan import Plan
     from bringup_lint.robot import Robot
 
@@ -96,6 +101,7 @@ class Dds:
     with_blanks = staticmethod(fastdds_names.with_blanks)
     multicast_peers = staticmethod(fastdds_names.multicast_peers)
     seconds = staticmethod(fastdds_names.seconds)
+    overwritten_qos = staticmethod(fastdds_names.overwritten_qos)
     transport_type = staticmethod(fastdds_names.transport_type)
     number = staticmethod(fastdds_names.number)
     used_transports = staticmethod(fastdds_names.used_transports)
@@ -130,6 +136,22 @@ class Dds:
     def selections(self) -> list[Selection]:
         """The processes of the robot that surely read a Cyclone DDS configuration."""
         return list(selections(self.robot))
+
+    user_of = staticmethod(user_of)
+
+    @cached_property
+    def sharing_memory(self) -> list[RosProcess]:
+        """The unit processes that surely talk over Fast DDS shared memory."""
+        return list(sharing_memory(self.robot))
+
+    @cached_property
+    def _profile_selections(self) -> list[tuple[RosProcess, Located, Source]]:
+        return list(profile_selections(self.robot, self.fastdds.version))
+
+    def profile_readers(self, profiles: Profiles) -> list[tuple[RosProcess, Located]]:
+        """The processes that read a profiles file, each with the value that names it."""
+        found = self._profile_selections
+        return [(process, value) for process, value, source in found if source is profiles.source]
 
     def readers(self, configuration: Configuration) -> list[Selection]:
         """The processes that read a configuration file."""

@@ -13,13 +13,21 @@ from bringup_lint.graph.environment import process_environment
 from bringup_lint.parsers.cyclonedds_uri import split_uri
 from bringup_lint.source import Located
 from bringup_lint.source import Source
+from bringup_lint.source import Span
 
 if TYPE_CHECKING:
     from bringup_lint.graph.environment import Environment
+    from bringup_lint.graph.ros_environment import RosProcess
+    from bringup_lint.graph.unit import Unit
     from bringup_lint.model.compose import Service
     from bringup_lint.robot import Robot
 
 URI = "CYCLONEDDS_URI"
+PROFILES = {
+    "2": ("FASTRTPS_DEFAULT_PROFILES_FILE",),
+    "3": ("FASTDDS_DEFAULT_PROFILES_FILE",),
+}
+"""The variable that names the profiles file, by the major version of Fast DDS."""
 
 
 @dataclass(eq=False)
@@ -48,6 +56,24 @@ def selections(robot: Robot) -> Iterator[Selection]:
     """Every process that surely reads a configuration."""
     yield from _of_units(robot)
     yield from _of_services(robot)
+
+
+def profile_selections(robot: Robot, version: str) -> Iterator[tuple[RosProcess, Located, Source]]:
+    """Every process that reads a Fast DDS profiles file of the tree, with the value that names it."""
+    for process in robot.ros.processes:
+        rmw = process.environment.text("RMW_IMPLEMENTATION")
+        if rmw is not None and "fastrtps" not in rmw:
+            continue
+        for name in PROFILES[version[0]]:
+            variable = process.environment.get(name)
+            if variable is None or variable.text is None or not variable.text.startswith("/"):
+                continue
+            if process.service is not None:
+                file = _mounted(robot, process.service, variable.text)
+            else:
+                file = robot.tree.find(variable.text)
+            if file is not None:
+                yield process, variable.value, file
 
 
 def _of_units(robot: Robot) -> Iterator[Selection]:
@@ -137,3 +163,42 @@ def _processes(robot: Robot, launches: list) -> int:
             for node in started
         )
     return max(count, 1)
+
+
+NO_SHARED_MEMORY = (
+    "FASTRTPS_DEFAULT_PROFILES_FILE",
+    "FASTDDS_DEFAULT_PROFILES_FILE",
+    "FASTDDS_BUILTIN_TRANSPORTS",
+    "RMW_FASTRTPS_USE_QOS_FROM_XML",
+)
+"""Variables by which shared memory may be switched off."""
+
+
+def sharing_memory(robot: Robot) -> Iterator[RosProcess]:
+    """The unit processes that surely talk over Fast DDS shared memory in the common IPC namespace."""
+    for process in robot.ros.processes:
+        environment, unit = process.environment, process.unit
+        if unit is None or environment.text("RMW_IMPLEMENTATION") not in (
+            "rmw_fastrtps_cpp",
+            "rmw_fastrtps_dynamic_cpp",
+        ):
+            continue
+        if any(environment.defines(name) is not False for name in NO_SHARED_MEMORY):
+            continue
+        if unit.unsure_of("User", "DynamicUser", "PrivateIPC", section="Service") or unit.has(
+            "IPCNamespacePath"
+        ):
+            continue
+        if (unit.get("PrivateIPC") or "no").lower() in ("no", "false", "off", "0"):
+            yield process
+
+
+def user_of(unit: Unit) -> tuple[str, Located | Span]:
+    """The user of a service, and the place that says so."""
+    user = unit.get("User")
+    dynamic = unit.get("DynamicUser")
+    if dynamic is not None and dynamic.lower() in ("yes", "true", "on", "1"):
+        return f"a user of its own ({unit.name})", dynamic
+    if not user or user == "0":
+        return "root", unit.where
+    return str(user), user

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.model.fastdds import VERSIONS
+from bringup_lint.model.fastdds import Profile
 from bringup_lint.model.fastdds import Profiles
 from bringup_lint.model.fastdds import Remark
 from bringup_lint.model.xml import Element
@@ -138,3 +139,12 @@ def transport_type(name: Located) -> str:
     inside = before[before.rfind("<transport_descriptor>") :] + name.span.source.text[name.span.start :]
     match = re.search(r"<type>\s*(\w+)", inside)
     return match[1] if match else ""
+
+
+OVERWRITTEN = {"reliability", "durability", "historyQos", "publishMode"}
+"""What rmw_fastrtps sets itself unless RMW_FASTRTPS_USE_QOS_FROM_XML is 1."""
+
+
+def overwritten_qos(profile: Profile) -> list[Element]:
+    """The QoS elements of an endpoint profile that the RMW overwrites."""
+    return [element for element in profile.element.walk() if element.name in OVERWRITTEN and element.children]

@@ -1,0 +1,55 @@
+"""ROS processes of different users over shared memory.
+
+## What it finds
+Services of ROS 2 that start at boot together with Fast DDS under different users, where nothing
+switches shared memory off: their environments are known and name no profiles file and no
+`FASTDDS_BUILTIN_TRANSPORTS`, and none has a private IPC namespace.
+
+## Why it matters on a robot
+Shared-memory segments belong to the user who made them. Discovery goes over UDP, so all topics are
+listed, and no data arrives; a tool that root starts can even break nodes that run.
+
+## Bad
+```xml
+# driver.service has no User=: root
+[Service]
+User=robot
+```
+
+## Good
+```xml
+[Service]
+User=robot            # in all of them
+```
+
+## References
+- https://github.com/eProsima/Fast-DDS/issues/5258
+- https://github.com/eProsima/Fast-DDS/issues/3515
+- https://github.com/eProsima/Fast-DDS/issues/3475
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", confidence="medium", symptoms=["Failed init_port fastrtps_port", "open_and_lock_file failed"])
+def shm_across_users(robot: Robot):
+    for units in robot.units.stacks:
+        domains: dict[str | None, dict[str, tuple]] = {}
+        for process in robot.dds.sharing_memory:
+            if process.unit in units:
+                user, where = robot.dds.user_of(process.unit)
+                users = domains.setdefault(process.environment.text("ROS_DOMAIN_ID"), {})
+                users.setdefault(user, (process.unit, where))
+        for users in domains.values():
+            (first, (one, place)), *others = users.items()
+            for user, (unit, where) in others:
+                yield finding(
+                    where,
+                    f"{unit.name} runs as {user}, {one.name} as {first}: "
+                    "their topics are listed, and data never arrives",
+                    advice="run both as one user, or give both a UDP-only profile",
+                    related=[note(place, f"{one.name} runs as {first}")],
+                )
