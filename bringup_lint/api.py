@@ -32,8 +32,10 @@ _WORDS = {
     "devices_of": "bringup_lint.graph.launched",
     "directives": "bringup_lint.facts.directives",
     "duration": "bringup_lint.graph.settings",
+    "file_capabilities": "bringup_lint.graph.capabilities",
     "first_key": "bringup_lint.graph.yaml_edits",
     "flag": "bringup_lint.graph.settings",
+    "forgotten": "bringup_lint.graph.filesystem",
     "granted_limits": "bringup_lint.graph.limits",
     "is_example": "bringup_lint.templates",
     "is_made": "bringup_lint.graph.filesystem",
@@ -48,9 +50,9 @@ _WORDS = {
     "paths": "bringup_lint.graph.sandbox",
     "respawns": "bringup_lint.graph.launch_supervision",
     "ros_values": "bringup_lint.parsers.ros_values",
-    "shell_commands": "bringup_lint.parsers.shell",
     "runs_as_root": "bringup_lint.model.dockerfile",
     "sandbox": "bringup_lint.graph.sandbox",
+    "shell_commands": "bringup_lint.parsers.shell",
 }
 """Words of single layers, and whole modules of them, loaded when the first rule asks for them."""
 

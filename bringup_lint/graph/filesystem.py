@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import posixpath
+import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.discover.roots import resolve_inside
 from bringup_lint.facts import table
+from bringup_lint.graph.provision import makes
 from bringup_lint.graph.provision import mentions
 from bringup_lint.parsers.systemd_values import expand
 from bringup_lint.parsers.systemd_values import split_words
@@ -64,6 +66,26 @@ def is_there(path: str, robot: Robot) -> bool | None:
     parts = path.split("/")
     top = "/".join(parts[:3]) if parts[1] == "home" else "/".join(parts[:2])
     return False if path != top and resolve_inside(robot.tree.root, top) is not None else None
+
+
+def forgotten(path: str, robot: Robot) -> str | None:
+    """A file of one's own that the repository ships for the same folder of the robot, when it ships and makes nothing at
+    ``path``. Names that share their first word, and scripts, are one's own; what else lies there may come from elsewhere."""
+    tree = robot.tree
+    if tree.root is not None or tree.find(path) is not None or path.startswith(_VOLATILE):
+        return None
+    folder, _, name = path.rpartition("/")
+    for shipped in tree.paths:
+        found = tree.robot_path(shipped)
+        if found and found.rpartition("/")[0] == folder and _related(name, found.rpartition("/")[2]):
+            known = any(True for _ in tree.named(name)) or makes(tree, name) or mentions(tree, path)
+            return None if known else found
+    return None
+
+
+def _related(name: str, other: str) -> bool:
+    words = re.split(r"[-_.]", name)
+    return name.endswith((".sh", ".bash")) or len(words) > 1 and words[0] == re.split(r"[-_.]", other)[0]
 
 
 def _made(unit: Unit, robot: Robot) -> Iterator[str]:

@@ -122,7 +122,7 @@ class Unit:
             named = [section for section in file.sections if section.name == self.section]
             for section in named or file.sections:
                 return section.header
-        return self.files[0].source.whole
+        return (self.files[0].source if self.files else self.masked).whole
 
     @cached_property
     def _settings(self) -> dict[tuple[str, str], list[Assignment]]:

@@ -2,7 +2,8 @@
 
 ## What it finds
 A script or program of one's own (below /usr/local, /opt, /etc, /home, /srv, /var or /data) in Exec*= that a root file system does not
-hold, that is not executable there, or that is text without a `#!` line, also in a repository. A `-` in front says that it may
+hold, that is not executable there, or that is text without a `#!` line, also in a repository. A repository that ships
+other files for the same folder, and no step that makes this one, is warned with less confidence. A `-` in front says that it may
 fail.
 
 ## Why it matters on a robot
@@ -32,6 +33,7 @@ import re
 
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import forgotten
 from bringup_lint.api import is_there
 from bringup_lint.api import note
 from bringup_lint.api import rule
@@ -55,6 +57,15 @@ def execstartpre_missing_script(robot: Robot):
                     f"{program} {problem}: {process.key}= of {unit.name} fails with 203/EXEC",
                     advice=advice,
                     related=related,
+                )
+            sibling = forgotten(process.program, robot)
+            if sibling:
+                yield finding(
+                    program,
+                    f"the tree ships {sibling} but not {program}: {process.key}= of {unit.name} fails with 203/EXEC if nobody else does",
+                    advice="ship it with mode 0755",
+                    severity="warning",
+                    confidence="medium",
                 )
 
 

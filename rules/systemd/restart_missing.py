@@ -2,7 +2,7 @@
 
 ## What it finds
 A service that starts ROS 2 and stays (not Type=oneshot, not started by a timer or path unit) without Restart=. An explicit
-Restart=no is taken as a decision and reported as information only.
+Restart=no is taken as a decision and reported as information only, as is a service of a ROS tree whose start script is not in it.
 
 ## Why it matters on a robot
 The first segmentation fault, the first unplugged cable ends the stack until somebody logs in. On a robot in the field that
@@ -41,19 +41,20 @@ TOOLS = "cli"
 @rule("warning", fix="unsafe")
 def restart_missing(robot: Robot):
     units = robot.units
-    for unit in units.ros:
+    for unit in (*units.ros, *units.presumed_ros):
         policy = units.restart(unit)
         if policy.restart != "no" or not unit.complete or unit.name in units.triggered:
             continue
         if unit.get("Type") in ("oneshot", "forking") or not _stays(units, unit):
             continue
-        chosen = policy.restart_at is not None
+        chosen, known = policy.restart_at is not None, unit in units.ros
         yield finding(
             policy.restart_at or unit.where,
             f"if what {unit.name} runs dies, nothing starts it again",
             advice="set Restart=always (ros2 launch often ends with status 0) and a start limit",
             fix=_restart(unit) if unit.editable and not chosen else None,
-            severity="info" if chosen else "warning",
+            severity="warning" if known and not chosen else "info",
+            confidence="high" if known else "medium",
         )
 
 
