@@ -145,7 +145,7 @@ class Robot:
 
     @cached_property
     def units(self) -> Units:
-        from bringup_lint.graph.units import load_units
+        from bringup_lint.graph.unit_loading import load_units
 
         return load_units(self)
 

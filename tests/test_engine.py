@@ -83,7 +83,7 @@ def test_failing_rule_is_reported_and_the_others_run(tree: Path) -> None:
 
 
 def test_failing_parser_is_reported_and_the_other_files_are_checked(tree: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    from bringup_lint.graph import units
+    from bringup_lint.graph import unit_loading
     from bringup_lint.parsers import unit
 
     def parse(source):
@@ -91,7 +91,7 @@ def test_failing_parser_is_reported_and_the_other_files_are_checked(tree: Path, 
             raise IndexError(source.name)
         return unit.parse(source)
 
-    monkeypatch.setattr(units, "parse", parse)
+    monkeypatch.setattr(unit_loading, "parse", parse)
     (tree / "broken.service").write_text("[Service]\nExecStart=/bin/true\n")
     own_rule(tree, body='yield finding(word, str([unit.name for unit in robot.units.judged]))')
     run = lint("--rules", "own", "--select", "site", "--output-format", "concise", ".", cwd=tree)

@@ -23,9 +23,9 @@ def entries(text: str) -> dict[str, str]:
     [
         ("A=1\nB = 2 3 \n", {"A": "1", "B": "2 3"}),
         ("# A=1\n ; B=2\nC=3 # x\n", {"C": "3 # x"}),
-        ("A='x y'\nB=\"$HOME\"\nC=x\"y\"\n", {"A": "x y", "B": "$HOME", "C": 'x"y"'}),
+        ('A=\'x y\'\nB="$HOME"\nC=x"y"\n', {"A": "x y", "B": "$HOME", "C": 'x"y"'}),
         ("A='one\ntwo'\nB=3\n", {"A": "one\ntwo", "B": "3"}),
-        ("A=one\\\ntwo\nB=\"\\$x\\n\"\n", {"A": "onetwo", "B": "$x\\n"}),
+        ('A=one\\\ntwo\nB="\\$x\\n"\n', {"A": "onetwo", "B": "$x\\n"}),
         ("A='x' # y\n", {"A": "x# y"}),
         ("A=\nB", {"A": ""}),
         ("A=1\r\nB=2\r\n", {"A": "1", "B": "2"}),
@@ -72,7 +72,11 @@ def test_files_beat_environment_and_resets_count(tmp_path, monkeypatch):
     environment = units.environment(only(units, "a.service"))
     assert environment.complete
     assert environment.text("A") == "file2"
-    assert [variable.origin for variable in environment.chain("A")] == ["Environment=", "EnvironmentFile=", "EnvironmentFile="]
+    assert [variable.origin for variable in environment.chain("A")] == [
+        "Environment=",
+        "EnvironmentFile=",
+        "EnvironmentFile=",
+    ]
     assert environment.defines("B") is False
     assert environment.text("C") == "a"
     assert environment.defines("P") is True

@@ -29,7 +29,11 @@ def cycle(units: Units) -> tuple[list[str], str | None, bool]:
 def test_target_is_ordered_after_what_it_wants(tmp_path, monkeypatch):
     units = load(
         tmp_path,
-        {"a.service": service(install="WantedBy=robot.target"), "robot.target": "[Unit]\nWants=b.service\n", "b.service": service()},
+        {
+            "a.service": service(install="WantedBy=robot.target"),
+            "robot.target": "[Unit]\nWants=b.service\n",
+            "b.service": service(),
+        },
         monkeypatch,
     )
     assert orders(units, "a.service", "robot.target")
@@ -57,17 +61,37 @@ def test_no_implicit_order_against_an_explicit_one_or_without_default_dependenci
         ({"a.service": service()}, "basic.target", "a.service"),
         ({"a.timer": "[Timer]\nOnBootSec=1\n", "a.service": service()}, "a.timer", "a.service"),
         ({"a.timer": "[Timer]\nOnCalendar=daily\n"}, "time-sync.target", "a.timer"),
-        ({"a.socket": "[Socket]\nListenStream=1\nService=b.service\n", "b.service": service()}, "a.socket", "b.service"),
+        (
+            {"a.socket": "[Socket]\nListenStream=1\nService=b.service\n", "b.service": service()},
+            "a.socket",
+            "b.service",
+        ),
         ({"a.service": service(own="Sockets=x.socket")}, "x.socket", "a.service"),
         ({"a.service": service(own="Slice=robot.slice")}, "robot.slice", "a.service"),
         ({"a.service": service(own="Type=dbus\nBusName=a.b")}, "dbus.socket", "a.service"),
         ({"a.service": service(own="PrivateTmp=yes")}, "systemd-tmpfiles-setup.service", "a.service"),
-        ({"a.service": service("RequiresMountsFor=/data/x"), "data.mount": "[Mount]\nWhere=/data\n"}, "data.mount", "a.service"),
-        ({"a.service": service(own="WorkingDirectory=/data"), "data.mount": "[Mount]\nWhere=/data\n"}, "data.mount", "a.service"),
-        ({"data-x.mount": "[Mount]\nWhere=/data/x\n", "data.mount": "[Mount]\nWhere=/data\n"}, "data.mount", "data-x.mount"),
+        (
+            {"a.service": service("RequiresMountsFor=/data/x"), "data.mount": "[Mount]\nWhere=/data\n"},
+            "data.mount",
+            "a.service",
+        ),
+        (
+            {"a.service": service(own="WorkingDirectory=/data"), "data.mount": "[Mount]\nWhere=/data\n"},
+            "data.mount",
+            "a.service",
+        ),
+        (
+            {"data-x.mount": "[Mount]\nWhere=/data/x\n", "data.mount": "[Mount]\nWhere=/data\n"},
+            "data.mount",
+            "data-x.mount",
+        ),
         ({"data.mount": "[Mount]\nWhere=/data\n"}, "data.mount", "local-fs.target"),
         ({"data.mount": "[Mount]\nWhere=/data\nType=nfs\n"}, "network-online.target", "data.mount"),
-        ({"a@.service": service("After=b@%i.service"), "c.service": service("Wants=a@x.service")}, "b@x.service", "a@x.service"),
+        (
+            {"a@.service": service("After=b@%i.service"), "c.service": service("Wants=a@x.service")},
+            "b@x.service",
+            "a@x.service",
+        ),
         ({"a.service": service("After=b@.service")}, "b@a.service", "a.service"),
         ({"a.service": service("After=default.target")}, "graphical.target", "a.service"),
     ],
@@ -141,7 +165,9 @@ def test_masked_unit_breaks_the_cycle(tmp_path, monkeypatch):
 
 def test_waits_through_others_but_not_through_packages(tmp_path, monkeypatch):
     files = {
-        "a.service": service("Wants=network-online.target\nAfter=network-online.target", "WantedBy=multi-user.target"),
+        "a.service": service(
+            "Wants=network-online.target\nAfter=network-online.target", "WantedBy=multi-user.target"
+        ),
         "b.service": service("Requires=a.service\nAfter=a.service"),
         "c.service": service("After=multi-user.target"),
         "d.service": service("After=docker.service\nRequires=docker.service"),
@@ -168,5 +194,7 @@ def test_links_of_a_root_file_system_decide_what_is_enabled(tmp_path, monkeypatc
         "etc/systemd/system/multi-user.target.wants/a.service": "-> ../a.service",
     }
     units = load(tmp_path, files, monkeypatch, root=True)
-    pulled = {edge.target.name for edge in units.graph.edges("wants") if edge.source.name == "multi-user.target"}
+    pulled = {
+        edge.target.name for edge in units.graph.edges("wants") if edge.source.name == "multi-user.target"
+    }
     assert {"a.service"} == pulled & {"a.service", "b.service"}

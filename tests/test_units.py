@@ -14,10 +14,17 @@ from bringup_lint.robot import Robot
 SERVICE = "[Service]\nExecStart=/bin/true\n"
 
 
-def load(folder: Path, files: dict[str, str], monkeypatch: pytest.MonkeyPatch, *, root: bool = False) -> Units:
+def load(
+    folder: Path, files: dict[str, str], monkeypatch: pytest.MonkeyPatch, *, root: bool = False
+) -> Units:
     """The units of a tree; ``-> target`` as content makes a link."""
     if root:
-        files = {"etc/os-release": "ID=ubuntu\n", "etc/passwd": "root:x:0:0::/root:/bin/sh\n", "usr/x": "", **files}
+        files = {
+            "etc/os-release": "ID=ubuntu\n",
+            "etc/passwd": "root:x:0:0::/root:/bin/sh\n",
+            "usr/x": "",
+            **files,
+        }
     for name, text in files.items():
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -81,7 +88,13 @@ def test_dropin_linked_to_null_is_masked(tmp_path, monkeypatch):
 
 @pytest.mark.parametrize(
     "folder",
-    ["service.d", "robot-.service.d", "robot-nav-.service.d", "robot-nav-x@.service.d", "robot-nav-x@a.service.d"],
+    [
+        "service.d",
+        "robot-.service.d",
+        "robot-nav-.service.d",
+        "robot-nav-x@.service.d",
+        "robot-nav-x@a.service.d",
+    ],
 )
 def test_dropin_folders_of_an_instance(tmp_path, monkeypatch, folder):
     files = {"robot-nav-x@a.service": SERVICE, f"{folder}/10.conf": "[Service]\nUser=robot\n"}
@@ -200,7 +213,9 @@ def test_service_kept_as_conf_is_a_service(tmp_path, monkeypatch):
 
 
 def test_new_line_goes_to_the_end_of_the_section_or_makes_it(tmp_path, monkeypatch):
-    units = load(tmp_path, {"a.service": "[Unit]\nAfter=b.service\n\n[Service]\nExecStart=/bin/true"}, monkeypatch)
+    units = load(
+        tmp_path, {"a.service": "[Unit]\nAfter=b.service\n\n[Service]\nExecStart=/bin/true"}, monkeypatch
+    )
     unit = only(units, "a.service")
     span, text = unit.new_line("Unit", "Wants=b.service")
     assert (span.line, text) == (3, "Wants=b.service\n")

@@ -1,6 +1,7 @@
 """What waits for what at boot, and what brings it in: ways through the graph that hold on the robot.
 
-The distribution's tables say what a package enables *if* it is installed; such edges do not count as a reason here.
+The distribution's tables say what a package enables *if* it is installed; such edges do not count as a
+reason here.
 """
 
 from __future__ import annotations
@@ -41,19 +42,26 @@ def ordered(units: Units, unit: Unit, name: str) -> bool:
     """Whether one of the two starts after the other, over any edge: both are taken to be there."""
     graph = units.graph
     nodes, goal = _nodes(units, unit), _named(units, unit, name)
-    forward = _search(nodes, goal, lambda n: ((e, e.target) for e in graph.out.get(n, ()) if e.kind == "orders"))
+    forward = _search(
+        nodes, goal, lambda n: ((e, e.target) for e in graph.out.get(n, ()) if e.kind == "orders")
+    )
     return bool(
-        forward or _search(nodes, goal, lambda n: ((e, e.source) for e in graph.into.get(n, ()) if e.kind == "orders"))
+        forward
+        or _search(
+            nodes, goal, lambda n: ((e, e.source) for e in graph.into.get(n, ()) if e.kind == "orders")
+        )
     )
 
 
 def brings_in(units: Units, unit: Unit, name: str) -> list[Edge] | None:
-    """The chain of requirement edges from the unit to the one of that name: starting the unit starts it too."""
+    """The chain of requirement edges from the unit to the one of that name: starting the unit starts it
+    too."""
     return _search(_nodes(units, unit), _named(units, unit, name), lambda node: _pulled(units, node))
 
 
 def brought_in(units: Units, near: Unit, name: str) -> list[Edge] | None:
-    """The chain from a boot target, over lines of the tree, that starts the unit of that name at boot anyway."""
+    """The chain from a boot target, over lines of the tree, that starts the unit of that name at boot
+    anyway."""
     kind = "unit" if near.manager == "system" else "user-unit"
     roots = {Node(kind, units.real_name(root, near.manager)) for root in ROOTS}
     return _search(roots, _named(units, near, name), lambda node: _pulled(units, node))

@@ -17,7 +17,8 @@ ROOTS = ("graphical.target", "multi-user.target")
 
 
 class Cycle(NamedTuple):
-    """A shortest ordering cycle: each edge starts where the one before it ends, the last one ends at the start."""
+    """A shortest ordering cycle: each edge starts where the one before it ends, the last one ends at the
+    start."""
 
     edges: tuple[Edge, ...]
     root: Node | None
@@ -71,11 +72,14 @@ def ordering_cycles(graph: Graph, roots: Iterable[str] = ROOTS) -> Iterator[Cycl
                 members = {edge.source for edge in edges}
                 root = _common_root(graph, members, roots)
                 required = frozenset(graph.reachable(root, HARD)) if root else frozenset()
-                yield Cycle(edges, root, root is not None and members <= required, frozenset(members - required))
+                yield Cycle(
+                    edges, root, root is not None and members <= required, frozenset(members - required)
+                )
 
 
 def _is_written(graph: Graph, component: set[Node]) -> bool:
-    """Whether a line of the tree contributes, rather than only units of several releases of the distribution."""
+    """Whether a line of the tree contributes, rather than only units of several releases of the
+    distribution."""
     edges = (edge for node in component for edge in graph.out.get(node, ()))
     return any(edge.where and edge.kind == "orders" and edge.target in component for edge in edges)
 
@@ -97,7 +101,10 @@ def _covering_cycles(graph: Graph, component: set[Node]) -> Iterator[tuple[Edge,
 
 
 def _has_written_edge(graph: Graph, node: Node, component: set[Node]) -> bool:
-    ends = [*((e, e.target) for e in graph.out.get(node, ())), *((e, e.source) for e in graph.into.get(node, ()))]
+    ends = [
+        *((e, e.target) for e in graph.out.get(node, ())),
+        *((e, e.source) for e in graph.into.get(node, ())),
+    ]
     return any(edge.where and edge.kind == "orders" and other in component for edge, other in ends)
 
 

@@ -1,4 +1,5 @@
-"""Requirement and ordering edges between units, as units write them; the implicit ones and the distribution's are added."""
+"""Requirement and ordering edges between units, as units write them; the implicit ones and the
+distribution's are added."""
 
 from __future__ import annotations
 
@@ -21,7 +22,7 @@ from bringup_lint.source import Located
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
-    from bringup_lint.graph.units import Link
+    from bringup_lint.graph.named_units import Link
     from bringup_lint.graph.units import Units
 
 PULLS = {
@@ -66,7 +67,8 @@ def _kind(manager: str) -> str:
 
 
 def expand_name(name: str, unit_name: str) -> str | None:
-    """A unit name with the specifiers that follow from the unit's own name; None for others (systemd.unit(5)). A template
+    """A unit name with the specifiers that follow from the unit's own name; None for others
+    (systemd.unit(5)). A template
     without an instance gets the name of the unit as its instance."""
     parts = split_name(name)
     if parts.is_template:
@@ -91,7 +93,8 @@ def dependency_graph(units: Units) -> Graph:
 
 
 def instances(units: Units) -> Iterator[Instance]:
-    """Every unit that can start; a template once for each instance that the tree names, or once for a made-up one."""
+    """Every unit that can start; a template once for each instance that the tree names, or once for a
+    made-up one."""
     named = _named_instances(units)
     for unit in units.all:
         if unit.masked:

@@ -1,4 +1,5 @@
-"""What Ubuntu's and Debian's own units say, for trees that do not hold them (tables ``systemd_units``, ``systemd_unit_edges``)."""
+"""What Ubuntu's and Debian's own units say, for trees that do not hold them (tables ``systemd_units``,
+``systemd_unit_edges``)."""
 
 from __future__ import annotations
 
@@ -37,7 +38,8 @@ def aliases() -> dict[str, str]:
 
 
 def distribution_edges(units: Units) -> Iterator[Edge]:
-    """The edges of the release nearest to the target's, without those of units that the tree brings itself."""
+    """The edges of the release nearest to the target's, without those of units that the tree brings
+    itself."""
     from bringup_lint.facts import table
     from bringup_lint.graph.dependencies import INSTALLED
     from bringup_lint.graph.dependencies import PULLS

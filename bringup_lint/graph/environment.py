@@ -1,7 +1,10 @@
-"""The environment of a process: every variable with its value, where it comes from, and whether all sources are known.
+"""The environment of a process: every variable with its value, where it comes from, and whether all sources
+are known.
 
-systemd.exec(5), "Environment": PassEnvironment=, then Environment=, then EnvironmentFile= (which wins), then UnsetEnvironment=;
-a shell adds what it assigns and exports. ``Environment`` itself knows nothing of systemd: compose files, launch files and
+systemd.exec(5), "Environment": PassEnvironment=, then Environment=, then EnvironmentFile= (which wins),
+then UnsetEnvironment=;
+a shell adds what it assigns and exports. ``Environment`` itself knows nothing of systemd: compose files,
+launch files and
 images fill the same class.
 """
 
@@ -49,7 +52,8 @@ class Variable(NamedTuple):
     text: str | None
     """What the process sees; None when that depends on something unknown."""
     origin: str
-    """Who sets it: ``Environment=``, ``EnvironmentFile=``, ``export``, ``shell``, ``PassEnvironment=``, ``environment:``, ..."""
+    """Who sets it: ``Environment=``, ``EnvironmentFile=``, ``export``, ``shell``, ``PassEnvironment=``,
+    ``environment:``, ..."""
 
 
 @dataclass(eq=False)
@@ -57,7 +61,8 @@ class Environment:
     """The variables of a process and their history."""
 
     chains: dict[str, list[Variable]] = field(default_factory=dict)
-    """Name -> every setting in the order in which they apply; the last one wins. Empty list: unset on purpose."""
+    """Name -> every setting in the order in which they apply; the last one wins. Empty list: unset on
+    purpose."""
     complete: bool = True
     """Whether every source was found and read, so that a variable that is not here is not set."""
 
@@ -96,7 +101,8 @@ class Environment:
         return (chain[-1] for chain in self.chains.values() if chain)
 
     def expand(self, text: str) -> str | None:
-        """A shell word with ``$NAME``, ``${NAME}`` and ``${NAME:-default}`` put in; None when that is not known."""
+        """A shell word with ``$NAME``, ``${NAME}`` and ``${NAME:-default}`` put in; None when that is not
+        known."""
 
         def put_in(match: re.Match[str]) -> str:
             name = match["name"] or match["braced"]
@@ -204,8 +210,10 @@ def process_environment(process: Process, robot: Robot, until: Step | None = Non
 def after_commands(
     environment: Environment, commands: Iterable[Command], known: Callable[[str], bool]
 ) -> Environment:
-    """The environment after shell commands (``model.shell.Command``): assignments, ``export``, ``unset``. Those inside ``if``
-    and the like may or may not run: they make a value unknown. ``known`` tells which sourced files hide nothing."""
+    """The environment after shell commands (``model.shell.Command``): assignments, ``export``, ``unset``.
+    Those inside ``if``
+    and the like may or may not run: they make a value unknown. ``known`` tells which sourced files hide
+    nothing."""
     now = environment.copy()
     for command in commands:
         words = command.words

@@ -16,7 +16,8 @@ if TYPE_CHECKING:
 
 
 class Node(NamedTuple):
-    """Something of the robot: kind (``unit``, ``user-unit``, ``process``, ``launch-file``, ``device``, ...) and name."""
+    """Something of the robot: kind (``unit``, ``user-unit``, ``process``, ``launch-file``, ``device``, ...)
+    and name."""
 
     kind: str
     name: str
@@ -35,7 +36,8 @@ class Edge(NamedTuple):
     why: str
     """The setting (``After=``), or ``implicit: <reason>``."""
     of_package: bool = False
-    """Only there when a package of the distribution is installed and enabled, which nothing in the tree tells."""
+    """Only there when a package of the distribution is installed and enabled, which nothing in the tree
+    tells."""
 
     def __str__(self) -> str:
         """``After=, robot.service:4``, or the reason of an implicit edge."""

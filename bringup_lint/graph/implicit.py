@@ -1,4 +1,5 @@
-"""Edges that no line states: systemd.unit(5), "Implicit Dependencies" and "Default Dependencies" there and in the man page
+"""Edges that no line states: systemd.unit(5), "Implicit Dependencies" and "Default Dependencies" there and
+in the man page
 of each unit type."""
 
 from __future__ import annotations
@@ -174,7 +175,8 @@ def default_edges(here: Node, enabled: bool) -> Iterator[Edge]:
 
 
 def after_members(graph: Graph, units: Units) -> Iterator[Edge]:
-    """A target is ordered after what it wants or requires, unless one side says otherwise (systemd.target(5))."""
+    """A target is ordered after what it wants or requires, unless one side says otherwise
+    (systemd.target(5))."""
     without = {units.node(unit) for unit in units.all if unit.fragment and not has_default_dependencies(unit)}
     if not units.has_vendor_units:
         from bringup_lint.facts import table

@@ -1,4 +1,5 @@
-"""What a unit really runs: the program of an Exec line, the shell text behind ``-c``, the scripts of the tree that it starts.
+"""What a unit really runs: the program of an Exec line, the shell text behind ``-c``, the scripts of the
+tree that it starts.
 
 systemd.service(5), "Command lines"; systemd replaces ``$$`` and known variables before the program sees them.
 """
@@ -71,7 +72,8 @@ _WRAPPERS = {
     "dbus-run-session": ("", 0),
     "xvfb-run": ("-e -f -n -p -s -w", 0),
 }
-"""Programs that run another one: their options that take a value, and how many words of their own they need."""
+"""Programs that run another one: their options that take a value, and how many words of their own they
+need."""
 _ROS1_TEXT = re.compile(r"/opt/ros/(?:noetic|melodic|kinetic|lunar|jade|indigo)\b|\broslaunch\b|\broscore\b")
 _ROS_TEXT = re.compile(r"\bros2 |/opt/ros/|install/(?:local_)?setup\.(?:bash|sh)|component_container")
 
@@ -81,7 +83,8 @@ class Ros:
     """One ROS 2 program that a unit starts."""
 
     kind: str
-    """``launch``, ``run``, ``node`` (an installed executable started by its path), or ``cli`` (another ros2 verb)."""
+    """``launch``, ``run``, ``node`` (an installed executable started by its path), or ``cli`` (another ros2
+    verb)."""
     command: Command
     package: Located | None = None
     target: Located | None = None
@@ -167,7 +170,8 @@ class Process:
 
     @cached_property
     def profiles(self) -> list[tuple[Step, Located]]:
-        """Where a shell is told to read what is meant for people: a sourced ``.bashrc``, ``bash -l``, ``bash -i``."""
+        """Where a shell is told to read what is meant for people: a sourced ``.bashrc``, ``bash -l``,
+        ``bash -i``."""
         return list(_profiles(self.steps))
 
     @cached_property
@@ -195,7 +199,8 @@ class Process:
 
     @property
     def replaces_shell(self) -> bool:
-        """Whether the ROS program is the main process itself: run by systemd, exec'd, or the last of ``bash -c``."""
+        """Whether the ROS program is the main process itself: run by systemd, exec'd, or the last of ``bash
+        -c``."""
         for step, found in self.ros:
             words = [str(word) for word in found.command.words]
             if (
@@ -224,7 +229,8 @@ def _profiles(steps: list[Step]) -> Iterator[tuple[Step, Located]]:
 
 
 def processes(unit: Unit, robot: Robot) -> list[Process]:
-    """The command lines of a service, in the order of ``EXEC_KEYS``, with what their shells and scripts run."""
+    """The command lines of a service, in the order of ``EXEC_KEYS``, with what their shells and scripts
+    run."""
     found = []
     for key in EXEC_KEYS:
         for value in unit.values(key, "Service"):
@@ -324,7 +330,8 @@ def unwrapped(words: tuple[Located, ...]) -> tuple[Located, ...]:
 
 
 def ros_command(command: Command) -> Ros | None:
-    """The ROS 2 program that a command starts, if it is one; an entry script that is given ``ros2 launch ...`` execs it."""
+    """The ROS 2 program that a command starts, if it is one; an entry script that is given ``ros2 launch
+    ...`` execs it."""
     words = unwrapped(command.words)
     if not words:
         return None

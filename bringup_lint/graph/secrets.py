@@ -30,8 +30,9 @@ _NAME = re.compile(
 )
 _NO_NAME = re.compile(r"^(?:old)?pwd$", re.I)
 _KNOWN_VALUE = re.compile(
-    r"\b(?:AKIA|ASIA)[0-9A-Z]{16}\b|\bgh[pousr]_[A-Za-z0-9]{30,}|\bgithub_pat_\w{30,}|\bglpat-[\w-]{20}|\bsk[-_]live[-_]\w{16,}"
-    r"|\bxox[abprs]-[\w-]{20,}|-----BEGIN (?:[A-Z]+ )*PRIVATE KEY-----|\beyJ[\w-]{10,}\.eyJ[\w-]{10,}\.[\w-]{10,}"
+    r"\b(?:AKIA|ASIA)[0-9A-Z]{16}\b|\bgh[pousr]_[A-Za-z0-9]{30,}|\bgithub_pat_\w{30,}|\bglpat-[\w-]{20}"
+    r"|\bsk[-_]live[-_]\w{16,}|\bxox[abprs]-[\w-]{20,}|-----BEGIN (?:[A-Z]+ )*PRIVATE KEY-----"
+    r"|\beyJ[\w-]{10,}\.eyJ[\w-]{10,}\.[\w-]{10,}"
 )
 _USER_INFO = re.compile(r"\b[a-z][a-z0-9+.-]*://[^/\s:@]+:([^@/\s]+)@")
 _NO_VALUE = re.compile(

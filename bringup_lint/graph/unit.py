@@ -105,7 +105,8 @@ class Unit:
 
     @property
     def complete(self) -> bool:
-        """Whether everything that the unit sets is in the tree, so that a setting that is not there is not set."""
+        """Whether everything that the unit sets is in the tree, so that a setting that is not there is not
+        set."""
         return self.fragment is not None and not self.uncertain
 
     @property
@@ -115,7 +116,8 @@ class Unit:
 
     @property
     def where(self) -> Span:
-        """The header that a finding about the whole unit points at: [Service] and the like, else the first section."""
+        """The header that a finding about the whole unit points at: [Service] and the like, else the first
+        section."""
         for file in self.files:
             if not file.source.judged:
                 continue
@@ -142,7 +144,8 @@ class Unit:
         return "Unit" if key in DEPENDENCIES else self.section
 
     def values(self, key: str, section: str | None = None) -> list[Located]:
-        """The values of a list setting; an empty assignment resets it, except for dependencies. ``section`` is
+        """The values of a list setting; an empty assignment resets it, except for dependencies. ``section``
+        is
         [Unit] for dependencies and the unit type's own section for other keys unless it is given."""
         values: list[Located] = []
         for assignment in self.assignments(key, section):
@@ -171,7 +174,8 @@ class Unit:
                     yield assignment, word
 
     def unsure_of(self, *keys: str, section: str | None = None) -> bool:
-        """Whether a template may still change what these settings hold, so that nothing is missing from them."""
+        """Whether a template may still change what these settings hold, so that nothing is missing from
+        them."""
         return self.uncertain or any(
             assignment.opaque for key in keys for assignment in self.assignments(key, section)
         )

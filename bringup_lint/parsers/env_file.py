@@ -1,6 +1,7 @@
 """Environment files as systemd reads them: the state machine of ``src/basic/env-file.c``, systemd.exec(5).
 
-A comment is a line that starts with ``#`` or ``;``; there are no trailing comments and nothing is expanded. Quotes count only
+A comment is a line that starts with ``#`` or ``;``; there are no trailing comments and nothing is expanded.
+Quotes count only
 where a value (or a part of it behind another quoted one) starts; a quoted value may span lines.
 """
 
@@ -23,7 +24,8 @@ _ESCAPED_IN_QUOTES = '"\\`$'
 
 
 def parse(source: Source) -> EnvFile:
-    """Read an environment file. Never raises; what systemd drops is in ``problems``: ``missing-equals``, ``bad-name``,
+    """Read an environment file. Never raises; what systemd drops is in ``problems``: ``missing-equals``,
+    ``bad-name``,
     ``export-prefix``, ``unterminated-quote``."""
     file = EnvFile(source)
     text = source.text
@@ -63,7 +65,8 @@ def _entry(file: EnvFile, start: int, equals: int) -> int:
 
 
 def _value(source: Source, at: int) -> tuple[Located, bool, int, int | None]:
-    """The value, whether it is quoted, the offset of the line end behind it, and the quote that is never closed."""
+    """The value, whether it is quoted, the offset of the line end behind it, and the quote that is never
+    closed."""
     text, size = source.text, len(source.text)
     out: list[str] = []
     pieces: list[tuple[int, int]] = []

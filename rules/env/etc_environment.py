@@ -52,7 +52,8 @@ def etc_environment(robot: Robot):
             yield finding(
                 entry.name,
                 f"system services do not read {PATH}: {entry.name} is not set for {names}",
-                advice=f"add EnvironmentFile={PATH} to the units, or keep the variables in a file of their own",
+                advice=f"add EnvironmentFile={PATH} to the units, or keep the variables in "
+                "a file of their own",
                 related=[note(unit.where, f"{unit.name} starts ROS without it") for unit in blind[:3]],
             )
 

@@ -90,7 +90,8 @@ def ros2_not_sourced(robot: Robot):
             elif lost and not found and INTERPRETER.match(process.name) and not process.setup_files:
                 yield finding(
                     process.program,
-                    f"{unit.name} starts without the ROS environment: only ExecStartPre= sources a setup file",
+                    f"{unit.name} starts without the ROS environment: only ExecStartPre= "
+                    "sources a setup file",
                     advice="start it with /bin/bash -c 'source /opt/ros/<distro>/setup.bash && exec ...'",
                     related=[
                         note(lost[0].setup_files[0][1], "sourced here, for a process that ends at once")

@@ -4,9 +4,9 @@
 A unit, drop-ins included, that names the same other unit in `After=` and in `Before=`.
 
 ## Why it matters on a robot
-Both orders at once are a cycle of two: with `Requires=` or `BindsTo=` between them neither unit starts ("Transaction order is
-cyclic"), without it systemd leaves one of them out. The second line is often added because of the belief that `Before=`
-controls the stop order; a stop is the reverse of the start already.
+Both orders at once are a cycle of two: with `Requires=` or `BindsTo=` between them neither unit starts
+("Transaction order is cyclic"), without it systemd leaves one of them out. The second line is often added
+because of the belief that `Before=` controls the stop order; a stop is the reverse of the start already.
 
 ## Bad
 ```ini
@@ -47,8 +47,10 @@ def after_and_before_same(robot: Robot):
                 depends = any(word in unit.words(key) for key in DEPENDS)
                 yield finding(
                     word,
-                    f"{unit.name} is to start both after and before {word}: systemd cannot do both and leaves a unit out, or starts none",
-                    advice=f"keep After={word} if {unit.name} needs it: it already stops first, because a stop is the reverse of the start",
+                    f"{unit.name} is to start both after and before {word}: systemd cannot "
+                    "do both and leaves a unit out, or starts none",
+                    advice=f"keep After={word} if {unit.name} needs it: it already stops "
+                    "first, because a stop is the reverse of the start",
                     related=[note(before[word], "the opposite order")],
                     fix=fix(f"drop Before={word}", line.without(word), safe=depends),
                 )

@@ -1,13 +1,14 @@
 """Before= used to stop a unit first.
 
 ## What it finds
-A service with `Before=` of another service that it depends on (`Requires=`, `BindsTo=`) or whose stop it follows (`PartOf=`), while
-that service does not depend on it. One-shot services, which prepare something for the other one, are left out.
+A service with `Before=` of another service that it depends on (`Requires=`, `BindsTo=`) or whose stop it
+follows (`PartOf=`), while that service does not depend on it. One-shot services, which prepare something
+for the other one, are left out.
 
 ## Why it matters on a robot
-The stop order is the exact reverse of the start order: with `Before=B` the unit stops *after* B. A controller meant to bring
-the wheels to rest first is still sending commands when the driver below it is gone, and at the start it comes up before the
-driver that it requires.
+The stop order is the exact reverse of the start order: with `Before=B` the unit stops *after* B. A
+controller meant to bring the wheels to rest first is still sending commands when the driver below it is
+gone, and at the start it comes up before the driver that it requires.
 
 ## Bad
 ```ini
@@ -53,7 +54,11 @@ def before_for_shutdown_order(robot: Robot):
                 yield finding(
                     word,
                     f"Before={word} makes {unit.name} start first and stop last, though it "
-                    + (f"is {key}= of" if key == "PartOf" else f"{'requires' if key == 'Requires' else 'is bound to'}")
+                    + (
+                        f"is {key}= of"
+                        if key == "PartOf"
+                        else f"{'requires' if key == 'Requires' else 'is bound to'}"
+                    )
                     + f" {word}",
                     advice=f"write After={word}: what starts later stops first",
                     related=[note(where, f"{key}= does not order")],

@@ -13,14 +13,14 @@ defined it, the same line works.
 ## Bad
 ```ini
 [Service]
-ExecStart=/bin/bash -c 'source /opt/ros/${ROS_DISTRO}/setup.bash && exec ros2 launch rover_bringup rover.launch.py'
+ExecStart=/bin/bash -c 'source /opt/ros/${ROS_DISTRO}/setup.bash && exec ros2 launch rover rover.launch.py'
 ```
 
 ## Good
 ```ini
 [Service]
 Environment=ROS_DISTRO=jazzy
-ExecStart=/bin/bash -c 'source /opt/ros/${ROS_DISTRO}/setup.bash && exec ros2 launch rover_bringup rover.launch.py'
+ExecStart=/bin/bash -c 'source /opt/ros/${ROS_DISTRO}/setup.bash && exec ros2 launch rover rover.launch.py'
 ```
 
 ## References
@@ -64,7 +64,8 @@ def env_undefined_in_exec(robot: Robot):
                     yield finding(
                         word.part(*match.span()),
                         f"{name} is not defined: {_becomes(word, match)}",
-                        advice=f"define {name} with Environment= or in an environment file, or write $${{{name}}} if the shell is to expand it",
+                        advice=f"define {name} with Environment= or in an environment file, "
+                        f"or write $${{{name}}} if the shell is to expand it",
                     )
 
 

@@ -11,14 +11,14 @@ fails somewhere else, with another message: `source /opt/ros//setup.bash: No suc
 ```ini
 [Service]
 EnvironmentFile=-/etc/rover/ros.env
-ExecStart=/bin/bash -c 'source /opt/ros/${ROS_DISTRO}/setup.bash && exec ros2 launch rover_bringup rover.launch.py'
+ExecStart=/bin/bash -c 'source /opt/ros/${ROS_DISTRO}/setup.bash && exec ros2 launch rover rover.launch.py'
 ```
 
 ## Good
 ```ini
 [Service]
 EnvironmentFile=/etc/rover/ros.env
-ExecStart=/bin/bash -c 'source /opt/ros/${ROS_DISTRO}/setup.bash && exec ros2 launch rover_bringup rover.launch.py'
+ExecStart=/bin/bash -c 'source /opt/ros/${ROS_DISTRO}/setup.bash && exec ros2 launch rover rover.launch.py'
 ```
 
 ## References
@@ -56,7 +56,8 @@ def envfile_optional(robot: Robot):
                     dash = file.value.span.source.span(file.value.span.start - 1, file.value.span.start)
                     yield finding(
                         file.value,
-                        f"{process.key}= needs {used} from this file, and without the file it is silently empty",
+                        f"{process.key}= needs {used} from this file, and without the file "
+                        "it is silently empty",
                         advice="drop the '-'",
                         related=[note(only[used].value, "defined here"), note(process.line, "used here")],
                         fix=fix("make the file required", (dash, ""), safe=False)

@@ -12,14 +12,14 @@ tidies up the permissions. It also ties the robot to one developer's account.
 ```ini
 [Service]
 User=rover
-ExecStart=/bin/bash -c 'source /home/dev/ws/install/setup.bash && exec ros2 launch rover_bringup rover.launch.py'
+ExecStart=/bin/bash -c 'source /home/dev/ws/install/setup.bash && exec ros2 launch rover rover.launch.py'
 ```
 
 ## Good
 ```ini
 [Service]
 User=rover
-ExecStart=/bin/bash -c 'source /opt/rover/install/setup.bash && exec ros2 launch rover_bringup rover.launch.py'
+ExecStart=/bin/bash -c 'source /opt/rover/install/setup.bash && exec ros2 launch rover rover.launch.py'
 ```
 
 ## References

@@ -67,7 +67,10 @@ def install_bad_target(robot: Robot):
                         word,
                         f"{word} is no unit name: systemctl enable fails"
                         if bad
-                        else f"{word} does not exist{'' if sure else ' in this tree'}: {unit.name} can be enabled but never starts",
+                        else (
+                            f"{word} does not exist{'' if sure else ' in this tree'}: "
+                            f"{unit.name} can be enabled but never starts"
+                        ),
                         advice=f"did you mean {meant[0]}?"
                         if meant
                         else f"ship {word}, or use multi-user.target",

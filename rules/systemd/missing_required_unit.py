@@ -49,7 +49,8 @@ def missing_required_unit(robot: Robot):
                     meant = units.meant(word, unit)
                     yield finding(
                         word,
-                        f"{word} does not exist{'' if robot.tree.complete else ' in this tree'}: {unit.name} fails to start",
+                        f"{word} does not "
+                        f"exist{'' if robot.tree.complete else ' in this tree'}: {unit.name} fails to start",
                         advice=f"did you mean {meant}?" if meant else f"ship {word}, or drop the dependency",
                         fix=fix(f"write {meant}", (word, meant), safe=False) if meant else None,
                         severity=None if robot.tree.complete else "warning",

@@ -49,6 +49,8 @@ def network_online_no_waiter(robot: Robot):
             ):
                 yield finding(
                     word,
-                    f"nothing is linked into {ONLINE}, so it is reached at once and {unit.name} does not wait",
-                    advice="systemctl enable systemd-networkd-wait-online.service, or the one of NetworkManager",
+                    f"nothing is linked into {ONLINE}, so it is reached at once and "
+                    f"{unit.name} does not wait",
+                    advice="systemctl enable systemd-networkd-wait-online.service, or the "
+                    "one of NetworkManager",
                 )

@@ -44,7 +44,8 @@ from bringup_lint.api import rule
 ONLINE = "network-online.target"
 EARLY = ("network.target", "network-pre.target", "NetworkManager.service", "systemd-networkd.service")
 WAITS = re.compile(
-    r"wait-online|nm-online|\bping\b|wait[-_ ]?for[-_ ]?(?:the[-_ ])?(?:net|ip\b|interface)|\bip (?:-\S+ )*(?:a|addr|route)\b"
+    r"wait-online|nm-online|\bping\b|wait[-_ ]?for[-_ ]?(?:the[-_ ])?(?:net|ip\b|interface)"
+    r"|\bip (?:-\S+ )*(?:a|addr|route)\b"
 )
 
 
@@ -72,7 +73,8 @@ def network_target(robot: Robot):
         lost = [process.lost_script for process in units.started(unit) if process.lost_script]
         yield finding(
             word,
-            f"{word} does not mean that any interface has an address: {unit.name} can start before the network is up, "
+            f"{word} does not mean that any interface has an address: {unit.name} can start "
+            "before the network is up, "
             "and DDS looks at the interfaces only once",
             advice=f"order after {ONLINE} and pull it in: Wants={ONLINE} and After={ONLINE}",
             related=[

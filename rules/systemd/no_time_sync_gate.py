@@ -40,9 +40,13 @@ from bringup_lint.api import rule
 
 WAITERS = ("chrony-wait.service", "systemd-time-wait-sync.service", "ntpsec-wait.service")
 DAEMONS = (
-    "/etc/chrony/chrony.conf", "/etc/chrony.conf", "/etc/systemd/timesyncd.conf", "/etc/ntp.conf", "/etc/ntpsec/ntp.conf",
+    "/etc/chrony/chrony.conf",
+    "/etc/chrony.conf",
+    "/etc/systemd/timesyncd.conf",
+    "/etc/ntp.conf",
+    "/etc/ntpsec/ntp.conf",
     "/etc/linuxptp/ptp4l.conf",
-)  # fmt: skip
+)
 WAITS = re.compile(r"waitsync|time-wait-sync|ntp-wait|ntpwait|NTPSynchronized|pmc\s|check_clock")
 SIMULATED = re.compile(r"use_sim_time:=[Tt]rue|(?:^|[-_/])(?:sim|simulation|gazebo|gz)(?:[-_./]|$)")
 
@@ -67,7 +71,8 @@ def no_time_sync_gate(robot: Robot):
         target = [word for _, word in unit.naming("After", "time-sync.target")]
         yield finding(
             target[0] if target else unit.where,
-            f"{daemon} sets the clock, but nothing makes {unit.name} wait for it: the time may jump while nodes run",
+            f"{daemon} sets the clock, but nothing makes {unit.name} wait for it: the time "
+            "may jump while nodes run",
             advice="enable chrony-wait.service or systemd-time-wait-sync.service and order after it",
             related=[note(target[0], "reached as soon as the daemon runs")] if target else (),
         )

@@ -1,13 +1,14 @@
 """Requires= or BindsTo= without an order.
 
 ## What it finds
-A unit that requires another one, or is bound to it, while neither is ordered before the other, explicitly or by what systemd adds.
-Mounts, swaps and slices, which order themselves, the distribution's sockets and the targets of early boot are left out.
+A unit that requires another one, or is bound to it, while neither is ordered before the other, explicitly
+or by what systemd adds. Mounts, swaps and slices, which order themselves, the distribution's sockets and
+the targets of early boot are left out.
 
 ## Why it matters on a robot
-A requirement does not order. systemd starts both at the same moment: the planner comes up before the driver, and when the driver
-fails to start, the planner is already running, because only what waits is held back. `BindsTo=` without `After=` has the
-same hole.
+A requirement does not order. systemd starts both at the same moment: the planner comes up before the
+driver, and when the driver fails to start, the planner is already running, because only what waits is held
+back. `BindsTo=` without `After=` has the same hole.
 
 ## Bad
 ```ini
@@ -47,13 +48,18 @@ def requires_without_after(robot: Robot):
                     if "%" in word or word.endswith(ORDERED) or word in EARLY or word == unit.name:
                         continue
                     other = units.find(word, unit)
-                    if other is None and (word.endswith(".socket") or len(units.candidates(word, unit.manager)) > 1):
+                    if other is None and (
+                        word.endswith(".socket") or len(units.candidates(word, unit.manager)) > 1
+                    ):
                         continue
-                    if units.ordered(unit, word) or (other and (other.masked or other.unsure_of("After", "Before"))):
+                    if units.ordered(unit, word) or (
+                        other and (other.masked or other.unsure_of("After", "Before"))
+                    ):
                         continue
                     yield finding(
                         word,
-                        f"{key}={word} does not order: both start at the same time, and if {word} fails, {unit.name} is already running",
+                        f"{key}={word} does not order: both start at the same time, and if "
+                        f"{word} fails, {unit.name} is already running",
                         advice=f"add After={word}",
                         fix=fix(f"add After={word}", (line.end, f"\nAfter={word}")),
                     )

@@ -64,7 +64,8 @@ def robot_launch_overlap(robot: Robot):
                 if include is not None:
                     yield finding(
                         second.where,
-                        f"{unit.name} already starts {second.where}: with both services every node of it runs twice",
+                        f"{unit.name} already starts {second.where}: with both services "
+                        "every node of it runs twice",
                         advice="enable one of the two, or let the umbrella be a target",
                         related=[
                             note(ros.where, f"{unit.name} launches this file"),
@@ -74,7 +75,8 @@ def robot_launch_overlap(robot: Robot):
                 elif second.where.span in told:
                     yield finding(
                         second.where,
-                        f"{unit.name} and {other.name} both launch {second.where}: every node of it runs twice",
+                        f"{unit.name} and {other.name} both launch {second.where}: every "
+                        "node of it runs twice",
                         advice="enable one of the two",
                         related=[note(ros.where, f"{unit.name} launches it too")],
                     )
@@ -85,7 +87,8 @@ def robot_launch_overlap(robot: Robot):
 
 
 def _umbrella(robot, stack, started):
-    """A service for the whole robot beside services for its layers, told by the names of launch files of one package."""
+    """A service for the whole robot beside services for its layers, told by the names of "
+    "launch files of one package."""
     units = robot.units
     for unit, ros in started:
         if not ros.package or not WHOLE.match(ros.where) or robot.launch.named(ros.package, ros.target):
@@ -99,7 +102,8 @@ def _umbrella(robot, stack, started):
             names = ", ".join(other.name for other, _ in others)
             yield finding(
                 ros.where,
-                f"{unit.name} seems to launch the whole robot and {names} its layers: together every node runs twice",
+                f"{unit.name} seems to launch the whole robot and {names} its layers: "
+                "together every node runs twice",
                 advice="enable one set, or let the umbrella be a target",
                 related=[note(second.where, f"{other.name} launches a layer") for other, second in others],
                 confidence="medium",

@@ -14,14 +14,14 @@ in the wrong place.
 ```ini
 [Service]
 Environment=ROS_DISTRO=jazzy
-ExecStart=/bin/bash -c 'source /opt/ros/humble/setup.bash && exec ros2 launch rover_bringup rover.launch.py'
+ExecStart=/bin/bash -c 'source /opt/ros/humble/setup.bash && exec ros2 launch rover rover.launch.py'
 ```
 
 ## Good
 ```ini
 [Service]
 Environment=ROS_DISTRO=jazzy
-ExecStart=/bin/bash -c 'source /opt/ros/${ROS_DISTRO}/setup.bash && exec ros2 launch rover_bringup rover.launch.py'
+ExecStart=/bin/bash -c 'source /opt/ros/${ROS_DISTRO}/setup.bash && exec ros2 launch rover rover.launch.py'
 ```
 
 ## References
@@ -60,7 +60,8 @@ def _finding(unit, process, step, word, distro, chosen, named):
     if named and named.text == chosen[1] and step.script:
         return finding(
             named.value,
-            f"ROS_DISTRO says {chosen[1]}, but {step.script.basename}, which {unit.name} starts, uses {distro}",
+            f"ROS_DISTRO says {chosen[1]}, but {step.script.basename}, which {unit.name} "
+            f"starts, uses {distro}",
             advice="name one distribution, best through ${ROS_DISTRO}",
             related=[note(word, f"{distro} is used here"), *start],
         )
@@ -74,7 +75,8 @@ def _finding(unit, process, step, word, distro, chosen, named):
 
 
 def paths(process):
-    """Programs and sourced files below /opt/ros, in order; those inside `if` and the like are alternatives."""
+    """Programs and sourced files below /opt/ros, in order; those inside `if` and the like "
+    "are alternatives."""
     for step in process.steps:
         words = step.command.words
         words = words[1:2] if words and words[0] in ("source", ".", "exec") else words[:1]

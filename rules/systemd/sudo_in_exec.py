@@ -59,7 +59,10 @@ def sudo_in_exec(robot: Robot):
                     words[0],
                     "sudo cannot work here: NoNewPrivileges= takes away its set-user-ID bit"
                     if locked
-                    else "sudo in a service has no terminal to ask for a password, and NOPASSWD gives root away",
+                    else (
+                        "sudo in a service has no terminal to ask for a password, and "
+                        "NOPASSWD gives root away"
+                    ),
                     advice="let systemd do it: '+' before this one command, or User= for the unit",
                     related=related,
                     severity="error" if locked else None,

@@ -34,7 +34,8 @@ from bringup_lint.api import rule
 
 SYSTEM_ONLY = frozenset(
     f"{name}.target"
-    for name in "multi-user graphical sysinit network network-online network-pre nss-lookup local-fs remote-fs time-sync time-set "
+    for name in "multi-user graphical sysinit network network-online network-pre nss-lookup "
+    "local-fs remote-fs time-sync time-set "
     "rescue emergency getty swap cryptsetup systemd-networkd nss-user-lookup".split()
 )
 
