@@ -6,15 +6,23 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from dataclasses import field
+from fnmatch import fnmatchcase
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from bringup_lint.graph import sros2_enclaves
+from bringup_lint.graph import sros2_keystore
+from bringup_lint.graph.launch_started import Started
+from bringup_lint.graph.sros2_keystore import Keystore
 from bringup_lint.model.sros2 import Governance
 from bringup_lint.model.sros2 import Grant
 from bringup_lint.model.sros2 import Permissions
 from bringup_lint.model.sros2 import Remark
 from bringup_lint.model.sros2 import moment
 from bringup_lint.parsers import sros2
+from bringup_lint.parsers.certificate import Certificate
+from bringup_lint.parsers.certificate import parse as certificate
+from bringup_lint.source import Located
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
@@ -35,11 +43,80 @@ class Sros2:
     permissions: list[Permissions] = field(default_factory=list)
 
     moment = staticmethod(moment)
+    enclave_of = staticmethod(sros2_enclaves.of_node)
+    secured_by = staticmethod(sros2_enclaves.secured_by)
+    matches = staticmethod(fnmatchcase)
 
     @cached_property
     def switched_on(self) -> bool:
         """Whether the tree sets a variable of ROS 2's security."""
         return any(setting.name.startswith("ROS_SECURITY_") for setting in self.robot.ros.settings)
+
+    @cached_property
+    def keystores(self) -> list[Keystore]:
+        return sros2_keystore.load_keystores(self.robot)
+
+    def anchor(self, folder: str) -> Source:
+        return sros2_keystore.anchor(self.robot, folder)
+
+    def ships(self, source: Source) -> bool:
+        """Whether a file goes with the repository."""
+        return sros2_keystore.ships(self.robot, source)
+
+    @cached_property
+    def nodes(self) -> list[Started]:
+        """The processes that launch files start."""
+        return sros2_enclaves.nodes(self.robot)
+
+    @cached_property
+    def selected(self) -> list[Located]:
+        """The enclaves that something names, where it does."""
+        found = {(id(each.span.source), each.span.start): each for each in sros2_enclaves.selected(self.robot)}
+        return [each for each in found.values() if each.span.source.judged]
+
+    @property
+    def overridden(self) -> bool:
+        """Whether a variable may select the enclave of every process."""
+        return self.in_launch("ROS_SECURITY_ENCLAVE_OVERRIDE") or any(
+            setting.name == "ROS_SECURITY_ENCLAVE_OVERRIDE" for setting in self.robot.ros.settings
+        )
+
+    def in_launch(self, word: str) -> bool:
+        """Whether a launch file mentions a word, in whatever way."""
+        return any(word in source.text for source in self.robot.of_kind(*sros2_enclaves.LAUNCH_KINDS))
+
+    @cached_property
+    def certificates(self) -> list[tuple[Source, Certificate]]:
+        """The certificates that can be read."""
+        found = ((source, certificate(source.text)) for source in self.robot.of_kind("sros2-certificate"))
+        return [(source, each) for source, each in found if each is not None]
+
+    def common_name(self, source: Source) -> str | None:
+        """What the certificate beside a document certifies."""
+        folder = source.name.rpartition("/")[0]
+        for other, each in self.certificates:
+            if other.name == f"{folder}/cert.pem":
+                return each.common_name
+        return None
+
+    def signed_text(self, source: Source) -> tuple[Source, str] | None:
+        """The document inside the signed file beside a document, when both are in the tree."""
+        stem = source.name.rpartition(".")[0]
+        for other in self.robot.of_kind(source.kind):
+            if other is not source and other.name in [f"{stem}{form}" for form in SIGNED_FORMS]:
+                text = sros2.payload(other)
+                return None if text is None else (other, text)
+        return None
+
+    def governances_of(self, source: Source) -> list[Governance]:
+        """The governance of the keystore that a document lies in."""
+        return [
+            each
+            for each in self.governances
+            if "enclaves/" in each.source.name
+            and source.name.startswith(each.source.name.rpartition("/")[0] + "/")
+            and not each.document.problems
+        ]
 
     def is_used(self, source: Source) -> bool:
         """Whether a document is for a robot with ROS 2, and not a sample or another system's."""

@@ -35,7 +35,8 @@ from bringup_lint.api import rule
 
 @rule("error", symptoms=["Found domain range in Governance file without minimum value", "with invalid range"])
 def governance_id_range_invalid(robot: Robot):
-    for _, remark in robot.sros2.remarks("range", "number"):
+    for document, remark in robot.sros2.remarks("range", "number"):
+        code = " (code 110)" if document in robot.sros2.governances else ""
         if remark.code == "number":
             text = remark.element.text
             message = f"'{text}' is no domain" if text else f"{remark.detail} is empty"
@@ -43,6 +44,6 @@ def governance_id_range_invalid(robot: Robot):
             message = f"The range of domains is not valid, {remark.detail}"
         yield finding(
             remark.where,
-            f"{message}: the document is rejected (code 110), no node starts",
+            f"{message}: the document is rejected{code}, no node starts",
             advice="write min and max, the smaller first, and sign the document again",
         )

@@ -1,0 +1,58 @@
+"""Access control that is switched off.
+
+## What it finds
+`enable_join_access_control` false, or read or write access control false for topics that move or stop the robot,
+in a document that a robot uses.
+
+## Why it matters on a robot
+The permissions documents are not enforced: every enclave may do everything, whatever its grant says.
+
+## Bad
+```xml
+<enable_join_access_control>false</enable_join_access_control>
+```
+
+## Good
+```xml
+<enable_join_access_control>true</enable_join_access_control>
+```
+
+## References
+- Cyclone DDS 0.10.5 with security, tried with the real library
+- OMG DDS Security 1.1, clause 9.4.1.2
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+_COMMANDS = ("rt/cmd_vel", "rt/robot/cmd_vel", "rt/emergency_stop")
+
+
+def _commands(robot, expression):
+    """Whether a rule's topics move or stop the robot."""
+    words = r"cmd|vel|stop|command|joint|traj|brake|motor"
+    return any(robot.sros2.matches(name, expression) for name in _COMMANDS) or bool(re.search(words, expression))
+
+
+@rule("error", fix="unsafe", tags=["CWE-862"])
+def governance_access_control_off(robot: Robot):
+    for governance in robot.sros2.used_governances:
+        for rule_ in governance.rules:
+            off = [(rule_.fields.get("enable_join_access_control"), "who joins the domain")]
+            for topics in rule_.topic_rules:
+                if topics.expression is not None and _commands(robot, topics.expression):
+                    for way, name in (("subscribes to", "read"), ("publishes on", "write")):
+                        value = topics.fields.get(f"enable_{name}_access_control")
+                        off.append((value, f"who {way} {topics.expression}"))
+            for value, what in off:
+                if value is not None and value.lower() in ("false", "0"):
+                    yield finding(
+                        value,
+                        f"Access control is off: no permissions are enforced for {what}",
+                        advice="write true, and sign the document again",
+                        fix=fix("write true", (value, "true"), safe=False),
+                    )

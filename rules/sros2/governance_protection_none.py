@@ -1,0 +1,65 @@
+"""Topics that nothing protects on the network.
+
+## What it finds
+A topic rule with `metadata_protection_kind` and `data_protection_kind` NONE, in a domain rule with
+`rtps_protection_kind` NONE. For topics that move or stop the robot it is an error, for others a remark.
+
+## Why it matters on a robot
+Messages travel in clear text and unsigned: whoever is on the network reads them, and forges commands.
+
+## Bad
+```xml
+<rtps_protection_kind>NONE</rtps_protection_kind>
+...
+<metadata_protection_kind>NONE</metadata_protection_kind>
+<data_protection_kind>NONE</data_protection_kind>
+```
+
+## Good
+```xml
+<rtps_protection_kind>SIGN</rtps_protection_kind>
+...
+<metadata_protection_kind>ENCRYPT</metadata_protection_kind>
+<data_protection_kind>ENCRYPT</data_protection_kind>
+```
+
+## References
+- Cyclone DDS 0.10.5 with security, tried with the real library
+- OMG DDS Security 1.1, clause 9.4.1.2
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+_COMMANDS = ("rt/cmd_vel", "rt/robot/cmd_vel", "rt/emergency_stop")
+
+
+def _commands(robot, expression):
+    """Whether a rule's topics move or stop the robot."""
+    words = r"cmd|vel|stop|command|joint|traj|brake|motor"
+    return any(robot.sros2.matches(name, expression) for name in _COMMANDS) or bool(re.search(words, expression))
+
+
+@rule("error", fix="unsafe", tags=["CWE-319"])
+def governance_protection_none(robot: Robot):
+    for governance in robot.sros2.used_governances:
+        for rule_ in governance.rules:
+            if rule_.fields.get("rtps_protection_kind") != "NONE":
+                continue
+            for topics in rule_.topic_rules:
+                kinds = [topics.fields.get(f"{part}_protection_kind") for part in ("metadata", "data")]
+                if kinds != ["NONE", "NONE"] or topics.expression is None:
+                    continue
+                yield finding(
+                    kinds[1],
+                    f"Nothing protects {topics.expression}: its messages can be read and forged on the network",
+                    advice="write ENCRYPT (or SIGN), and sign the document again",
+                    severity=None if _commands(robot, topics.expression) else "info",
+                    related=[note(rule_.fields["rtps_protection_kind"], "RTPS messages are not protected either")],
+                    fix=fix("write ENCRYPT", (kinds[1], "ENCRYPT"), safe=False),
+                )

@@ -1,0 +1,50 @@
+"""Permissions without a valid default.
+
+## What it finds
+A grant whose `default` is missing, or not exactly `ALLOW` or `DENY`.
+
+## Why it matters on a robot
+Cyclone DDS denies then; other libraries may reject the document, and the node does not start.
+
+## Bad
+```xml
+<default>deny</default>
+```
+
+## Good
+```xml
+<default>DENY</default>
+```
+
+## References
+- Cyclone DDS 0.10.5 with security, tried with the real library
+- OMG DDS Security 1.1, clause 9.4.1.3
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule("warning", fix="safe")
+def permissions_default_missing(robot: Robot):
+    for permissions in robot.sros2.permissions:
+        if not robot.sros2.is_used(permissions.source):
+            continue
+        for remark in permissions.remarks:
+            if remark.code == "default":
+                text = remark.element.text
+                right = text.upper() if text.upper() in ("ALLOW", "DENY") else "DENY"
+                yield finding(
+                    remark.where,
+                    f"'{text}' is no default: Cyclone DDS denies, other libraries may reject the document",
+                    advice=f"write {right}",
+                    fix=fix(f"write {right}", (remark.where, right)) if text else None,
+                )
+            elif remark.code == "missing" and remark.detail == "default":
+                yield finding(
+                    remark.where,
+                    "The grant has no default: Cyclone DDS denies, other libraries may reject the document",
+                    advice="end the grant with <default>DENY</default>",
+                )

@@ -1,0 +1,51 @@
+"""Permissions for another domain than the robot's.
+
+## What it finds
+An enclave none of whose allow rules covers the ROS_DOMAIN_ID that the tree sets, when all its files agree on
+one. sros2 writes the domain of the moment at which the enclave was created.
+
+## Why it matters on a robot
+The participant is denied by the default rule (code 145): no node of the enclave starts.
+
+## Bad
+```xml
+<!-- ROS_DOMAIN_ID=7 -->
+<domains>
+  <id>0</id>
+</domains>
+```
+
+## Good
+```xml
+<!-- ROS_DOMAIN_ID=7 -->
+<domains>
+  <id>7</id>
+</domains>
+```
+
+## References
+- Cyclone DDS 0.10.5 with security, tried with the real library
+- OMG DDS Security 1.1, clause 9.4.1.3
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["participant denied by default rule"])
+def permissions_domain_mismatch(robot: Robot):
+    if robot.dds_domain is None:
+        return
+    domain, setting = robot.dds_domain
+    for _, grant in robot.sros2.ros_grants:
+        known = [rule_.domains for rule_ in grant.allowed if rule_.domains is not None]
+        if grant.default == "ALLOW" or not known or any(each.covers(domain) for each in known):
+            continue
+        yield finding(
+            known[0].element.tag,
+            f"{grant.enclave} is allowed in domain {known[0]}, but the robot runs in {domain}: denied by default (code 145), its nodes do not start",
+            advice=f"write <id>{domain}</id>, and sign the document again",
+            related=[note(setting, "the robot's domain")],
+        )

@@ -1,0 +1,51 @@
+"""Permissions without ros_discovery_info.
+
+## What it finds
+A grant to an enclave that does not allow both to publish and to subscribe `ros_discovery_info`.
+
+## Why it matters on a robot
+The RMW creates this topic in every process before the first node: when it is denied, no node of the enclave
+can be created.
+
+## Bad
+```xml
+<topic>rt/odom</topic>
+```
+
+## Good
+```xml
+<topic>ros_discovery_info</topic>
+<topic>rt/odom</topic>
+```
+
+## References
+- rmw_dds_common; https://github.com/ros2/sros2/issues/242
+- Cyclone DDS 0.10.5 with security, tried with the real library
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["Not Allowed By Security"])
+def permissions_missing_discovery_info(robot: Robot):
+    if any("zenoh" in setting.value for setting in robot.ros.of("RMW_IMPLEMENTATION")):
+        return
+    for _, grant in robot.sros2.ros_grants:
+        if grant.default == "ALLOW" or not grant.allowed:
+            continue
+        lacks = [
+            way
+            for way, topics in (
+                ("publish", [topic for each in grant.allowed for topic in each.publish]),
+                ("subscribe", [topic for each in grant.allowed for topic in each.subscribe]),
+            )
+            if not any(robot.sros2.matches("ros_discovery_info", topic) for topic in topics)
+        ]
+        if lacks:
+            yield finding(
+                grant.subject,
+                f"{grant.enclave} may not {' or '.join(lacks)} ros_discovery_info, which every process needs: none of its nodes can be created",
+                advice="add ros_discovery_info to publish and subscribe, and sign the document again",
+            )

@@ -1,0 +1,48 @@
+"""Permissions without the topics that every node publishes.
+
+## What it finds
+A grant to an enclave that does not allow to publish `rt/rosout` or `rt/parameter_events`.
+
+## Why it matters on a robot
+Unless a node switches them off, its constructor makes these publishers and throws at the first one that is
+denied: the node does not start.
+
+## Bad
+```xml
+<topic>rt/odom</topic>
+```
+
+## Good
+```xml
+<topic>rt/rosout</topic>
+<topic>rt/parameter_events</topic>
+<topic>rt/odom</topic>
+```
+
+## References
+- https://github.com/ros2/sros2/issues/65
+- Cyclone DDS 0.10.5 with security, tried with the real library
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("warning", symptoms=["Not Allowed By Security"])
+def permissions_missing_node_infrastructure(robot: Robot):
+    for _, grant in robot.sros2.ros_grants:
+        if grant.default == "ALLOW" or not grant.allowed:
+            continue
+        topics = [topic for each in grant.allowed for topic in each.publish]
+        lacks = [
+            name
+            for name in ("rt/rosout", "rt/parameter_events")
+            if not any(robot.sros2.matches(name, topic) for topic in topics)
+        ]
+        if lacks:
+            yield finding(
+                grant.subject,
+                f"{grant.enclave} may not publish {' and '.join(lacks)}: an ordinary node throws when it is created",
+                advice=f"add {' and '.join(lacks)} to publish, and sign the document again",
+            )

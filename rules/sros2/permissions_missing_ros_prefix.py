@@ -1,0 +1,56 @@
+"""A topic in permissions that is no DDS name of ROS 2.
+
+## What it finds
+Topics of an enclave's grant without `rt/`, `rq/` or `rr/` in front, with a slash in front, or with two behind
+the prefix.
+
+## Why it matters on a robot
+ROS 2 puts `rt` in front of topics, `rq` and `rr` in front of services. The grant matches nothing: the endpoint
+is denied, and the node ends with an exception.
+
+## Bad
+```xml
+<topic>/cmd_vel</topic>
+```
+
+## Good
+```xml
+<topic>rt/cmd_vel</topic>
+```
+
+## References
+- ROS 2 design, "Topic and Service name mapping to DDS"
+- Cyclone DDS 0.10.5 with security, tried with the real library
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule("error", fix="safe", symptoms=["Not Allowed By Security"])
+def permissions_missing_ros_prefix(robot: Robot):
+    for _, grant in robot.sros2.ros_grants:
+        for rule_ in grant.allowed:
+            for topic in (*rule_.publish, *rule_.subscribe):
+                right = _corrected(topic)
+                if right is None:
+                    continue
+                yield finding(
+                    topic,
+                    f"'{topic}' grants nothing to {grant.enclave}: the DDS name of the ROS topic is {right}",
+                    advice=f"write {right}, or rq/...Request and rr/...Reply for a service, and sign the document again",
+                    severity=None if "//" in topic or topic.startswith("/") else "warning",
+                    fix=fix(f"write {right}", (topic, right)) if topic.startswith("/") else None,
+                )
+
+
+def _corrected(topic):
+    if re.match(r"(?:rt|rq|rr)//", topic):
+        return re.sub(r"/+", "/", topic)
+    if re.match(r"(?:rt|rq|rr|rs|ra|rp)/|ros_discovery_info$|DCPS|r?[*?\[]|r[tqr]?[*?\[]", topic) or not topic:
+        return None
+    return f"rt/{topic.lstrip('/')}"

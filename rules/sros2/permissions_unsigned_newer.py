@@ -1,0 +1,48 @@
+"""A security document that was changed and not signed again.
+
+## What it finds
+A governance or permissions document that differs from the clear text inside the signed file beside it, blanks
+and line ends apart.
+
+## Why it matters on a robot
+The robot reads only the signed file: the change has no effect, and the old rules stay in force.
+
+## Bad
+```text
+permissions.xml   grants rt/odom and rt/map
+permissions.p7s   grants rt/odom
+```
+
+## Good
+```text
+permissions.xml   grants rt/odom
+permissions.p7s   grants rt/odom
+```
+
+## References
+- Cyclone DDS 0.10.5 with security: a signed file that is changed gives a digest failure (code 127)
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning", symptoms=["digest failure"])
+def permissions_unsigned_newer(robot: Robot):
+    for document in (*robot.sros2.governances, *robot.sros2.permissions):
+        signed = robot.sros2.signed_text(document.source)
+        if signed is None or _squeezed(document.source.text) == _squeezed(signed[1]):
+            continue
+        yield finding(
+            document.source,
+            f"{document.source.basename} was changed but not signed again: the robot still uses the rules in {signed[0].basename}",
+            advice="sign the document again (ros2 security create_permission, or openssl smime -sign)",
+            related=[note(signed[0], "the signed text differs")],
+        )
+
+
+def _squeezed(text):
+    start = text.find("<dds")
+    return "".join(text[max(start, 0) : text.rfind(">") + 1].split())

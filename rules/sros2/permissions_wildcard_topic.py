@@ -1,0 +1,50 @@
+"""An enclave that may publish every topic.
+
+## What it finds
+`*`, `rt/*` or the like among the topics that an enclave may publish, as the permissions that
+`create_enclave` writes have it.
+
+## Why it matters on a robot
+Whoever takes over one process of the robot, the camera driver say, may publish on /cmd_vel.
+
+## Bad
+```xml
+<publish>
+  <topics>
+    <topic>rt/*</topic>
+  </topics>
+</publish>
+```
+
+## Good
+```xml
+<publish>
+  <topics>
+    <topic>rt/camera/image</topic>
+  </topics>
+</publish>
+```
+
+## References
+- Cyclone DDS 0.10.5 with security, tried with the real library
+- OMG DDS Security 1.1, clause 9.4.1.3
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning", tags=["CWE-732"])
+def permissions_wildcard_topic(robot: Robot):
+    for _, grant in robot.sros2.ros_grants:
+        for rule_ in grant.allowed:
+            wide = [topic for topic in rule_.publish if topic.rstrip("*") in ("", "rt/") and topic.endswith("*")]
+            if wide:
+                yield finding(
+                    wide[0],
+                    f"{grant.enclave} may publish '{wide[0]}', every topic of the robot: /cmd_vel is among them",
+                    advice="list the topics that its nodes publish (ros2 security generate_policy), and sign the document again",
+                    related=[note(other, "and this one") for other in wide[1:]],
+                )
