@@ -40,7 +40,26 @@ class Params:
     @cached_property
     def judged(self) -> list[ParameterFile]:
         """Those that findings may be about: really parameter files, neither context nor templates."""
-        return [file for file in self.files if file.source.judged and not file.source.template and file.is_certain]
+        certain = (file for file in self.files if file.is_certain or self.reader(file) == "rcl")
+        return [file for file in (*certain, *self.plain) if file.source.judged and not file.source.template]
+
+    @cached_property
+    def plain(self) -> list[ParameterFile]:
+        """Files without any ``ros__parameters`` that a node is given all the same."""
+        sources = (self.robot.tree.read(path, "params") for path in sorted(self._unclaimed))
+        return self.robot.parsed(parse, (source for source in sources if source is not None))
+
+    @cached_property
+    def _unclaimed(self) -> dict[str, list[Load]]:
+        """Other YAML files of the tree that rcl gets from a launch file, with who gets them."""
+        found: dict[str, list[Load]] = {}
+        known = {os.path.abspath(source.name) for source in self.robot.sources}
+        for load in self._all_loads:
+            path = os.path.normpath(load.path)
+            odd = load.how not in ("rcl", "substituted") or not path.endswith((".yaml", ".yml")) or path in known
+            if not odd and load.certain and path in self.robot.tree.named(os.path.basename(path)):
+                found.setdefault(path, []).append(load)
+        return found
 
     def problems(self, *codes: str) -> Iterator[tuple[ParameterFile, Problem]]:
         """What makes rcl refuse a judged file."""
@@ -140,11 +159,16 @@ class Params:
         return {}
 
     @cached_property
-    def _loads(self) -> dict[int, list[Load]]:
-        if not self.files or not self.robot.launch.files:
-            return {}
+    def _all_loads(self) -> list[Load]:
+        if not self.robot.of_kind("launch-python", "launch-xml", "launch-yaml"):
+            return []
         from bringup_lint.graph.param_loads import loads_in
 
+        launch = self.robot.launch
+        return [load for expansion in launch.expansions for load in loads_in(launch, expansion)]
+
+    @cached_property
+    def _loads(self) -> dict[int, list[Load]]:
         paths = {}
         for file in self.files:
             path = os.path.abspath(file.source.name)
@@ -152,11 +176,13 @@ class Params:
                 if name:
                     paths.setdefault(name, file)
         found: dict[int, list[Load]] = {}
-        for expansion in self.robot.launch.expansions:
-            for load in loads_in(self.robot.launch, expansion):
-                file = paths.get(load.path) or paths.get(os.path.realpath(load.path))
-                if file is not None:
-                    found.setdefault(id(file), []).append(load)
+        real: dict[str, str] = {}
+        for load in self._all_loads if paths else ():
+            if load.path not in real:
+                real[load.path] = os.path.realpath(load.path)
+            file = paths.get(load.path) or paths.get(real[load.path])
+            if file is not None:
+                found.setdefault(id(file), []).append(load)
         return found
 
     @cached_property
@@ -182,7 +208,7 @@ class Params:
 
     def loads(self, file: ParameterFile) -> list[Load]:
         """The nodes of the tree's launch files that are given a file."""
-        return self._loads.get(id(file), [])
+        return self._loads.get(id(file)) or self._unclaimed.get(os.path.abspath(file.source.name), [])
 
     def effective(self, file: ParameterFile, parameter: Parameter) -> list[Load]:
         """The loads by which a value may reach a node: its block may be for the node, and nothing later sets it again."""

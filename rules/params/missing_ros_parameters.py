@@ -2,7 +2,7 @@
 
 ## What it finds
 Values between a node name and `ros__parameters` or beside it, and misspellings such as `ros_parameters` or
-`ros__parameter`, in parameter files. Files that no launch file of the tree loads are judged only in a folder for
+`ros__parameter`, in parameter files, and files without any `ros__parameters` that a launch file gives to a node. Files that no launch file of the tree loads are judged only in a folder for
 configuration, with a warning.
 
 ## Why it matters on a robot
@@ -29,6 +29,7 @@ motors:
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
+from bringup_lint.api import note
 from bringup_lint.api import rule
 
 _FOLDERS = ("config", "cfg", "conf", "param", "params")
@@ -44,15 +45,22 @@ def missing_ros_parameters(robot: Robot):
                 advice="write ros__parameters, with two underscores",
                 fix=fix("Write ros__parameters", (problem.where, "ros__parameters")),
             )
+    plain = set()
     for file, problem in robot.params.problems("value-before-parameters", "list-before-parameters", "internal"):
-        known = robot.params.reader(file)
-        if known or in_config(file):
-            yield finding(
-                problem.where,
-                "A value outside ros__parameters: the process that loads the file exits at start",
-                advice="move it below ros__parameters of a node",
-                severity=None if known else "warning",
-            )
+        known = robot.params.reader(file) == "rcl"
+        if not (known or in_config(file)) or file.source in plain:
+            continue
+        if not file.is_certain:
+            plain.add(file.source)
+        yield finding(
+            problem.where,
+            "The file has no ros__parameters at all: the process that loads it exits at start"
+            if not file.is_certain
+            else "A value outside ros__parameters: the process that loads the file exits at start",
+            advice="put the node name and ros__parameters above the values" if not file.is_certain else "move it below ros__parameters",
+            related=[note(load.where, "given to a node here") for load in robot.params.loads(file)[:1]],
+            severity=None if known else "warning",
+        )
 
 
 def in_config(file):
