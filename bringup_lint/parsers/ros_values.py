@@ -32,6 +32,11 @@ FORMAT_TOKENS = (
     "line_number",
     "short_file_name",
 )
+FORMAT_TOKENS_SINCE = {"short_file_name": "kilted"}
+"""Tokens that older distributions print as they are (Jazzy does, with rcutils 6.7.4)."""
+
+ULONG_MAX = 2**64 - 1
+"""As a domain, it means the default."""
 
 _STRTOUL = re.compile(r"[ \t\n\v\f\r]*(?P<sign>[+-]?)(?:0[xX](?P<hex>[0-9a-fA-F]+)|0(?P<octal>[0-7]*)|(?P<decimal>[1-9][0-9]*))")
 
@@ -40,7 +45,7 @@ class DomainId(NamedTuple):
     """What rcl makes of ``ROS_DOMAIN_ID``."""
 
     number: int | None
-    """None: not an integral number, so that every process exits."""
+    """None: not an integral number, or beyond ``unsigned long``, so that every process exits."""
     plain: bool
     """Written as what it means: decimal digits without leading zero."""
 
@@ -54,11 +59,11 @@ def domain_id(text: str) -> DomainId:
     if found is not None:
         number = int(found["hex"] or "0", 16) or int(found["octal"] or "0", 8) or int(found["decimal"] or "0")
     rest = text[found.end() :] if found else text
-    if number == 0 and rest:
+    if number > ULONG_MAX or (number == 0 and rest):
         return DomainId(None, False)
     if found["sign"] == "-" and number:
-        number = 0 if number == 1 else 2**64 - number
-    return DomainId(number, bool(re.fullmatch(r"0|[1-9][0-9]*", text)))
+        number = ULONG_MAX + 1 - number
+    return DomainId(0 if number == ULONG_MAX else number, bool(re.fullmatch(r"0|[1-9][0-9]*", text)))
 
 
 def highest_port(domain: int) -> int:

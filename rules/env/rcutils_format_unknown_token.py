@@ -21,6 +21,7 @@ RCUTILS_CONSOLE_OUTPUT_FORMAT=[{severity}] {message}
 """
 
 from bringup_lint.api import Robot
+from bringup_lint.api import at_least
 from bringup_lint.api import finding
 from bringup_lint.api import nearest
 from bringup_lint.api import ros_values
@@ -34,7 +35,14 @@ import re
 def rcutils_format_unknown_token(robot: Robot):
     for setting in robot.ros.of("RCUTILS_CONSOLE_OUTPUT_FORMAT"):
         for token in re.finditer(r"\{(\w+)\}", setting.value):
-            if token[1] not in ros_values.FORMAT_TOKENS:
+            since = ros_values.FORMAT_TOKENS_SINCE.get(token[1])
+            if since and at_least(robot.target.ros, since) is False:
+                yield finding(
+                    setting.value.part(*token.span()),
+                    f"rcutils of {robot.target.ros} does not know {token[0]} and prints it in every line of the log",
+                    advice=f"leave it out: it comes with {since}",
+                )
+            elif token[1] not in ros_values.FORMAT_TOKENS:
                 near = nearest(token[1], ros_values.FORMAT_TOKENS)
                 yield finding(
                     setting.value.part(*token.span()),

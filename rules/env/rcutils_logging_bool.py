@@ -4,7 +4,8 @@
 RCUTILS_LOGGING_USE_STDOUT, RCUTILS_COLORIZED_OUTPUT or RCUTILS_LOGGING_BUFFERED_STREAM with another value than 0 or 1. An empty value is fine.
 
 ## Why it matters on a robot
-Logging cannot be initialised: every process of ROS ends at start.
+Logging cannot be initialised: the node runs, but not one line of its log is written. Instead every call of the logger prints errors of
+rcutils, more than a hundred kilobytes for one node that starts.
 
 ## Bad
 ```sh
@@ -30,7 +31,7 @@ from bringup_lint.api import rule
 WORDS = {"true": "1", "yes": "1", "on": "1", "false": "0", "no": "0", "off": "0"}
 
 
-@rule("error", fix="safe", symptoms=["unexpected value [", "failed to configure logging"])
+@rule("error", fix="safe", symptoms=["unexpected value [", "error initializing logging", "failed to configure logging"])
 def rcutils_logging_bool(robot: Robot):
     for setting in robot.ros.of(*ros_values.LOGGING_SWITCHES):
         if setting.text in ("", "0", "1"):
@@ -38,7 +39,7 @@ def rcutils_logging_bool(robot: Robot):
         meant = WORDS.get(setting.text.lower())
         yield finding(
             setting.value,
-            f"{setting.name} '{setting.text}' makes logging fail: every ROS process ends at start",
+            f"{setting.name} '{setting.text}' makes logging fail: no node writes its log, and rcutils floods stderr with errors instead",
             advice=f"write {meant}" if meant else "write 0 or 1",
             fix=fix(f"write {meant}", (setting.value, meant)) if meant else None,
         )

@@ -32,10 +32,10 @@ def ros_domain_id_misparsed(robot: Robot):
     for setting in robot.ros.of("ROS_DOMAIN_ID"):
         number, plain = ros_values.domain_id(setting.text)
         if number is not None and not plain:
-            number = 0 if number > 2**32 else number
+            usable = number <= ros_values.MAX_DOMAIN
             yield finding(
                 setting.value,
                 f"ROS_DOMAIN_ID '{setting.text}' is read as domain {number}",
                 advice="write the number in plain decimal digits",
-                fix=fix(f"write {number}, as it is read now", (setting.value, str(number)), safe=False),
+                fix=fix(f"write {number}, as it is read now", (setting.value, str(number)), safe=False) if usable else None,
             )

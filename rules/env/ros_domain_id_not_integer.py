@@ -27,12 +27,12 @@ from bringup_lint.api import ros_values
 from bringup_lint.api import rule
 
 
-@rule("error", symptoms=["ROS_DOMAIN_ID is not an integral number"])
+@rule("error", symptoms=["ROS_DOMAIN_ID is not an integral number", "ROS_DOMAIN_ID is out of range"])
 def ros_domain_id_not_integer(robot: Robot):
     for setting in robot.ros.of("ROS_DOMAIN_ID"):
         if ros_values.domain_id(setting.text).number is None:
             yield finding(
                 setting.value,
-                f"ROS_DOMAIN_ID '{setting.text}' is no number: every ROS process exits at start",
+                f"ROS_DOMAIN_ID '{setting.text}' is no number that rcl can read: every ROS process exits at start",
                 advice="write a plain decimal number from 0 to 101",
             )

@@ -32,10 +32,12 @@ from bringup_lint.api import rule
 def ros_domain_id_out_of_range(robot: Robot):
     for setting in robot.ros.of("ROS_DOMAIN_ID"):
         number = ros_values.domain_id(setting.text).number
-        if number is not None and ros_values.MAX_DOMAIN < number < 2**32 and not _own_ports(robot):
+        if number is not None and number > ros_values.MAX_DOMAIN and not _own_ports(robot):
             yield finding(
                 setting.value,
-                f"domain {number} needs UDP port {ros_values.highest_port(number)}: no node starts",
+                f"domain {number} needs UDP port {ros_values.highest_port(number)}: no node starts"
+                if number < 2**24 else
+                f"domain {number} is cut to 32 bits, and its ports with it: the nodes join another domain or none",
                 advice="use a domain from 0 to 101",
             )
 

@@ -1,10 +1,10 @@
 """ROS_STATIC_PEERS are separated by something else than a semicolon.
 
 ## What it finds
-A comma or a blank in ROS_STATIC_PEERS. A semicolon at the end is fine.
+A comma or a blank in ROS_STATIC_PEERS, also at an end or beside a semicolon. A semicolon at the end is fine.
 
 ## Why it matters on a robot
-The whole text is taken as one host name. Fast DDS cannot resolve it and refuses to create the node.
+What stands between two semicolons, blanks and commas included, is taken as one host name. Fast DDS cannot resolve it and refuses to create the node.
 
 ## Bad
 ```sh
@@ -33,11 +33,11 @@ import re
 def ros_static_peers_separator(robot: Robot):
     for setting in robot.ros.of("ROS_STATIC_PEERS"):
         peers = [peer for peer in re.split(r"[,;\s]+", setting.text) if peer]
-        if len(peers) > 1 and re.search(r"[,\s]", setting.text.strip()):
+        if peers and re.search(r"[,\s]", setting.text):
             right = ";".join(peers)
             yield finding(
                 setting.value,
-                f"'{setting.text}' is taken as one host name: peers are separated by ';', no node starts with Fast DDS",
+                f"'{setting.text}' has blanks or commas that become part of a host name: peers are separated by ';' alone, no node starts with Fast DDS",
                 advice=f"write {right}",
                 fix=fix("separate the peers by ';'", (setting.value, right)) if setting.value == setting.text else None,
             )
