@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
 
+from bringup_lint.toml import read_toml
 from tests.conftest import PROJECT
 from tests.lint import lint
+from tests.test_fixtures import set_modes
 
 ROBOTS = PROJECT / "fixtures" / "robots"
 ARGUMENTS = ("--root", ".", "--min-severity", "info", "--output-format", "concise", "/")
@@ -19,6 +19,7 @@ def names() -> list[str]:
 
 @pytest.mark.parametrize("name", names())
 def test_robot(name: str, update_expected: bool) -> None:
+    set_modes(ROBOTS / name)
     expected = ROBOTS / name / "expected.txt"
     run = lint(*ARGUMENTS, cwd=ROBOTS / name / "tree")
     assert run.code in (0, 1), run.stderr
@@ -33,29 +34,19 @@ def test_robot_says_what_it_is(name: str) -> None:
 
 
 def test_good_robot_is_silent() -> None:
+    set_modes(ROBOTS / "good")
     run = lint(*ARGUMENTS, cwd=ROBOTS / "good" / "tree")
     assert run.stdout == ""
     assert run.code == 0
 
 
-TRAPS = {
-    "T1": ("systemd/key-in-wrong-section", "systemd/restart-unlimited", "systemd/onfailure-unreachable"),
-    "T2": ("systemd/after-and-before-same", "systemd/ordering-cycle", "systemd/before-for-shutdown-order"),
-    "T3": ("systemd/missing-required-unit", "systemd/install-bad-target", "systemd/onfailure-template-missing"),
-    "T4": ("systemd/notify-ros-launch", "systemd/watchdog-without-notify", "systemd/notify-nobody-notifies"),
-    "T5": ("systemd/final-kill-signal",),
-    "T6": ("systemd/rt-limits-only-in-pam", "systemd/rt-starvation"),
-    "T7": ("env/ros2-not-sourced", "systemd/restartsec-too-short", "systemd/kill-signal-not-sigint"),
-    "T8": ("systemd/readwritepaths-missing", "systemd/privatetmp-redundant"),
-    "T9": ("systemd/timeout-start-short",),
-    "T12": ("systemd/robot-launch-overlap",),
-    "T24": ("systemd/execstop-async-kill",),
-    "T26": ("systemd/restart-on-failure-ros-launch",),
-}
-"""Mistakes in the guides' own examples, and the rules that find them."""
+TRAPS = read_toml((ROBOTS / "guide" / "traps.toml").read_text("utf-8"))
+"""Mistakes in the guides' own examples, and the rules that find them, each with its file."""
 
 
 @pytest.mark.parametrize("trap", TRAPS)
 def test_guide_robot_shows_the_trap(trap: str) -> None:
-    text = Path(ROBOTS / "guide" / "expected.txt").read_text("utf-8")
-    assert [rule for rule in TRAPS[trap] if f"[{rule}]" not in text] == []
+    lines = (ROBOTS / "guide" / "expected.txt").read_text("utf-8").splitlines()
+    found = {(line.partition(":")[0], line.partition("[")[2].partition("]")[0]) for line in lines}
+    assert [(file, rule) for rule, file in TRAPS[trap]["rules"].items() if (file, rule) not in found] == []
+    assert TRAPS[trap]["what"]

@@ -63,7 +63,8 @@ def domain_id(text: str) -> DomainId:
         return DomainId(None, False)
     if found["sign"] == "-" and number:
         number = ULONG_MAX + 1 - number
-    return DomainId(0 if number == ULONG_MAX else number, bool(re.fullmatch(r"0|[1-9][0-9]*", text)))
+    number = 0 if number == ULONG_MAX else number
+    return DomainId(number, text == str(number))
 
 
 def highest_port(domain: int) -> int:

@@ -1,14 +1,19 @@
-"""The good robot loads in the real systemd: ``systemd-analyze verify --root`` has nothing to say about its units."""
+"""What the real programs say about the good robot: its files load everywhere, and nobody has a word to say."""
 
 from __future__ import annotations
 
+import os
 import shutil
 import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 
 from tests.conftest import PROJECT
+from tests.oracles import cyclonedds_library
+from tests.oracles import fastdds_library
+from tests.oracles import udevadm
 from tests.oracles.verify import systemd_version
 
 TREE = PROJECT / "fixtures" / "robots" / "good" / "tree"
@@ -16,7 +21,7 @@ DISTRIBUTION = ("sysinit", "basic", "shutdown", "multi-user", "network-online", 
 """Targets that the installed distribution brings."""
 PROGRAMS = ("usr/bin/bash", "usr/lib/systemd/systemd-networkd-wait-online")
 
-pytestmark = pytest.mark.skipif(systemd_version() < 250, reason="systemd-analyze of 250 or newer is not installed")
+needs_systemd = pytest.mark.skipif(systemd_version() < 250, reason="systemd-analyze of 250 or newer is not installed")
 
 
 @pytest.fixture
@@ -43,6 +48,7 @@ def verify(root: Path, *units: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(command, capture_output=True, text=True, env={"LANG": "C.UTF-8", "PATH": "/usr/bin:/bin"})
 
 
+@needs_systemd
 def test_every_unit_is_accepted(root: Path) -> None:
     units = sorted(path.name.replace("@", "@tern-drivers") for path in (TREE / "etc/systemd/system").glob("*.*") if path.is_file())
     run = verify(root, *units)
@@ -50,7 +56,77 @@ def test_every_unit_is_accepted(root: Path) -> None:
     assert run.returncode == 0
 
 
+@needs_systemd
 def test_verify_would_complain(root: Path) -> None:
     unit = root / "etc/systemd/system/tern-drivers.service"
     unit.write_text(unit.read_text().replace("ExecStartPre=/usr/local/bin/tern-wait-devices", "ExecStartPre=/usr/local/bin/lost"))
     assert "lost" in verify(root, unit.name).stderr
+
+
+def needs(program: str) -> pytest.MarkDecorator:
+    return pytest.mark.skipif(shutil.which(program) is None, reason=f"needs {program}")
+
+
+needs_root = pytest.mark.skipif(os.geteuid() != 0, reason="needs root")
+
+
+def run(*command: str | Path, **environment: str) -> tuple[int, str]:
+    """Exit status and output of a program."""
+    done = subprocess.run(
+        command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False, timeout=60, env=os.environ | environment
+    )
+    return done.returncode, done.stdout
+
+
+@needs("netplan")
+def test_netplan_generates(tmp_path: Path) -> None:
+    shutil.copytree(TREE / "etc/netplan", tmp_path / "etc/netplan")
+    for path in (tmp_path / "etc/netplan").iterdir():
+        path.chmod(0o600)
+    assert run("netplan", "generate", "--root-dir", tmp_path) == (0, "")
+    assert (tmp_path / "run/systemd/network/10-netplan-enp3s0.network").exists()
+
+
+@pytest.mark.skipif(udevadm.udevadm() is None, reason="needs udevadm of systemd 254 or newer")
+def test_udev_rules_verify() -> None:
+    assert udevadm.verify((TREE / "etc/udev/rules.d").iterdir()) == {}
+
+
+@needs("logrotate")
+@needs_root
+def test_logrotate_reads_it(tmp_path: Path) -> None:
+    stanza = shutil.copy(TREE / "etc/logrotate.d/tern", tmp_path / "tern")
+    Path(stanza).chmod(0o644)
+    os.chown(stanza, 0, 0)
+    status, output = run("logrotate", "-d", "-s", tmp_path / "state", stanza)
+    assert status == 0
+    assert "error" not in output
+
+
+@needs("sshd")
+@needs_root
+def test_sshd_reads_it(tmp_path: Path) -> None:
+    run("ssh-keygen", "-q", "-t", "ed25519", "-N", "", "-f", tmp_path / "key")
+    sshd = ("/usr/sbin/sshd", "-f", TREE / "etc/ssh/sshd_config", "-h", tmp_path / "key")
+    assert run(*sshd, "-t") == (0, "")
+    assert "\nkbdinteractiveauthentication no\n" in run(*sshd, "-T")[1]
+
+
+@pytest.mark.skipif(not cyclonedds_library.is_installed(), reason="needs cyclonedds")
+def test_cyclonedds_starts(tmp_path: Path) -> None:
+    good = TREE / "etc/tern/cyclonedds.xml"
+    damaged = tmp_path / "damaged.xml"
+    damaged.write_text(good.read_text("utf-8").replace("MaxAutoParticipantIndex", "MaxAutoIndex"), "utf-8")
+    start = "from cyclonedds.domain import DomainParticipant; DomainParticipant(18); print('started')"
+    assert run(sys.executable, "-c", start, CYCLONEDDS_URI=f"file://{good}") == (0, "started\n")
+    assert run(sys.executable, "-c", start, CYCLONEDDS_URI=f"file://{damaged}")[0] != 0
+
+
+@pytest.mark.skipif(fastdds_library.library() is None, reason="needs ros-jazzy-rclpy[fastrtps]")
+def test_fastdds_starts(tmp_path: Path) -> None:
+    good = shutil.copy(TREE / "etc/tern/fastdds.xml", tmp_path / "fastdds.xml")
+    damaged = tmp_path / "damaged.xml"
+    damaged.write_text(Path(good).read_text("utf-8").replace("userTransports", "ownTransports"), "utf-8")
+    status, output = fastdds_library.start_node(Path(good))
+    assert (status, output.strip()) == (0, "started")
+    assert "Error" in fastdds_library.start_node(damaged)[1]
