@@ -115,6 +115,7 @@ CONSTRUCTS = {
         "out = [Node(package='p', executable='e', name='{}'.format(n)) for n in ('a', 'b')]",
     ),
     "percent": ("*out", "out = [Node(package='p', executable='e', name='%s' % n) for n in ('a', 'b')]"),
+    "generator": ("*make()", "def make():\n    yield {a}\n    yield from [{b}]"),
     "unpacking": ("x, y", "x, y = {a}, {b}"),
     "group": ("GroupAction([{a}, GroupAction(actions=[{b}])])", ""),
     "timer": ("TimerAction(period=3.0, actions=[{a}]), {b}", ""),

@@ -65,17 +65,11 @@ def _invoke(state: State, function: Function, arguments: Arguments) -> Any:
     try:
         if type(function.node) is ast.Lambda:
             return state.evaluate(function.node.body)
-        if _is_generator(function.node):
-            return Sequence([], arguments.span, guards, open=True)
         state.run(function.node.body)
     finally:
         state.calls -= 1
         state.frame, state.guards = outer, guards
-    return _result(frame, guards, arguments.span)
-
-
-def _is_generator(node: ast.FunctionDef | ast.AsyncFunctionDef) -> bool:
-    return any(isinstance(inner, (ast.Yield, ast.YieldFrom)) for inner in ast.walk(node))
+    return frame.yielded or _result(frame, guards, arguments.span)
 
 
 def _result(frame: Frame, guards: tuple, span: Span) -> Any:

@@ -12,6 +12,7 @@ from bringup_lint.parsers.launch_python import budget
 from bringup_lint.parsers.launch_python import freeze
 from bringup_lint.parsers.launch_python.attributes import attribute
 from bringup_lint.parsers.launch_python.comprehensions import comprehension
+from bringup_lint.parsers.launch_python.containers import append
 from bringup_lint.parsers.launch_python.containers import extend
 from bringup_lint.parsers.launch_python.containers import merge
 from bringup_lint.parsers.launch_python.containers import put
@@ -255,6 +256,19 @@ def _await(state: State, node: ast.Await) -> Any:
     return evaluate(state, node.value)
 
 
+def _yield(state: State, node: ast.Yield | ast.YieldFrom) -> Any:
+    """A generator's values are gathered; nobody sends any back."""
+    span = state.positions.span(node)
+    frame = state.frame
+    if frame.yielded is None:
+        frame.yielded = Sequence([], span, ())
+    if isinstance(node, ast.YieldFrom):
+        extend(state, frame.yielded, evaluate(state, node.value), state.guards)
+    elif node.value is not None:
+        append(state, frame.yielded, evaluate(state, node.value))
+    return Unknown("sent value", span)
+
+
 _HANDLERS = {
     ast.Constant: _constant,
     ast.Name: _name,
@@ -274,6 +288,8 @@ _HANDLERS = {
     ast.Lambda: _lambda,
     ast.NamedExpr: _walrus,
     ast.Await: _await,
+    ast.Yield: _yield,
+    ast.YieldFrom: _yield,
     ast.ListComp: comprehension,
     ast.SetComp: comprehension,
     ast.GeneratorExp: comprehension,

@@ -77,6 +77,8 @@ class Frame:
     outer: dict[str, Frame] = field(default_factory=dict)
     """Names declared ``global`` or ``nonlocal``, with the frame they live in."""
     returns: list[tuple[Guards, Any]] = field(default_factory=list)
+    yielded: Sequence | None = None
+    """What a generator has given so far."""
 
 
 @dataclass(eq=False, slots=True)

@@ -18,6 +18,7 @@ class Positions:
         self.source = source
         text = source.text
         self._ascii = text.isascii()
+        self._length = len(text)
         if "\r" in text:
             self._starts = [shift, *(match.end() for match in _LINE_END.finditer(text))]
         else:
@@ -48,8 +49,14 @@ class Positions:
         return table
 
     def span(self, node: ast.expr | ast.stmt | ast.keyword | ast.arg | ast.excepthandler) -> Span:
-        start = self.offset(node.lineno, node.col_offset)
-        end = self.offset(node.end_lineno, node.end_col_offset)
-        length = len(self.source.text)
-        start = min(start, length)
-        return Span(self.source, start, min(max(start, end), length))
+        starts = self._starts
+        if self._ascii and node.end_lineno <= len(starts):
+            start = starts[node.lineno - 1] + node.col_offset
+            end = starts[node.end_lineno - 1] + node.end_col_offset
+        else:
+            start = self.offset(node.lineno, node.col_offset)
+            end = self.offset(node.end_lineno, node.end_col_offset)
+        if start <= end <= self._length:
+            return Span(self.source, start, end)
+        start = min(start, self._length)
+        return Span(self.source, start, min(max(start, end), self._length))
