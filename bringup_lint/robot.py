@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from bringup_lint.discover.tree import Tree
     from bringup_lint.graph.accounts import Accounts
     from bringup_lint.graph.daemons import Daemon
+    from bringup_lint.graph.device_access import ClosedDevice
     from bringup_lint.graph.devices import Devices
     from bringup_lint.graph.can import Can
     from bringup_lint.graph.compose import Compose
@@ -184,6 +185,13 @@ class Robot:
         from bringup_lint.graph.devices import load_devices
 
         return load_devices(self)
+
+    @cached_property
+    def closed_devices(self) -> list[ClosedDevice]:
+        """The devices that services name and that their users may not open."""
+        from bringup_lint.graph.device_access import closed_devices
+
+        return list(closed_devices(self)) if self.tree.complete and self.of_kind("udev-rules") else []
 
     @cached_property
     def waiting_for_network(self) -> list[tuple[str, Located]]:

@@ -47,13 +47,17 @@ class Accounts:
         return next((entry[5].rstrip("/") for entry in entries if entry[0] == user and len(entry) > 5), None)
 
     def groups_of(self, user: str) -> frozenset[str] | None:
-        """The groups that the tree's /etc/group gives to a user; None when there is no such file."""
-        source = self.robot.tree.find("/etc/group") if self.robot.tree.root is not None else None
-        if source is None:
+        """The groups that the tree's /etc/passwd and /etc/group give to a user; None without these files."""
+        tree = self.robot.tree
+        found = [tree.find(path) if tree.root is not None else None for path in ("/etc/passwd", "/etc/group")]
+        if None in found:
             return None
-        entries = (line.split(":") for line in source.text.splitlines())
+        users, groups = ([line.split(":") for line in source.text.splitlines()] for source in found)
+        primary = {entry[3] for entry in users if entry[0] == user and len(entry) > 3}
         return frozenset(
-            e[0] for e in entries if (len(e) > 3 and user in e[3].strip().split(",")) or e[0] == user
+            entry[0]
+            for entry in groups
+            if len(entry) > 3 and (entry[2] in primary or user in entry[3].strip().split(","))
         )
 
     def _has(self, name: str, database: frozenset[str], declared: frozenset[str]) -> bool | None:

@@ -1,0 +1,60 @@
+"""The user of a service is not in the group of its device.
+
+## What it finds
+In a root file system with `/etc/group`: a service with `User=` whose own files, environment files or launch
+files name a device that a udev rule gives to a group (`GROUP=` with a mode such as 0660, or the usual group
+of serial ports and cameras), while neither `/etc/group` nor `SupplementaryGroups=` makes the user a member.
+
+## Why it matters on a robot
+Opening the device fails: "Permission denied: '/dev/robot/imu'". The person who tried the driver in a
+terminal was a member of dialout; the user of the service is not.
+
+## Bad
+```ini
+[Service]
+User=rover
+Environment=PORT=/dev/robot/imu
+```
+
+## Good
+```ini
+[Service]
+User=rover
+SupplementaryGroups=dialout
+Environment=PORT=/dev/robot/imu
+```
+
+## References
+- systemd.exec(5), "SupplementaryGroups="
+- udev(7), "GROUP"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", fix="unsafe", symptoms=["Permission denied: '/dev/", "could not open port /dev/"])
+def group_missing_for_device(robot: Robot):
+    seen = set()
+    for closed in robot.closed_devices:
+        unit, group = closed.unit, closed.group
+        if (unit.name, group) in seen:
+            continue
+        seen.add((unit.name, group))
+        yield finding(
+            closed.user,
+            f"user {closed.user} is not in group {group}: opening {closed.use.path} fails",
+            advice=f"add SupplementaryGroups={group}",
+            related=[
+                note(closed.use.path, "the device that is opened"),
+                note(closed.link.name, f"made for group {group}"),
+            ],
+            fix=fix(
+                f"add SupplementaryGroups={group}",
+                unit.new_line("Service", f"SupplementaryGroups={group}"),
+                safe=False,
+            ),
+        )
