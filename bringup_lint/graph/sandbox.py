@@ -152,7 +152,7 @@ class Sandbox:
     def home(self) -> tuple[str | None, str]:
         """The home directory of the service's user and who says so; None when there is none."""
         if self.dynamic:
-            return None, "a dynamic user has no home"
+            return None, "DynamicUser= gives no home"
         user = self.unit.get("User")
         if not user or user in ("root", "0"):
             return "/root", "root's"

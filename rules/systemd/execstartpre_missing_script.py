@@ -62,7 +62,7 @@ def execstartpre_missing_script(robot: Robot):
             if sibling:
                 yield finding(
                     program,
-                    f"the tree ships {sibling} but not {program}: {process.key}= of {unit.name} fails with 203/EXEC if nobody else does",
+                    f"The tree ships {sibling} but not {program}: {process.key}= of {unit.name} fails with 203/EXEC if nobody else does",
                     advice="ship it with mode 0755",
                     severity="warning",
                     confidence="medium",

@@ -42,6 +42,6 @@ def execstartpre_sleep(robot: Robot):
             if process.key == "ExecStartPre" and names == {"sleep"}:
                 yield finding(
                     process.line,
-                    f"a fixed sleep before {unit.name} hides what it waits for, and is too short one day",
+                    f"A fixed sleep before {unit.name} hides what it waits for, and is too short one day",
                     advice="wait for the thing itself: a device unit, a socket, or a check that ends when it is there",
                 )

@@ -40,7 +40,7 @@ def log_flood(robot: Robot):
                 if word is not None:
                     yield finding(
                         word,
-                        f"everything in {unit.name} logs at level debug: the journal's rate limit drops lines at random",
+                        f"Everything in {unit.name} logs at level debug: the journal's rate limit drops lines at random",
                         advice="lower the level, or set LogRateLimitIntervalSec= and LogRateLimitBurst=",
                     )
 

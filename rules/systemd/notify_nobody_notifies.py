@@ -49,7 +49,7 @@ def notify_nobody_notifies(robot: Robot):
         limit = service.start_timeout.value
         yield finding(
             service.type.at,
-            f"nothing that {unit.name} starts sends READY=1 ({why}): the start times out"
+            f"Nothing that {unit.name} starts sends READY=1 ({why}): the start times out"
             + (f" after {duration(limit)}" if limit and limit < 1e9 else ""),
             advice="use Type=exec, or launch a node that reports readiness",
             related=[

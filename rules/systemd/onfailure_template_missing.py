@@ -44,7 +44,7 @@ def onfailure_template_missing(robot: Robot):
             shipped = robot.tree.complete or any(other.place == unit.place for other in units.all if other is not unit)
             yield finding(
                 word,
-                f"the failure handler {template} does not exist: when {unit.name} fails, nothing happens",
+                f"The failure handler {template} does not exist: when {unit.name} fails, nothing happens",
                 advice=f"ship {template}",
                 severity="error" if shipped else "warning",
             )

@@ -54,7 +54,7 @@ def onfailure_unreachable(robot: Robot):
         why = (
             f"{policy.burst} restarts take {duration(policy.loop())} > {duration(policy.interval)}, so the start limit never trips"
             if policy.limited
-            else "the start limit is switched off"
+            else "The start limit is switched off"
         )
         each_time = robot.target.systemd >= 254 and unit.get("RestartMode") != "direct"
         yield finding(

@@ -58,7 +58,7 @@ def private_network(robot: Robot):
         if missing:
             yield finding(
                 values[-1],
-                f"without {' and '.join(missing)} DDS cannot {'list the interfaces' if 'AF_NETLINK' in missing else 'open its sockets'}: "
+                f"Without {' and '.join(missing)} DDS cannot {'list the interfaces' if 'AF_NETLINK' in missing else 'open its sockets'}: "
                 f"the participants of {unit.name} fail",
                 advice="set RestrictAddressFamilies=AF_INET AF_INET6 AF_UNIX AF_NETLINK",
             )

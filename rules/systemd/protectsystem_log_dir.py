@@ -63,11 +63,18 @@ def protectsystem_log_dir(robot: Robot):
             where,
             message,
             advice="set LogsDirectory=ros2 and Environment=ROS_LOG_DIR=/var/log/ros2",
-            related=[note(log.at, "the log directory")] if log.at is not None and log.at is not where else (),
+            related=_related(unit, box, log, where),
             fix=_fix(unit, log) if unit.editable and severity != "info" else None,
             severity="warning" if severity == "error" and processes[0].opaque else severity,
             confidence="medium" if processes[0].opaque or severity == "info" else "high",
         )
+
+
+def _related(unit, box, log, where):
+    parts = [(log.at, "the log directory"), (unit.get("User"), "who has to write there")]
+    if where is log.at:
+        parts.append((unit.where, f"{unit.name} logs there"))
+    return [note(at, text) for at, text in parts if at is not None and at is not where]
 
 
 def _verdict(unit, robot, box, log):
@@ -81,7 +88,7 @@ def _verdict(unit, robot, box, log):
             return None
         return view.at or unit.where, f"{view.why} makes {view.prefix} {closed}, the logs go to {log.path}: {ends}", "error"
     if log.at is not None and log.why == "ROS_LOG_DIR=" and _foreign(unit, log.path) and is_made(log.path, unit, robot) is False:
-        return log.at, f"nothing creates {log.path}, and {unit.get('User')} may not: {ends}", "warning"
+        return log.at, f"Nothing creates {log.path}, and {unit.get('User')} may not: {ends}", "warning"
     if log.at is None and box.protect_system.value == "strict" and view is not None and view.prefix in ("/home", "/root"):
         text = f"{log.path} stays writable only because ProtectSystem=strict leaves {view.prefix} alone, against its manual page"
         return box.protect_system.at or unit.where, text, "info"

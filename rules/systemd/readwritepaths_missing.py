@@ -58,9 +58,9 @@ def readwritepaths_missing(robot: Robot):
                     continue
                 yield finding(
                     word,
-                    f"when {path} is not there, {unit.name} does not start: 226/NAMESPACE"
+                    f"When {path} is not there, {unit.name} does not start: 226/NAMESPACE"
                     if device
-                    else f"nothing creates {path}: {unit.name} does not start, 226/NAMESPACE",
+                    else f"Nothing creates {path}: {unit.name} does not start, 226/NAMESPACE",
                     advice=_advice(path, device),
                     fix=fix("ignore it when it is missing", (word.part(0, 0), "-")) if unit.editable else None,
                     severity="info" if device else "warning",

@@ -50,7 +50,7 @@ def restart_missing(robot: Robot):
         chosen, known = policy.restart_at is not None, unit in units.ros
         yield finding(
             policy.restart_at or unit.where,
-            f"if what {unit.name} runs dies, nothing starts it again",
+            f"If what {unit.name} runs dies, nothing starts it again",
             advice="set Restart=always (ros2 launch often ends with status 0) and a start limit",
             fix=_restart(unit) if unit.editable and not chosen else None,
             severity="warning" if known and not chosen else "info",

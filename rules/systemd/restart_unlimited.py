@@ -83,9 +83,9 @@ def _verdict(policy, unit, ros, launch):
         intended = policy.own_limit or unit.has("OnFailure")
         bad = policy.longest < SLOW and (policy.restart == "always" or ros or intended)
         if not policy.limited:
-            message = f"the start limit is switched off: a failing {name} restarts every {every} for ever"
+            message = f"The start limit is switched off: a failing {name} restarts every {every} for ever"
         else:
-            sums = "the first {0} delays take {2}" if policy.steps else "{0} restarts × {1} = {2}"
+            sums = "The first {0} delays take {2}" if policy.steps else "{0} restarts × {1} = {2}"
             sums = sums.format(policy.burst, every, duration(policy.loop()))
             message = f"{sums} > {duration(policy.interval)}: the start limit never trips, a failing {name} restarts for ever"
         return "warning" if bad else "info", message
@@ -99,7 +99,7 @@ def _verdict(policy, unit, ros, launch):
         return "warning" if ros else "info", message
     if launch and policy.loop(FAILING_LAUNCH) > policy.interval:
         spare = (policy.interval - policy.loop()) / policy.burst
-        return "info", f"the default limit of {limit} trips only if every start fails within {duration(round(spare, 2))}: {name} goes on"
+        return "info", f"The default limit of {limit} trips only if every start fails within {duration(round(spare, 2))}: {name} goes on"
     return None, ""
 
 

@@ -52,7 +52,7 @@ def rt_starvation(robot: Robot):
             level = f"priority {priority}" if priority else "no priority of its own choice"
             yield finding(
                 priority or policy,
-                f"all nodes of {unit.name} run with {policy} scheduling, {level}: a busy loop in one of them locks the machine",
+                f"All nodes of {unit.name} run with {policy} scheduling, {level}: a busy loop in one of them locks the machine",
                 advice="give real-time scheduling to the one node that needs it, in a unit of its own",
                 related=[*tree, *([note(policy, "real-time scheduling")] if priority else [])],
             )
@@ -60,7 +60,7 @@ def rt_starvation(robot: Robot):
         if io in ("realtime", "1"):
             yield finding(
                 io,
-                f"all nodes of {unit.name} go before every other disk access: journald, sshd and the rest can starve",
+                f"All nodes of {unit.name} go before every other disk access: journald, sshd and the rest can starve",
                 advice="drop the line, or give the class to one service that needs it",
                 related=tree,
             )

@@ -45,9 +45,9 @@ def shell_background_job(robot: Robot):
                 ends = not any(_keeps_running(later) for later in process.steps[at + 1 :])
                 yield finding(
                     step.command.words[0],
-                    f"nothing keeps the shell running after this background job: {unit.name} ends at once and systemd kills the job"
+                    f"Nothing keeps the shell running after this background job: {unit.name} ends at once and systemd kills the job"
                     if ends and not step.command.depth
-                    else f"a background job: when it dies, {unit.name} still counts as running and is not restarted",
+                    else f"A background job: when it dies, {unit.name} still counts as running and is not restarted",
                     advice="run it in the foreground with exec, each process in a unit of its own",
                     related=[note(process.program, "the main process")],
                     severity="error" if ends and not step.command.depth else "warning",

@@ -50,7 +50,7 @@ def shell_wrapper_no_exec(robot: Robot):
             signal = service.kill_signal.value or "the signal"
             yield finding(
                 words[0],
-                f"the shell stays the main process of {unit.name}: "
+                f"The shell stays the main process of {unit.name}: "
                 + (f"on stop only the shell gets {signal}, not this command" if alone else "it is the shell that systemd watches"),
                 advice="start the command with exec" if step.last else "make it the last command and start it with exec",
                 related=[

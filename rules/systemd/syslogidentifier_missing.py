@@ -37,6 +37,6 @@ def syslogidentifier_missing(robot: Robot):
             continue
         yield finding(
             unit.where,
-            f"the journal shows the lines of {unit.name} as \"{shells[0].name}\"",
+            f"The journal shows the lines of {unit.name} as \"{shells[0].name}\"",
             advice=f"set SyslogIdentifier={unit.stem.partition('@')[0]}",
         )

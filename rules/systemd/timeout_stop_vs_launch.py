@@ -58,9 +58,9 @@ def timeout_stop_vs_launch(robot: Robot):
                 f"{duration(ESCALATION)} (SIGINT, 5 s, SIGTERM, 5 s, SIGKILL) to end its nodes"
             )
         elif limit.value == math.inf:
-            message = f"one hung node of {unit.name} blocks the stop, and with it the shutdown, for ever"
+            message = f"One hung node of {unit.name} blocks the stop, and with it the shutdown, for ever"
         else:
-            message = f"one hung node of {unit.name} delays every shutdown by {duration(limit.value)}"
+            message = f"One hung node of {unit.name} delays every shutdown by {duration(limit.value)}"
         own = limit.at in unit.values("TimeoutStopSec", "Service")
         yield finding(
             limit.at,

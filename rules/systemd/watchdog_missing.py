@@ -47,6 +47,6 @@ def watchdog_missing(robot: Robot):
             continue
         yield finding(
             unit.where,
-            f"nothing notices when {unit.name} hangs: it stays \"active\"",
+            f"Nothing notices when {unit.name} hangs: it stays \"active\"",
             advice="set WatchdogSec= and send WATCHDOG=1 from the control loop",
         )

@@ -45,7 +45,7 @@ def watchdog_no_restart(robot: Robot):
             continue
         yield finding(
             service.watchdog.at,
-            f"after a watchdog timeout of {duration(service.watchdog.value)} {unit.name} stays dead: Restart={policy.restart} "
+            f"After a watchdog timeout of {duration(service.watchdog.value)} {unit.name} stays dead: Restart={policy.restart} "
             "does not start it again",
             advice="set Restart=on-failure or on-watchdog",
             related=[note(policy.restart_at, "does not restart after a watchdog timeout")] if policy.restart_at else (),

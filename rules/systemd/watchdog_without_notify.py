@@ -51,7 +51,7 @@ def watchdog_without_notify(robot: Robot):
             continue
         yield finding(
             service.watchdog.at,
-            f"no keep-alive reaches systemd, {why}: {unit.name} is killed every {duration(service.watchdog.value)}",
+            f"No keep-alive reaches systemd, {why}: {unit.name} is killed every {duration(service.watchdog.value)}",
             advice="let a process of the unit send WATCHDOG=1 and set NotifyAccess=all, or drop WatchdogSec=",
             related=[
                 note(service.main.where, "the main process"),
