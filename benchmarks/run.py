@@ -87,6 +87,7 @@ def growth(folder: Path) -> Iterator[tuple[str, Comparison, str]]:
 
 def main() -> None:
     os.environ["PYTHONPATH"] = str(PROJECT)
+    os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
     corpus = os.environ.get("BRINGUP_LINT_CORPUS")
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)

@@ -11,6 +11,7 @@ import importlib.util
 from collections.abc import Iterable
 from collections.abc import Iterator
 from dataclasses import dataclass
+from dataclasses import field
 from functools import cached_property
 from pathlib import Path
 
@@ -66,6 +67,12 @@ class Family:
     description: str
     reads: frozenset[str]
     path: Path
+    joins: dict[str, frozenset[str]] = field(default_factory=dict)
+    """Rule file -> kinds of other families that give this rule something to say."""
+
+    def has_something_for(self, path: Path, kinds: frozenset[str]) -> bool:
+        """Whether a rule of the family can say something about a tree that holds these kinds."""
+        return not self.reads or bool((self.reads | self.joins.get(path.stem, frozenset())) & kinds)
 
     def rule_paths(self) -> list[Path]:
         return sorted(path for path in self.path.glob("*.py") if not path.name.startswith("_"))
@@ -103,6 +110,7 @@ def _family(path: Path) -> Family:
         data.get("description", ""),
         frozenset(data.get("reads", ())),
         path,
+        {stem: frozenset(kinds) for stem, kinds in data.get("joins", {}).items()},
     )
 
 
@@ -152,10 +160,14 @@ class Registry:
         return load(path, rule_id) if path else None
 
     def ids_reading(self, kinds: Iterable[str]) -> list[str]:
-        """The rules of every family that reads one of the kinds, or that reads anything."""
-        kinds = set(kinds)
-        readers = {family.name for family in self.families if not family.reads or family.reads & kinds}
-        return [rule_id for rule_id in self.paths if rule_id.partition("/")[0] in readers]
+        """The rules that can say something about a tree that holds these kinds (``family.toml``: reads, joins)."""
+        kinds = frozenset(kinds)
+        return [
+            family.rule_id(path)
+            for family in self.families
+            for path in family.rule_paths()
+            if family.has_something_for(path, kinds)
+        ]
 
     def all(self) -> Iterator[Rule]:
         for rule_id, path in self.paths.items():
