@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from pathlib import Path
 
 import pytest
@@ -76,22 +75,6 @@ def test_moved_items_lead_to_items(version: str) -> None:
     assert all(item.moved_to in known for item in known.values() if item.moved_to)
 
 
-@pytest.mark.parametrize("parse", [cyclonedds.parse, fastdds.parse])
-def test_time_is_linear(parse) -> None:
-    def seconds(count: int) -> float:
-        if parse is cyclonedds.parse:
-            names, peer = ["CycloneDDS", "Domain", "Discovery", "Peers"], '<Peer Address="10.0.0.1"/>'
-        else:
-            names, peer = ["profiles", "participant", "rtps", "builtin", "initialPeersList"], "<locator/>"
-        head, tail = "".join(f"<{name}>" for name in names), "".join(f"</{name}>" for name in reversed(names))
-        start = time.perf_counter()
-        parse(Source("a.xml", head + peer * count + tail))
-        return time.perf_counter() - start
-
-    seconds(100)
-    assert seconds(8000) < 40 * max(seconds(800), 0.01)
-
-
 def entities() -> str:
     layers = "".join(f'<!ENTITY l{n + 1} "{f"&l{n};" * 10}">' for n in range(9))
     return f'<!DOCTYPE CycloneDDS [<!ENTITY l0 "lol">{layers}]>\n<CycloneDDS><Domain Id="&l9;"/></CycloneDDS>'
@@ -108,11 +91,9 @@ HOSTILE = {
 
 
 @pytest.mark.parametrize("name", HOSTILE)
-def test_hostile_files_are_refused_quickly(name: str, tmp_path: Path) -> None:
+def test_hostile_files_are_refused(name: str, tmp_path: Path) -> None:
     (tmp_path / "cyclonedds.xml").write_text(HOSTILE[name], "utf-8")
-    start = time.perf_counter()
     run = lint("--output-format", "concise", ".", cwd=tmp_path)
-    assert time.perf_counter() - start < 20
     assert "[cyclonedds/" in run.stdout and "root:" not in run.stdout and run.code == 1, run
 
 

@@ -40,6 +40,10 @@ class _Reader:
             return ""
         return str(token.text)
 
+    def taken(self) -> str:
+        """The word before the place where reading goes on; empty past the end."""
+        return str(self.tokens[self.at - 1].text) if 0 < self.at <= len(self.tokens) else ""
+
     def list(self, stops: frozenset[str], depth: int) -> tuple[Block, ...]:
         """Statements up to one of the stop words, which is taken."""
         found: list[Block] = []
@@ -129,7 +133,7 @@ class _Reader:
         while True:
             start = self.at
             bodies.append(self.list(frozenset({"elif", "else", "fi"}), depth + 1))
-            ended = str(self.tokens[self.at - 1].text) if self.at > start else "fi"
+            ended = self.taken() if self.at > start else "fi"
             if ended == "elif":
                 condition += self.list(frozenset({"then"}), depth + 1)
             elif ended != "else":
@@ -144,7 +148,7 @@ class _Reader:
             if token.operator and token.text == ")":
                 self.at += 1
                 bodies.append(self.list(_ENDS_BRANCH | {"esac"}, depth + 1))
-                if str(self.tokens[self.at - 1].text) == "esac":
+                if self.taken() == "esac":
                     return Block("branches", bodies=tuple(bodies))
             else:
                 self.at += 1
