@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.accounts import Accounts
     from bringup_lint.graph.daemons import Daemon
     from bringup_lint.graph.device_access import ClosedDevice
+    from bringup_lint.graph.sshd import Sshd
     from bringup_lint.graph.devices import Devices
     from bringup_lint.graph.can import Can
     from bringup_lint.graph.compose import Compose
@@ -241,6 +242,12 @@ class Robot:
         from bringup_lint.graph.daemons import load_daemons
 
         return load_daemons(self, "logind")
+
+    @cached_property
+    def sshd(self) -> list[Sshd]:
+        from bringup_lint.graph.sshd import load_sshd
+
+        return load_sshd(self)
 
     @cached_property
     def logs(self) -> RosLogs:

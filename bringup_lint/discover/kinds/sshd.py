@@ -1,0 +1,24 @@
+"""sshd's configuration."""
+
+from __future__ import annotations
+
+import re
+
+from bringup_lint.discover.kinds import Head
+from bringup_lint.discover.kinds import Kind
+from bringup_lint.templates import final_name
+
+_NAME = re.compile(r"/sshd_config(?:\.d/[^/]+\.conf)?$")
+_LINE = re.compile(
+    r"^[ \t]*#?[ \t]*(?:Port|PermitRootLogin|PasswordAuthentication|Subsystem|Match|Include|UsePAM|X11Forwarding|AllowUsers"
+    r"|PubkeyAuthentication|AuthorizedKeysFile|\w*Authentication|\w*Forwarding|Ciphers|MACs|MaxAuthTries|ClientAlive\w+)[ \t=]",
+    re.M | re.I,
+)
+
+
+def _is_sshd(path: str, head: Head) -> bool:
+    path = final_name(f"/{path}")
+    return bool(_NAME.search(path)) and ("/ssh/sshd_config" in path or bool(_LINE.search(head())))
+
+
+KINDS = (Kind("sshd-config", _is_sshd),)

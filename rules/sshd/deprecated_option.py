@@ -1,0 +1,39 @@
+"""A keyword that sshd no longer has: the line does nothing.
+
+## What it finds
+A keyword that older releases of OpenSSH had and the present ones pass over with a message.
+
+## Why it matters on a robot
+The line protects nothing. Nothing breaks.
+
+## Bad
+```
+UsePrivilegeSeparation yes
+```
+
+## Good
+```
+# privilege separation is always on
+```
+
+## References
+- OpenSSH release notes
+- sshd: "Deprecated option UsePrivilegeSeparation"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("info", symptoms=["Deprecated option"])
+def deprecated_option(robot: Robot):
+    for sshd in robot.sshd:
+        for file in sshd.files:
+            for problem in file.problems:
+                if problem.code == "deprecated":
+                    yield finding(
+                        problem.where,
+                        f"sshd no longer has {problem.where}: the line does nothing",
+                        advice="delete it",
+                    )

@@ -1,0 +1,43 @@
+"""A subsystem is defined twice: sshd refuses to start.
+
+## What it finds
+The same Subsystem twice, in one file or in the main file and a drop-in.
+
+## Why it matters on a robot
+sshd ends with an error at its next start, and after the reboot nobody gets in.
+
+## Bad
+```
+Subsystem sftp internal-sftp
+Subsystem sftp /usr/lib/openssh/sftp-server
+```
+
+## Good
+```
+Subsystem sftp internal-sftp
+```
+
+## References
+- sshd_config(5), "Subsystem"
+- sshd: "Subsystem 'sftp' already defined."
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["already defined"])
+def duplicate_subsystem(robot: Robot):
+    for sshd in robot.sshd:
+        known = {}
+        for option in sshd.all("Subsystem"):
+            first = known.setdefault(str(option.value), option.value)
+            if first is not option.value and option.span.source.judged:
+                yield finding(
+                    option.value,
+                    f"The subsystem {option.value} is already defined: sshd refuses to start",
+                    advice="keep one of the two",
+                    related=[note(first, "defined here first")],
+                )

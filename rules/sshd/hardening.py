@@ -1,0 +1,69 @@
+"""sshd allows more than a robot needs.
+
+## What it finds
+Settings of a whole configuration that are open by default or by a line: X11Forwarding, AllowTcpForwarding, PermitTunnel,
+MaxAuthTries above 4, no ClientAliveInterval, neither AllowUsers nor AllowGroups.
+
+## Why it matters on a robot
+Each is a way into the robot's network, or keeps one open, that nobody uses.
+
+## Bad
+```
+X11Forwarding yes
+```
+
+## Good
+```
+X11Forwarding no
+AllowTcpForwarding no
+PermitTunnel no
+MaxAuthTries 3
+ClientAliveInterval 300
+AllowUsers robot-admin
+```
+
+## References
+- sshd_config(5)
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+SETTINGS = (
+    ("X11Forwarding", "no", {"yes"}, "X11 forwarding is on", "no"),
+    ("AllowTcpForwarding", "yes", {"yes", "all", "local", "remote"}, "TCP forwarding is on", "no"),
+    ("PermitTunnel", "no", {"yes", "point-to-point", "ethernet"}, "Tunnel devices are allowed", "no"),
+    ("ClientAliveInterval", "0", {"0", "0s"}, "Dead connections stay open: there is no ClientAliveInterval", "300"),
+)
+"""Keyword, default, values that are found, what they mean, what to write."""
+MOST_TRIES = 4
+
+
+@rule("info", fix="safe", aliases=["sshd/x11-forwarding", "sshd/tcp-forwarding", "sshd/permit-tunnel", "sshd/max-auth-tries", "sshd/client-alive-missing", "sshd/no-allowusers"])
+def hardening(robot: Robot):
+    for sshd in robot.sshd:
+        if not sshd.files:
+            continue
+        off = sshd.says("DisableForwarding", "no") == "yes"
+        for name, default, open_values, what, better in SETTINGS:
+            if sshd.says(name, default) in open_values and not (off and name != "ClientAliveInterval"):
+                yield from found(sshd, name, what, better)
+        tries = sshd.says("MaxAuthTries", "6")
+        if tries is not None and tries.isdigit() and int(tries) > MOST_TRIES:
+            yield from found(sshd, "MaxAuthTries", f"A connection may try {tries} passwords or keys", "3")
+        if sshd.is_whole and not sshd.all("AllowUsers") and not sshd.all("AllowGroups"):
+            yield finding(sshd.where, "Every account may log in", advice="AllowUsers, with the accounts that need it")
+
+
+def found(sshd, name, what, better):
+    option = sshd.get(name)
+    if option is None or option.span.source.judged:
+        yield finding(
+            option.value if option else sshd.where,
+            what + ("" if option else " by default" if "no " not in what else ""),
+            advice=f"{name} {better}",
+            fix=fix(f"{name} {better}", (option.value, better)) if option else None,
+        )

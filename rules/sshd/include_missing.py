@@ -1,0 +1,45 @@
+"""Drop-ins that sshd does not read: the main file has no Include.
+
+## What it finds
+Files in sshd_config.d beside a sshd_config that includes nothing of them.
+
+## Why it matters on a robot
+Someone replaced the distribution's sshd_config. Whatever the drop-ins say, also those that a package or cloud-init writes
+later, has no effect.
+
+## Bad
+```
+# sshd_config
+Port 2222
+```
+
+## Good
+```
+# sshd_config
+Include /etc/ssh/sshd_config.d/*.conf
+Port 2222
+```
+
+## References
+- sshd_config(5), "Include"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("info")
+def include_missing(robot: Robot):
+    for sshd in robot.sshd:
+        if sshd.main is None or not sshd.complete or not sshd.main.source.judged or sshd.main.source.template:
+            continue
+        includes = [word for option in sshd.main.options if option.name == "Include" for word in option.arguments]
+        if sshd.dropins and not any("sshd_config.d" in word for word in includes):
+            yield finding(
+                sshd.main.source,
+                "sshd does not read sshd_config.d: there is no Include",
+                advice="begin the file with Include /etc/ssh/sshd_config.d/*.conf",
+                related=[note(sshd.dropins[0].source, "not read")],
+            )

@@ -1,0 +1,62 @@
+"""Keyboard-interactive login is still on: passwords keep working.
+
+## What it finds
+`PasswordAuthentication no` without `KbdInteractiveAuthentication no`, when UsePAM is on. Where nothing sets UsePAM, as a warning.
+
+## Why it matters on a robot
+The default of KbdInteractiveAuthentication is yes, and with PAM it asks for the password. The file says that passwords are off,
+and they are not.
+
+## Bad
+```
+PasswordAuthentication no
+UsePAM yes
+```
+
+## Good
+```
+PasswordAuthentication no
+KbdInteractiveAuthentication no
+UsePAM yes
+```
+
+## References
+- sshd_config(5), "KbdInteractiveAuthentication", "UsePAM"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", fix="safe", tags=["CWE-287"])
+def kbdint_auth(robot: Robot):
+    for sshd in robot.sshd:
+        password = sshd.get("PasswordAuthentication")
+        if password is None or password.value.lower() != "no" or not sshd.files or not password.span.source.judged:
+            continue
+        if sshd.says("KbdInteractiveAuthentication", "yes") != "yes" or sshd.get("AuthenticationMethods"):
+            continue
+        pam = sshd.get("UsePAM")
+        if pam is not None and pam.value.lower() != "yes":
+            continue
+        option = sshd.get("KbdInteractiveAuthentication")
+        yield finding(
+            option.value if option else password.keyword,
+            "KbdInteractiveAuthentication is on"
+            + ("" if option else " by default")
+            + (": passwords keep working" if pam else ": with UsePAM yes, passwords keep working"),
+            advice="add KbdInteractiveAuthentication no",
+            related=[note(pam.keyword, "PAM asks for the password")] if pam else (),
+            fix=_fix(option, password),
+            severity=None if pam else "warning",
+        )
+
+
+def _fix(option, password):
+    if option is not None:
+        return fix("KbdInteractiveAuthentication no", (option.value, "no"))
+    end = password.span.source.span(password.span.end, password.span.end)
+    return fix("KbdInteractiveAuthentication no", (end, "\nKbdInteractiveAuthentication no"))
