@@ -42,6 +42,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.notify import Notify
     from bringup_lint.graph.udev import Udev
     from bringup_lint.graph.units import Units
+    from bringup_lint.graph.watchdog import Watchdog
     from bringup_lint.model.dockerfile import Dockerfile
     from bringup_lint.model.env_file import EnvFile
     from bringup_lint.model.firewall import Firewall
@@ -248,6 +249,12 @@ class Robot:
         from bringup_lint.graph.sshd import load_sshd
 
         return load_sshd(self)
+
+    @cached_property
+    def watchdog(self) -> Watchdog:
+        from bringup_lint.graph.watchdog import Watchdog
+
+        return Watchdog(self)
 
     @cached_property
     def logs(self) -> RosLogs:

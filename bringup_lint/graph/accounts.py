@@ -46,6 +46,20 @@ class Accounts:
         entries = (line.split(":") for line in source.text.splitlines()) if source else ()
         return next((entry[5].rstrip("/") for entry in entries if entry[0] == user and len(entry) > 5), None)
 
+    def login_home(self, user: str) -> str | None:
+        """The home of a regular user who can log in; None for system users, and when the tree cannot tell."""
+        source = self.robot.tree.find("/etc/passwd") if self.robot.tree.root is not None else None
+        if source is not None:
+            entries = [line.split(":") for line in source.text.splitlines()]
+            entry = next((entry for entry in entries if entry[0] == user and len(entry) > 6), None)
+            if entry is None or not entry[2].isdigit() or not 1000 <= int(entry[2]) < 60000:
+                return None
+            return None if entry[6].endswith(("nologin", "false")) else entry[5].rstrip("/")
+        named = re.compile(rf"/home/{re.escape(user)}(?![\w.-])")
+        declared = self._declared("u")
+        texts = (file.source.text for unit in self.robot.units.services for file in unit.files)
+        return f"/home/{user}" if user not in declared and any(map(named.search, texts)) else None
+
     def groups_of(self, user: str) -> frozenset[str] | None:
         """The groups that the tree's /etc/passwd and /etc/group give to a user; None without these files."""
         tree = self.robot.tree

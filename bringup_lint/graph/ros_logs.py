@@ -29,6 +29,9 @@ _USUAL = re.compile(r"^/(?:var|opt|data|home)/(?:[^/]+/)*ros2?(?:/|$)")
 _FILE = re.compile(r"append:(/[^%]+)")
 _CLEANS = re.compile(r"-delete\b|-mtime\b|-mmin\b|\btmpreaper\b|\btmpwatch\b|\brm\s+-|\bvacuum\b|\bshutil\.rmtree\b|\bunlink\b")
 _AGE = re.compile(r"^[deDvQqRrxX]\S*\s+(?P<path>\S+)\s+\S+\s+\S+\s+\S+\s+(?P<age>[^\s-]\S*)", re.M)
+_MADE = re.compile(
+    r"^[dDvqQ]\S*[ \t]+(?P<path>/\S+)[ \t]+(?P<mode>[~:]?[0-7]{3,4})[ \t]+(?P<user>[\w-]+)[ \t]+(?P<group>[\w-]+)", re.M
+)
 
 
 class LogPath(NamedTuple):
@@ -140,6 +143,20 @@ class RosLogs:
             for source in self.robot.of_kind("tmpfiles")
             for match in _AGE.finditer(source.text)
         )
+
+    def open_folder(self, folder: str) -> tuple[Located, str, str] | None:
+        """Who makes a folder that group or others may write to: the place, a word on it, and ``USER GROUP`` to rotate as."""
+        for source in self.robot.of_kind("tmpfiles"):
+            for match in _MADE.finditer(source.text):
+                if match["path"].rstrip("/") == folder:
+                    mode, group = int(match["mode"].lstrip("~:"), 8), match["group"]
+                    loose = mode & 0o002 or (mode & 0o020 and group not in ("root", "0", "-"))
+                    where = source.located(*match.span("mode"))
+                    return (where, f"made with mode {match['mode']}", f"{match['user']} {group}") if loose else None
+        for mount in self.robot.fstabs[0].mounts if len(self.robot.fstabs) == 1 else ():
+            if mount.is_tmpfs and mount.target == folder and mount.option("mode") is None:
+                return mount.target, "a tmpfs without mode= has mode 1777", ""
+        return None
 
 
 def _matches(pattern: str, log: LogPath) -> bool:

@@ -17,6 +17,7 @@ _FAIL2BAN = re.compile(r"(?:^|/)fail2ban/(?:jail\.(?:conf|local)|jail\.d/[^/]+\.
 _LIMITS = re.compile(r"(?:^|/)(?:security/)?limits(?:\.conf|\.d/[^/]+\.conf)$")
 _LIMIT_LINE = re.compile(r"^\s*[@*%\w][\w@:.*%-]*\s+(?:soft|hard|-)\s+\w+\s+\S+", re.M)
 _TMPFILES = re.compile(r"(?:^|/)(?:user-)?tmpfiles\.d/[^/]+\.conf$")
+_WATCHDOG = re.compile(r"(?:^|/)watchdog\.conf$(?<!\.conf\.d/watchdog\.conf)")
 _OVERLAYROOT = re.compile(r"(?:^|/)overlayroot(?:\.local)?\.conf$")
 
 
@@ -42,5 +43,6 @@ KINDS = (
     Kind("limits-conf", _is_limits),
     Kind("overlayroot", _named(_OVERLAYROOT)),
     Kind("tmpfiles", _named(_TMPFILES)),
+    Kind("watchdog-conf", _named(_WATCHDOG)),
     Kind("os-release", lambda path, head: f"/{path}".endswith(("/etc/os-release", "/usr/lib/os-release"))),
 )

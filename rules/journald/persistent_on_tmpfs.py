@@ -1,0 +1,70 @@
+"""A persistent journal on a tmpfs: it is lost at power-off.
+
+## What it finds
+`Storage=persistent` while fstab mounts a tmpfs on /var/log, or SystemMaxUse larger than that tmpfs.
+
+## Why it matters on a robot
+The journal lies in memory: the log of the failure is gone with the power. And where it may be larger than its file system, the
+other logs find no room.
+
+## Bad
+```ini
+# journald.conf
+[Journal]
+Storage=persistent
+SystemMaxUse=1G
+# fstab
+# tmpfs /var/log tmpfs size=128M,mode=0755 0 0
+```
+
+## Good
+```ini
+[Journal]
+Storage=volatile
+RuntimeMaxUse=64M
+```
+
+## References
+- journald.conf(5), "Storage="
+- tmpfs(5), "size"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error")
+def persistent_on_tmpfs(robot: Robot):
+    if len(robot.fstabs) != 1 or len(robot.journald) != 1:
+        return
+    (fstab,), (daemon,) = robot.fstabs, robot.journald
+    mount = fstab.mount_of("/var/log/journal")
+    if mount is None or not mount.is_tmpfs or not daemon.certain:
+        return
+    storage = daemon.get("Storage", read=str)
+    use, size = daemon.get("SystemMaxUse", read=bytes_of), mount.option("size")
+    room = bytes_of(size.upper()) if size else None
+    too_large = use is not None and room is not None and use[1] >= room
+    if storage is not None and storage[1] == "persistent":
+        yield finding(
+            storage[0],
+            "The journal lies on a tmpfs: it is lost at power-off"
+            + (f", and {use[0]} does not fit in {size}" if too_large else ""),
+            advice="mount a data partition on /var/log/journal, or set Storage=volatile",
+            related=[note(mount.target, f"a tmpfs is mounted on {mount.target}")],
+        )
+    elif too_large:
+        yield finding(
+            use[0],
+            f"The journal may grow to {use[0]}, the tmpfs that it lies on holds {size}",
+            advice="set SystemMaxUse= to half of the tmpfs at most",
+            related=[note(size, "the size of the tmpfs")],
+            severity="warning",
+        )
+
+
+def bytes_of(text):
+    number, unit = text[:-1] if text[-1:] in "KMGT" else text, text[-1:]
+    return int(number) * 1024 ** ("KMGT".find(unit) + 1 if unit in "KMGT" else 0) if number.isdigit() else None

@@ -1,0 +1,39 @@
+"""The logs are lost at every reboot.
+
+## What it finds
+`Storage=volatile` or `none` where the root file system is not read-only.
+
+## Why it matters on a robot
+A robot that fails is switched off and on again; then the log that would tell why is gone.
+
+## Bad
+```ini
+[Journal]
+Storage=volatile
+```
+
+## Good
+```ini
+[Journal]
+Storage=persistent
+SystemMaxUse=500M
+```
+
+## References
+- journald.conf(5), "Storage="
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("info")
+def volatile(robot: Robot):
+    by_design = any(mount.target == "/" and mount.is_read_only for fstab in robot.fstabs for mount in fstab.mounts)
+    by_design = by_design or bool(robot.of_kind("overlayroot"))
+    for daemon in robot.journald if not by_design else ():
+        storage = daemon.get("Storage", read=str)
+        if storage is not None and storage[1] in ("volatile", "none") and storage[0].span.source.judged and daemon.certain:
+            what = "lost at reboot" if storage[1] == "volatile" else "not kept at all"
+            yield finding(storage[0], f"Logs are {what}", advice="Storage=persistent, with SystemMaxUse=")

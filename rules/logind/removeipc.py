@@ -1,0 +1,71 @@
+"""When the last login of the user ends, logind deletes the shared memory of ROS.
+
+## What it finds
+A service that runs ROS with shared memory as a regular user who can log in, where logind.conf does not say RemoveIPC=no. System
+users (below 1000) and lingering users are exempt. In a repository that says nothing of logind, an info.
+
+## Why it matters on a robot
+Someone logs in by SSH to look after the robot, and logs out. Ten seconds later logind removes all of the user's files in
+/dev/shm: Fast DDS goes silent between nodes that still run.
+
+## Bad
+```ini
+# robot.service
+[Service]
+User=robot
+```
+
+## Good
+```ini
+# /etc/systemd/logind.conf.d/robot.conf
+[Login]
+RemoveIPC=no
+```
+
+## References
+- logind.conf(5), "RemoveIPC="
+- <https://github.com/eProsima/Fast-DDS/issues/5576>
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+FALSE = {"no", "false", "off", "0", "n", "f"}
+
+
+@rule("warning", symptoms=["Failed init_port fastrtps_port", "open_and_lock_file failed"])
+def removeipc(robot: Robot):
+    daemon = robot.logind[0] if len(robot.logind) == 1 else None
+    setting = daemon.get("RemoveIPC", read=lambda text: text.lower() or None) if daemon else None
+    if len(robot.logind) > 1 or (setting and setting[1] in FALSE) or (daemon and not daemon.certain):
+        return
+    proven = setting is not None or robot.tree.complete
+    told = set()
+    for unit in robot.units.ros:
+        user = unit.get("User")
+        if user is None or user in told or unit.manager == "user" or unit.uncertain or unit.is_opaque(user):
+            continue
+        home = robot.accounts.login_home(user)
+        if home is None or uses_no_shared_memory(robot, unit) or robot.tree.has(f"/var/lib/systemd/linger/{user}"):
+            continue
+        told.add(str(user))
+        yield finding(
+            user,
+            f"When the last login of {user} ends, logind deletes the shared memory of {unit.name}: DDS goes silent",
+            advice="RemoveIPC=no in [Login] of a drop-in in /etc/systemd/logind.conf.d, or a system user",
+            related=[note(setting[0], "switched on here")] if setting else (),
+            fix=fix("RemoveIPC=no", (setting[0], "no")) if setting else None,
+            severity=None if proven else "info",
+            confidence="high" if proven else "medium",
+        )
+
+
+def uses_no_shared_memory(robot, unit):
+    environment = robot.units.environment(unit)
+    transports = environment.text("FASTDDS_BUILTIN_TRANSPORTS")
+    rmw = environment.text("RMW_IMPLEMENTATION")
+    return transports == "UDPv4" or (rmw is not None and "fast" not in rmw)

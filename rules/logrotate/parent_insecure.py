@@ -1,0 +1,57 @@
+"""logrotate skips logs in a folder that others may write to.
+
+## What it finds
+A stanza without `su` for a folder that tmpfiles.d makes writable for group or others, or for /var/log on a tmpfs without mode=.
+
+## Why it matters on a robot
+logrotate says "insecure permissions" and rotates nothing there. The logs grow until the disk is full.
+
+## Bad
+```ini
+# tmpfiles.d
+d /var/log/ros2 0775 robot robot -
+# logrotate.d
+/var/log/ros2/*.log {
+    weekly
+}
+```
+
+## Good
+```ini
+/var/log/ros2/*.log {
+    su robot robot
+    weekly
+}
+```
+
+## References
+- logrotate(8), "su"
+- logrotate: "parent directory has insecure permissions"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["because parent directory has insecure permissions"], tags=["CWE-732"])
+def parent_insecure(robot: Robot):
+    for stanza in robot.logs.stanzas:
+        if stanza.get("su") or stanza.skipped:
+            continue
+        told = set()
+        for path in stanza.paths:
+            folder = path.rpartition("/")[0]
+            found = robot.logs.open_folder(folder)
+            if found is None or folder in told:
+                continue
+            told.add(folder)
+            where, why, owner = found
+            yield finding(
+                path,
+                f"{folder} is writable for others: logrotate skips these logs",
+                advice=f"add su {owner}" if owner else "mount it with mode=0755",
+                related=[note(where, why)],
+            )

@@ -1,0 +1,45 @@
+"""ShutdownWatchdogSec= has been called RebootWatchdogSec= since systemd 243.
+
+## What it finds
+`ShutdownWatchdogSec=` in [Manager].
+
+## Why it matters on a robot
+The old name still works, as a second spelling of the same setting: where both are set, the later one wins.
+
+## Bad
+```ini
+[Manager]
+ShutdownWatchdogSec=2min
+```
+
+## Good
+```ini
+[Manager]
+RebootWatchdogSec=2min
+```
+
+## References
+- systemd-system.conf(5), "RebootWatchdogSec="
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning", fix="safe")
+def shutdown_watchdog_renamed(robot: Robot):
+    for daemon in robot.system_conf:
+        new = next((line.assignment for line in daemon.lines if line.assignment.key == "RebootWatchdogSec"), None)
+        for line in daemon.lines:
+            key = line.assignment.key
+            if key == "ShutdownWatchdogSec" and line.file.source.judged:
+                yield finding(
+                    key,
+                    "ShutdownWatchdogSec= is the old name of RebootWatchdogSec=" + (", which is set too" if new else ""),
+                    advice="delete one of the two" if new else "write RebootWatchdogSec=",
+                    related=[note(new.key, "the same setting")] if new else (),
+                    fix=None if new or line.file.source.template else fix("rename", (key, "RebootWatchdogSec")),
+                )

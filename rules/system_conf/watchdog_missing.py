@@ -1,0 +1,40 @@
+"""No hardware watchdog: a hung kernel leaves the robot standing.
+
+## What it finds
+A complete root file system with ROS where nothing sets RuntimeWatchdogSec and no other program has /dev/watchdog.
+
+## Why it matters on a robot
+When the kernel or systemd hangs, nothing restarts the computer; the motors keep their last command until someone comes.
+
+## Bad
+```ini
+[Manager]
+#RuntimeWatchdogSec=off
+```
+
+## Good
+```ini
+[Manager]
+RuntimeWatchdogSec=14s
+```
+
+## References
+- systemd-system.conf(5), "RuntimeWatchdogSec="
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("info")
+def watchdog_missing(robot: Robot):
+    if not robot.tree.complete or not robot.is_ros or robot.watchdog.owners:
+        return
+    for daemon in robot.system_conf:
+        if daemon.judged and not daemon.sets("RuntimeWatchdogSec"):
+            yield finding(
+                daemon.where,
+                "Nothing restarts the robot when the kernel or systemd hangs",
+                advice="set RuntimeWatchdogSec=, below what the hardware can count to",
+            )

@@ -1,0 +1,54 @@
+"""The watchdog daemon feeds too late: the robot reboots.
+
+## What it finds
+watchdog.conf with an interval that is not below watchdog-timeout (60 s by default); above half of it, as a warning.
+
+## Why it matters on a robot
+The hardware resets the robot before the daemon feeds it, again and again.
+
+## Bad
+```ini
+watchdog-device = /dev/watchdog
+watchdog-timeout = 10
+interval = 15
+```
+
+## Good
+```ini
+watchdog-device = /dev/watchdog
+watchdog-timeout = 10
+interval = 2
+```
+
+## References
+- watchdog.conf(5)
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+DEFAULT_TIMEOUT = 60
+
+
+@rule("error")
+def watchdog_timeout_vs_interval(robot: Robot):
+    for settings in robot.watchdog.files:
+        interval, timeout = settings.get("interval"), settings.get("watchdog-timeout")
+        if interval is None or not interval.isdigit() or (timeout is not None and not timeout.isdigit()):
+            continue
+        if "watchdog-device" not in settings or not interval.span.source.judged:
+            continue
+        most = int(timeout) if timeout is not None else DEFAULT_TIMEOUT
+        if int(interval) * 2 > most:
+            late = int(interval) >= most
+            yield finding(
+                interval,
+                f"The daemon feeds every {interval} s, the watchdog resets after {most} s"
+                + ("" if late else ": one late turn and the robot reboots"),
+                advice=f"interval = {max(most // 4, 1)}",
+                related=[note(timeout, "the watchdog's timeout")] if timeout is not None else (),
+                severity=None if late else "warning",
+            )
