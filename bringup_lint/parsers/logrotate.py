@@ -54,6 +54,7 @@ class _Reader:
         self.stanza: Stanza | None = None
         self.script: tuple[Located, int] | None = None
         self.stopped = False
+        self.known: dict[str, Located] = {}
 
     def run(self) -> None:
         while self.at < len(self.text) and not self.stopped:
@@ -281,17 +282,16 @@ class _Reader:
         return at
 
     def find_duplicates(self) -> None:
-        known = {
-            str(path): path
-            for stanza in self.file.stanzas[:-1]
-            if not stanza.skipped and not stanza.get("ignoreduplicates")
-            for path in stanza.paths
-        }
+        """Compare with the stanzas above; those that are skipped, or have ignoreduplicates, do not count."""
+        above = self.file.stanzas[-2] if len(self.file.stanzas) > 1 else None
+        if above is not None and not above.skipped and not above.get("ignoreduplicates"):
+            self.known.update({str(path): path for path in above.paths})
         assert self.stanza is not None
+        own: dict[str, Located] = {}
         for path in self.stanza.paths:
-            if path in known:
-                self.problem("duplicate-path", path, str(known[path].line))
-            known[path] = path
+            if path in self.known or path in own:
+                self.problem("duplicate-path", path)
+            own[path] = path
 
     def close(self) -> None:
         if self.stanza is None:
