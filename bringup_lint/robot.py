@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.daemons import Daemon
     from bringup_lint.graph.device_access import ClosedDevice
     from bringup_lint.graph.sshd import Sshd
+    from bringup_lint.graph.watchdog import Watchdog
     from bringup_lint.graph.devices import Devices
     from bringup_lint.graph.can import Can
     from bringup_lint.graph.compose import Compose
@@ -42,7 +43,6 @@ if TYPE_CHECKING:
     from bringup_lint.graph.notify import Notify
     from bringup_lint.graph.udev import Udev
     from bringup_lint.graph.units import Units
-    from bringup_lint.graph.watchdog import Watchdog
     from bringup_lint.model.dockerfile import Dockerfile
     from bringup_lint.model.env_file import EnvFile
     from bringup_lint.model.firewall import Firewall
