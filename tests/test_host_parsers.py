@@ -12,9 +12,38 @@ from bringup_lint.parsers import sshd
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
-PIECES = ("\n", " ", "\t", "#", "{", "}", '"', "'", "\\", "=", "/var/log/a.log", "rotate 7", "size 10M", "postrotate", "endscript")
-PIECES += ("su root root", "create 0640", "weekly", "Port 22", "Match User x", "Match all", "Include y", "Subsystem s t", "\r\n", "é")
-TEXTS = strategies.lists(strategies.sampled_from(PIECES) | strategies.text(max_size=4), max_size=40).map("".join)
+PIECES = (
+    "\n",
+    " ",
+    "\t",
+    "#",
+    "{",
+    "}",
+    '"',
+    "'",
+    "\\",
+    "=",
+    "/var/log/a.log",
+    "rotate 7",
+    "size 10M",
+    "postrotate",
+    "endscript",
+)
+PIECES += (
+    "su root root",
+    "create 0640",
+    "weekly",
+    "Port 22",
+    "Match User x",
+    "Match all",
+    "Include y",
+    "Subsystem s t",
+    "\r\n",
+    "é",
+)
+TEXTS = strategies.lists(strategies.sampled_from(PIECES) | strategies.text(max_size=4), max_size=40).map(
+    "".join
+)
 
 
 def inside(value: object, source: Source) -> bool:
@@ -40,7 +69,9 @@ def test_sshd_reads_any_text(text: str) -> None:
     source = Source("sshd_config", text)
     file = sshd.parse(source)
     assert all(inside(problem.where, source) for problem in file.problems)
-    assert all(inside(word, source) for option in file.options for word in (option.keyword, *option.arguments))
+    assert all(
+        inside(word, source) for option in file.options for word in (option.keyword, *option.arguments)
+    )
 
 
 @pytest.mark.parametrize("parse", [logrotate.parse, sshd.parse])

@@ -27,10 +27,13 @@ if TYPE_CHECKING:
 _DEFAULT = re.compile(r"(?:^|/)\.ros/log(?:/|$)")
 _USUAL = re.compile(r"^/(?:var|opt|data|home)/(?:[^/]+/)*ros2?(?:/|$)")
 _FILE = re.compile(r"append:(/[^%]+)")
-_CLEANS = re.compile(r"-delete\b|-mtime\b|-mmin\b|\btmpreaper\b|\btmpwatch\b|\brm\s+-|\bvacuum\b|\bshutil\.rmtree\b|\bunlink\b")
+_CLEANS = re.compile(
+    r"-delete\b|-mtime\b|-mmin\b|\btmpreaper\b|\btmpwatch\b|\brm\s+-|\bvacuum\b|\bshutil\.rmtree\b|\bunlink\b"
+)
 _AGE = re.compile(r"^[deDvQqRrxX]\S*\s+(?P<path>\S+)\s+\S+\s+\S+\s+\S+\s+(?P<age>[^\s-]\S*)", re.M)
 _MADE = re.compile(
-    r"^[dDvqQ]\S*[ \t]+(?P<path>/\S+)[ \t]+(?P<mode>[~:]?[0-7]{3,4})[ \t]+(?P<user>[\w-]+)[ \t]+(?P<group>[\w-]+)", re.M
+    r"^[dDvqQ]\S*[ \t]+(?P<path>/\S+)[ \t]+(?P<mode>[~:]?[0-7]{3,4})[ \t]+(?P<user>[\w-]+)[ \t]+(?P<group>[\w-]+)",
+    re.M,
 )
 
 
@@ -52,7 +55,9 @@ class RosLogs:
     @cached_property
     def files(self) -> list[LogrotateFile]:
         """The judged logrotate files."""
-        sources = [source for source in self.robot.of_kind("logrotate") if source.judged and not source.template]
+        sources = [
+            source for source in self.robot.of_kind("logrotate") if source.judged and not source.template
+        ]
         return self.robot.parsed(parse, sources)
 
     @cached_property
@@ -129,7 +134,11 @@ class RosLogs:
     def _cleaners(self):
         """Sources that may clean up: tmpfiles, cron jobs, scripts and units."""
         kinds = ("tmpfiles", "cron", "shell-script", "systemd-unit", "systemd-dropin", "logrotate")
-        return [source for source in self.robot.of_kind(*kinds) if _CLEANS.search(source.text) or _AGE.search(source.text)]
+        return [
+            source
+            for source in self.robot.of_kind(*kinds)
+            if _CLEANS.search(source.text) or _AGE.search(source.text)
+        ]
 
     @staticmethod
     def _mentions(text: str, path: str) -> bool:
@@ -152,7 +161,11 @@ class RosLogs:
                     mode, group = int(match["mode"].lstrip("~:"), 8), match["group"]
                     loose = mode & 0o002 or (mode & 0o020 and group not in ("root", "0", "-"))
                     where = source.located(*match.span("mode"))
-                    return (where, f"made with mode {match['mode']}", f"{match['user']} {group}") if loose else None
+                    return (
+                        (where, f"made with mode {match['mode']}", f"{match['user']} {group}")
+                        if loose
+                        else None
+                    )
         for mount in self.robot.fstabs[0].mounts if len(self.robot.fstabs) == 1 else ():
             if mount.is_tmpfs and mount.target == folder and mount.option("mode") is None:
                 return mount.target, "a tmpfs without mode= has mode 1777", ""

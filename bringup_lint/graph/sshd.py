@@ -27,9 +27,28 @@ if TYPE_CHECKING:
 Resolve = Callable[[str], Iterable[Source]]
 
 COLLECTED = frozenset(
-    "Port ListenAddress HostKey HostCertificate AllowUsers DenyUsers AllowGroups DenyGroups AcceptEnv Subsystem Include Match"
-    " MaxStartups PerSourceMaxStartups PerSourceNetBlockSize IPQoS StreamLocalBindMask FingerprintHash PermitOpen"
-    " PermitListen".split()
+    [
+        "Port",
+        "ListenAddress",
+        "HostKey",
+        "HostCertificate",
+        "AllowUsers",
+        "DenyUsers",
+        "AllowGroups",
+        "DenyGroups",
+        "AcceptEnv",
+        "Subsystem",
+        "Include",
+        "Match",
+        "MaxStartups",
+        "PerSourceMaxStartups",
+        "PerSourceNetBlockSize",
+        "IPQoS",
+        "StreamLocalBindMask",
+        "FingerprintHash",
+        "PermitOpen",
+        "PermitListen",
+    ]
 )
 """Keywords whose lines add up, or whose last line wins."""
 _DEEPEST = 16
@@ -99,7 +118,9 @@ class Sshd:
             if option.name in COLLECTED or not option.everywhere or option.keyword.lower() not in keywords():
                 continue
             winner = first.setdefault(option.name, option)
-            if [str(word).lower() for word in winner.arguments] != [str(word).lower() for word in option.arguments]:
+            if [str(word).lower() for word in winner.arguments] != [
+                str(word).lower() for word in option.arguments
+            ]:
                 yield option, winner
 
     def weak_algorithms(self) -> Iterator[Located]:

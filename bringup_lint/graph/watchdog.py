@@ -12,7 +12,9 @@ if TYPE_CHECKING:
     from bringup_lint.robot import Robot
 
 _SETTING = re.compile(r"^[ \t]*([\w-]+)[ \t]*=[ \t]*([^\s#]+)", re.M)
-_OPENS = re.compile(r"\b(?:open|fopen|os\.open|ofstream|ifstream)\b[^\n]*?[\"'](/dev/watchdog\d*)[\"']|>\s*(/dev/watchdog\d*)\b")
+_OPENS = re.compile(
+    r"\b(?:open|fopen|os\.open|ofstream|ifstream)\b[^\n]*?[\"'](/dev/watchdog\d*)[\"']|>\s*(/dev/watchdog\d*)\b"
+)
 _PROGRAM = re.compile(r"\.(?:py|sh|bash|c|cc|cpp|cxx|hpp|rs)$")
 _TEST = re.compile(r"(?:^|/)(?:tests?|docs?|examples?)/")
 _MOST_PROGRAMS = 2000
@@ -38,7 +40,11 @@ class Watchdog:
     @cached_property
     def owners(self) -> list[Owner]:
         """The device as each owner names it, and the owner in words."""
-        found = [(settings["watchdog-device"], "the watchdog daemon") for settings in self.files if "watchdog-device" in settings]
+        found = [
+            (settings["watchdog-device"], "the watchdog daemon")
+            for settings in self.files
+            if "watchdog-device" in settings
+        ]
         tree = self.robot.tree
         paths = [path for path in tree.paths if _PROGRAM.search(path)] if self.robot.system_conf else []
         for path in paths[:_MOST_PROGRAMS]:

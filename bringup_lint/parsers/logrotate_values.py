@@ -31,7 +31,7 @@ def _rotations(value: str) -> str:
 
 def _size(value: str) -> str:
     number = value[:-1] if value[-1] in "kKMG" else value
-    if number == value and not value[-1] in "0123456789":
+    if number == value and value[-1] not in "0123456789":
         return "unknown-unit"
     found = _NUMBER.fullmatch(number)
     return "" if not number or (found and found[1] != "-") else "bad-size"

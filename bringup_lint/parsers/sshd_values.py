@@ -16,12 +16,55 @@ _REKEY = re.compile(r"\d+(?:\.\d+)?[kKmMgGtTbB]?")
 _STARTUPS = re.compile(r"([+-]?\d+)(?::([+-]?\d+):([+-]?\d+))?")
 _NETBLOCK = re.compile(r"([+-]?\d+)(?::([+-]?\d+))?")
 _PORT = re.compile(r"\d{1,5}")
-_LEVELS = frozenset("SILENT QUIET FATAL ERROR INFO VERBOSE DEBUG DEBUG1 DEBUG2 DEBUG3".split())
-_FACILITIES = frozenset("DAEMON USER AUTH AUTHPRIV LOCAL0 LOCAL1 LOCAL2 LOCAL3 LOCAL4 LOCAL5 LOCAL6 LOCAL7".split())
+_LEVELS = frozenset(
+    ["SILENT", "QUIET", "FATAL", "ERROR", "INFO", "VERBOSE", "DEBUG", "DEBUG1", "DEBUG2", "DEBUG3"]
+)
+_FACILITIES = frozenset(
+    [
+        "DAEMON",
+        "USER",
+        "AUTH",
+        "AUTHPRIV",
+        "LOCAL0",
+        "LOCAL1",
+        "LOCAL2",
+        "LOCAL3",
+        "LOCAL4",
+        "LOCAL5",
+        "LOCAL6",
+        "LOCAL7",
+    ]
+)
 _TUNNEL = ("no", "point-to-point", "ethernet", "yes")
 _QOS = frozenset(
-    "none af11 af12 af13 af21 af22 af23 af31 af32 af33 af41 af42 af43 cs0 cs1 cs2 cs3 cs4 cs5 cs6 cs7 ef le lowdelay"
-    " throughput reliability".split()
+    [
+        "none",
+        "af11",
+        "af12",
+        "af13",
+        "af21",
+        "af22",
+        "af23",
+        "af31",
+        "af32",
+        "af33",
+        "af41",
+        "af42",
+        "af43",
+        "cs0",
+        "cs1",
+        "cs2",
+        "cs3",
+        "cs4",
+        "cs5",
+        "cs6",
+        "cs7",
+        "ef",
+        "le",
+        "lowdelay",
+        "throughput",
+        "reliability",
+    ]
 )
 
 Words = Sequence[Located]
@@ -42,9 +85,13 @@ def judge(kind: str, words: Words) -> Verdict:
         return _one(words, lambda word: word.lower() in choices, " or ".join(_listed(choices)))
     if kind.startswith("words:"):
         choices = kind[6:].split(",")
-        return len(words), "" if all(word.lower() in choices for word in words) else " or ".join(_listed(choices))
+        return len(words), "" if all(word.lower() in choices for word in words) else " or ".join(
+            _listed(choices)
+        )
     if kind in ("cipher", "mac", "kex", "keys"):
-        return _one(words, lambda word: _are_algorithms(kind, word), f"a list of {_NAMES[kind]} that OpenSSH knows")
+        return _one(
+            words, lambda word: _are_algorithms(kind, word), f"a list of {_NAMES[kind]} that OpenSSH knows"
+        )
     return _KINDS[kind](words)
 
 
@@ -162,12 +209,20 @@ _KINDS: dict[str, Callable[[Words], Verdict]] = {
     "flag": lambda words: _one(words, lambda word: word.lower() in ("yes", "no"), "yes or no"),
     "one": lambda words: _one(words, lambda word: True, "a value"),
     "time": lambda words: _one(words, _time, "a time such as 30, 5m or 1h"),
-    "time-or-none": lambda words: _one(words, lambda word: word.lower() == "none" or _time(word), "a time or none"),
+    "time-or-none": lambda words: _one(
+        words, lambda word: word.lower() == "none" or _time(word), "a time or none"
+    ),
     "int": lambda words: _one(words, _integer, "a whole number"),
-    "number-or-none": lambda words: _one(words, lambda word: word == "none" or _integer(word), "a whole number or none"),
+    "number-or-none": lambda words: _one(
+        words, lambda word: word == "none" or _integer(word), "a whole number or none"
+    ),
     "port": lambda words: _one(words, _port, "a port from 1 to 65535"),
-    "loglevel": lambda words: _one(words, lambda word: word.upper() in _LEVELS, "a level such as INFO or VERBOSE"),
-    "facility": lambda words: _one(words, lambda word: word.upper() in _FACILITIES, "a facility such as AUTH or LOCAL0"),
+    "loglevel": lambda words: _one(
+        words, lambda word: word.upper() in _LEVELS, "a level such as INFO or VERBOSE"
+    ),
+    "facility": lambda words: _one(
+        words, lambda word: word.upper() in _FACILITIES, "a facility such as AUTH or LOCAL0"
+    ),
     "tunnel": lambda words: _one(words, lambda word: word in _TUNNEL, "yes, no, point-to-point or ethernet"),
     "listen": _listen,
     "rekey": _rekey,
@@ -185,6 +240,9 @@ _KINDS: dict[str, Callable[[Words], Verdict]] = {
     "deprecated": _any,
     "methods": lambda words: (len(words), "" if words else "lists of methods"),
     "include": lambda words: (len(words), "" if words and all(words) else "a file name"),
-    "subsystem": lambda words: (len(words), "" if len(words) > 1 and all(words[:2]) else "a name and a command"),
+    "subsystem": lambda words: (
+        len(words),
+        "" if len(words) > 1 and all(words[:2]) else "a name and a command",
+    ),
     "match": _any,
 }

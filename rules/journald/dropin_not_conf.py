@@ -24,8 +24,20 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
-
-BACKUPS = (".bak", ".orig", ".old", ".disabled", ".off", "~", ".swp", ".dpkg-old", ".dpkg-dist", ".dpkg-new", ".rpmsave", ".rpmnew")
+BACKUPS = (
+    ".bak",
+    ".orig",
+    ".old",
+    ".disabled",
+    ".off",
+    "~",
+    ".swp",
+    ".dpkg-old",
+    ".dpkg-dist",
+    ".dpkg-new",
+    ".rpmsave",
+    ".rpmnew",
+)
 
 
 @rule("warning")

@@ -4,8 +4,8 @@
 Settings in journald.conf or a drop-in before any section header.
 
 ## Why it matters on a robot
-journald ignores lines outside its section; only a message in the journal tells. The limit that should keep the disk from filling up, or the setting that should keep the logs of a crash,
-is simply not there.
+journald ignores lines outside its section; only a message in the journal tells. The limit that should keep
+the disk from filling up, or the setting that should keep the logs of a crash, is simply not there.
 
 ## Bad
 ```ini

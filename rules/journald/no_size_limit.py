@@ -4,8 +4,8 @@
 `Storage=persistent` with neither SystemMaxUse nor SystemKeepFree in any file of the same robot.
 
 ## Why it matters on a robot
-The journal may take 10 % of the file system, up to 4 GiB. On the small disk of a robot, with rosbags beside it, that is what
-fills it up.
+The journal may take 10 % of the file system, up to 4 GiB. On the small disk of a robot, with rosbags beside
+it, that is what fills it up.
 
 ## Bad
 ```ini
@@ -34,7 +34,12 @@ from bringup_lint.api import rule
 def no_size_limit(robot: Robot):
     for daemon in robot.journald:
         storage = daemon.get("Storage", read=str)
-        if storage is None or storage[1] != "persistent" or not storage[0].span.source.judged or not daemon.certain:
+        if (
+            storage is None
+            or storage[1] != "persistent"
+            or not storage[0].span.source.judged
+            or not daemon.certain
+        ):
             continue
         if not daemon.sets("SystemMaxUse", "SystemKeepFree"):
             at = storage[0].span
@@ -42,5 +47,7 @@ def no_size_limit(robot: Robot):
                 storage[0],
                 "Nothing limits the journal: it may take 10 % of the disk, up to 4 GiB",
                 advice="add SystemMaxUse=, such as 500M",
-                fix=fix("SystemMaxUse=500M", (at.source.span(at.end, at.end), "\nSystemMaxUse=500M"), safe=False),
+                fix=fix(
+                    "SystemMaxUse=500M", (at.source.span(at.end, at.end), "\nSystemMaxUse=500M"), safe=False
+                ),
             )

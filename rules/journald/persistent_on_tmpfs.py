@@ -4,8 +4,8 @@
 `Storage=persistent` while fstab mounts a tmpfs on /var/log, or SystemMaxUse larger than that tmpfs.
 
 ## Why it matters on a robot
-The journal lies in memory: the log of the failure is gone with the power. And where it may be larger than its file system, the
-other logs find no room.
+The journal lies in memory: the log of the failure is gone with the power. And where it may be larger than
+its file system, the other logs find no room.
 
 ## Bad
 ```ini
@@ -67,4 +67,6 @@ def persistent_on_tmpfs(robot: Robot):
 
 def bytes_of(text):
     number, unit = text[:-1] if text[-1:] in "KMGT" else text, text[-1:]
-    return int(number) * 1024 ** ("KMGT".find(unit) + 1 if unit in "KMGT" else 0) if number.isdigit() else None
+    return (
+        int(number) * 1024 ** ("KMGT".find(unit) + 1 if unit in "KMGT" else 0) if number.isdigit() else None
+    )

@@ -4,7 +4,8 @@
 `RateLimitBurst=0` or `RateLimitIntervalSec=0`.
 
 ## Why it matters on a robot
-A node that logs in its control loop pushes everything else out of the journal within minutes, and wears the flash.
+A node that logs in its control loop pushes everything else out of the journal within minutes, and wears the
+flash.
 
 ## Bad
 ```ini
@@ -35,4 +36,8 @@ def ratelimit_off(robot: Robot):
         for keys in (("RateLimitIntervalSec", "RateLimitInterval"), ("RateLimitBurst",)):
             found = daemon.get(*keys, read=daemons.watchdog_seconds)
             if found is not None and found[1] == 0 and found[0].span.source.judged:
-                yield finding(found[0], "There is no rate limit: a flooding node fills the journal", advice="set a high limit instead")
+                yield finding(
+                    found[0],
+                    "There is no rate limit: a flooding node fills the journal",
+                    advice="set a high limit instead",
+                )

@@ -1,7 +1,8 @@
 """A key that journald does not know: the line is ignored.
 
 ## What it finds
-A key in [Journal] of journald.conf or a drop-in that no release knows, and one that the robot's release does not know yet.
+A key in [Journal] of journald.conf or a drop-in that no release knows, and one that the robot's release
+does not know yet.
 
 ## Why it matters on a robot
 The limit that should keep the disk from filling up, or the setting that should keep the logs of a crash,

@@ -1,12 +1,12 @@
 """A section that journald does not read.
 
 ## What it finds
-A section other than [Journal] in journald.conf or a drop-in. Sections that start with X- are meant for other programs and
-are fine.
+A section other than [Journal] in journald.conf or a drop-in. Sections that start with X- are meant for
+other programs and are fine.
 
 ## Why it matters on a robot
-journald ignores the section with everything in it. The limit that should keep the disk from filling up, or the setting that should keep the logs of a crash,
-is simply not there.
+journald ignores the section with everything in it. The limit that should keep the disk from filling up, or
+the setting that should keep the logs of a crash, is simply not there.
 
 ## Bad
 ```ini

@@ -30,10 +30,17 @@ from bringup_lint.api import rule
 
 @rule("info")
 def volatile(robot: Robot):
-    by_design = any(mount.target == "/" and mount.is_read_only for fstab in robot.fstabs for mount in fstab.mounts)
+    by_design = any(
+        mount.target == "/" and mount.is_read_only for fstab in robot.fstabs for mount in fstab.mounts
+    )
     by_design = by_design or bool(robot.of_kind("overlayroot"))
     for daemon in robot.journald if not by_design else ():
         storage = daemon.get("Storage", read=str)
-        if storage is not None and storage[1] in ("volatile", "none") and storage[0].span.source.judged and daemon.certain:
+        if (
+            storage is not None
+            and storage[1] in ("volatile", "none")
+            and storage[0].span.source.judged
+            and daemon.certain
+        ):
             what = "lost at reboot" if storage[1] == "volatile" else "not kept at all"
             yield finding(storage[0], f"Logs are {what}", advice="Storage=persistent, with SystemMaxUse=")

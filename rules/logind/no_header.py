@@ -4,7 +4,8 @@
 Settings in logind.conf or a drop-in before any section header.
 
 ## Why it matters on a robot
-logind ignores lines outside its section; only a message in the journal tells. Shared memory is still deleted at logout, or closing the lid still suspends the robot.
+logind ignores lines outside its section; only a message in the journal tells. Shared memory is still
+deleted at logout, or closing the lid still suspends the robot.
 
 ## Bad
 ```ini

@@ -1,12 +1,13 @@
 """When the last login of the user ends, logind deletes the shared memory of ROS.
 
 ## What it finds
-A service that runs ROS with shared memory as a regular user who can log in, where logind.conf does not say RemoveIPC=no. System
-users (below 1000) and lingering users are exempt. In a repository that says nothing of logind, an info.
+A service that runs ROS with shared memory as a regular user who can log in, where logind.conf does not say
+RemoveIPC=no. System users (below 1000) and lingering users are exempt. In a repository that says nothing of
+logind, an info.
 
 ## Why it matters on a robot
-Someone logs in by SSH to look after the robot, and logs out. Ten seconds later logind removes all of the user's files in
-/dev/shm: Fast DDS goes silent between nodes that still run.
+Someone logs in by SSH to look after the robot, and logs out. Ten seconds later logind removes all of the
+user's files in /dev/shm: Fast DDS goes silent between nodes that still run.
 
 ## Bad
 ```ini
@@ -33,7 +34,6 @@ from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
 
-
 FALSE = {"no", "false", "off", "0", "n", "f"}
 
 
@@ -50,7 +50,11 @@ def removeipc(robot: Robot):
         if user is None or user in told or unit.manager == "user" or unit.uncertain or unit.is_opaque(user):
             continue
         home = robot.accounts.login_home(user)
-        if home is None or uses_no_shared_memory(robot, unit) or robot.tree.has(f"/var/lib/systemd/linger/{user}"):
+        if (
+            home is None
+            or uses_no_shared_memory(robot, unit)
+            or robot.tree.has(f"/var/lib/systemd/linger/{user}")
+        ):
             continue
         told.add(str(user))
         yield finding(

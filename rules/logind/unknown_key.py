@@ -1,7 +1,8 @@
 """A key that logind does not know: the line is ignored.
 
 ## What it finds
-A key in [Login] of logind.conf or a drop-in that no release knows, and one that the robot's release does not know yet.
+A key in [Login] of logind.conf or a drop-in that no release knows, and one that the robot's release does
+not know yet.
 
 ## Why it matters on a robot
 Shared memory is still deleted at logout, or closing the lid still suspends the robot.

@@ -1,11 +1,12 @@
 """A section that logind does not read.
 
 ## What it finds
-A section other than [Login] in logind.conf or a drop-in. Sections that start with X- are meant for other programs and
-are fine.
+A section other than [Login] in logind.conf or a drop-in. Sections that start with X- are meant for other
+programs and are fine.
 
 ## Why it matters on a robot
-logind ignores the section with everything in it. Shared memory is still deleted at logout, or closing the lid still suspends the robot.
+logind ignores the section with everything in it. Shared memory is still deleted at logout, or closing the
+lid still suspends the robot.
 
 ## Bad
 ```ini

@@ -1,11 +1,12 @@
 """A value that logrotate cannot read: the whole stanza is skipped.
 
 ## What it finds
-A count, size, mode, owner or path that logrotate refuses, or one that is missing. Sizes take k, M and G, without B.
+A count, size, mode, owner or path that logrotate refuses, or one that is missing. Sizes take k, M and G,
+without B.
 
 ## Why it matters on a robot
-One bad value makes logrotate leave out the whole stanza, or, above the first stanza, the rest of the file. The logs of that
-stanza grow until the disk is full.
+One bad value makes logrotate leave out the whole stanza, or, above the first stanza, the rest of the file.
+The logs of that stanza grow until the disk is full.
 
 ## Bad
 ```
@@ -51,7 +52,11 @@ WHAT = {
 SIZE = re.compile(r"(\d+)\s*([kKmMgG])(?:i?[bB])?")
 
 
-@rule("error", fix="safe", symptoms=["found error in", "unknown unit", "bad size", "bad rotation count", "argument expected after"])
+@rule(
+    "error",
+    fix="safe",
+    symptoms=["found error in", "unknown unit", "bad size", "bad rotation count", "argument expected after"],
+)
 def bad_value(robot: Robot):
     for file in robot.logs.files:
         for problem in file.problems:

@@ -1,7 +1,8 @@
 """A log stands in two stanzas: logrotate refuses the second.
 
 ## What it finds
-The same path in two stanzas of a file, or in two files of /etc/logrotate.d. Stanzas with ignoreduplicates are left alone.
+The same path in two stanzas of a file, or in two files of /etc/logrotate.d. Stanzas with ignoreduplicates
+are left alone.
 
 ## Why it matters on a robot
 logrotate drops the second entry, with what it says, and ends with status 1; the timer shows as failed.

@@ -1,7 +1,8 @@
 """logrotate ignores a file that others may write to.
 
 ## What it finds
-A file of /etc/logrotate.d in a root file system that group or others may write to, or that does not belong to root.
+A file of /etc/logrotate.d in a root file system that group or others may write to, or that does not belong
+to root.
 
 ## Why it matters on a robot
 logrotate passes over the file, prints one line and ends with status 0. The logs grow until the disk is full.
@@ -26,7 +27,11 @@ from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
-@rule("error", symptoms=["because it is writable by group or others", "because the file owner is wrong"], tags=["CWE-732"])
+@rule(
+    "error",
+    symptoms=["because it is writable by group or others", "because the file owner is wrong"],
+    tags=["CWE-732"],
+)
 def file_mode(robot: Robot):
     if robot.tree.root is None:
         return

@@ -1,7 +1,8 @@
 """logrotate passes over a file with this name.
 
 ## What it finds
-A file in logrotate.d whose name ends in .bak, ~, .swp, .dpkg-old, .disabled or another ending that logrotate leaves out.
+A file in logrotate.d whose name ends in .bak, ~, .swp, .dpkg-old, .disabled or another ending that
+logrotate leaves out.
 
 ## Why it matters on a robot
 logrotate does not read the file and says so only in its debug output. The logs grow until the disk is full.

@@ -4,8 +4,8 @@
 `**` in a path of a stanza.
 
 ## Why it matters on a robot
-logrotate's patterns are those of glob(3): `~/.ros/log/**/*.log` matches files one folder down only. The launch logs of each
-run are there; the logs of the nodes lie in ~/.ros/log itself and are never rotated.
+logrotate's patterns are those of glob(3): `~/.ros/log/**/*.log` matches files one folder down only. The
+launch logs of each run are there; the logs of the nodes lie in ~/.ros/log itself and are never rotated.
 
 ## Bad
 ```

@@ -50,7 +50,9 @@ def hup_ros(robot: Robot):
                 if command.name not in KILLERS or not HUP.search(text):
                     continue
                 unit = next((u for u in robot.units.ros if u.name in named(command)), None)
-                if unit is None and not (ROS.search(text) or (robot.logs.is_of_ros(stanza) and unknown(robot, command))):
+                if unit is None and not (
+                    ROS.search(text) or (robot.logs.is_of_ros(stanza) and unknown(robot, command))
+                ):
                     continue
                 back = unit is not None and robot.units.restart(unit).restart in ("always", "on-success")
                 what = f"{unit.name} runs ROS" if unit else "This is ROS"
@@ -72,7 +74,11 @@ def named(command):
 def unknown(robot, command):
     """Whether systemctl signals a unit that the tree does not hold."""
     units = [word for word in named(command) if word.endswith(".service")]
-    return bool(units) and command.name == "systemctl" and not any(robot.units.candidates(name) for name in units)
+    return (
+        bool(units)
+        and command.name == "systemctl"
+        and not any(robot.units.candidates(name) for name in units)
+    )
 
 
 def change(stanza, script):

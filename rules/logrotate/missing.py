@@ -1,12 +1,13 @@
 """Nothing removes old logs: the disk fills up.
 
 ## What it finds
-A ROS_LOG_DIR or an `append:` file of a unit that no logrotate stanza, no tmpfiles.d age and no script or timer of the tree
-covers. It is a warning in a complete root file system; in a repository, where the rest may come from elsewhere, an info.
+A ROS_LOG_DIR or an `append:` file of a unit that no logrotate stanza, no tmpfiles.d age and no script or
+timer of the tree covers. It is a warning in a complete root file system; in a repository, where the rest
+may come from elsewhere, an info.
 
 ## Why it matters on a robot
-ROS has no size limit for its logs, and each run writes new files. When the disk is full, maps cannot be saved, the journal stops
-and the robot may not boot.
+ROS has no size limit for its logs, and each run writes new files. When the disk is full, maps cannot be
+saved, the journal stops and the robot may not boot.
 
 ## Bad
 ```
@@ -34,10 +35,13 @@ from bringup_lint.api import rule
 @rule("warning", symptoms=["No space left on device"])
 def missing(robot: Robot):
     for log in robot.logs.uncovered():
-        advice = f"e {log.path} - - - 14d in tmpfiles.d" if log.folder else f"a logrotate stanza for {log.path}"
+        advice = (
+            f"e {log.path} - - - 14d in tmpfiles.d" if log.folder else f"a logrotate stanza for {log.path}"
+        )
         yield finding(
             log.where,
-            f"Nothing removes old logs in {log.path}: the disk fills up" if log.folder
+            f"Nothing removes old logs in {log.path}: the disk fills up"
+            if log.folder
             else f"Nothing rotates {log.path}: it grows until the disk is full",
             advice=advice,
             related=[note(log.unit.where, f"{log.unit.name} writes there")] if log.folder else (),

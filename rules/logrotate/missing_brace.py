@@ -1,7 +1,8 @@
 """A brace too few or too many: stanzas run into each other.
 
 ## What it finds
-A stanza without `{`, a `}` that closes nothing, a stanza that is never closed, a path where a directive should be.
+A stanza without `{`, a `}` that closes nothing, a stanza that is never closed, a path where a directive
+should be.
 
 ## Why it matters on a robot
 logrotate skips the stanza, or reads nothing of the file from there on; the logs grow until the disk is full.

@@ -4,8 +4,8 @@
 A stanza for ROS logs with `create` and without copytruncate, whose scripts restart nothing.
 
 ## Why it matters on a robot
-Nodes never reopen their logs. After `create` they write to the renamed file, which is then compressed or deleted, and the new
-file stays empty: the logs of the day on which something happened are gone.
+Nodes never reopen their logs. After `create` they write to the renamed file, which is then compressed or
+deleted, and the new file stays empty: the logs of the day on which something happened are gone.
 
 ## Bad
 ```

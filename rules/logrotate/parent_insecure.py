@@ -1,7 +1,8 @@
 """logrotate skips logs in a folder that others may write to.
 
 ## What it finds
-A stanza without `su` for a folder that tmpfiles.d makes writable for group or others, or for /var/log on a tmpfs without mode=.
+A stanza without `su` for a folder that tmpfiles.d makes writable for group or others, or for /var/log on a
+tmpfs without mode=.
 
 ## Why it matters on a robot
 logrotate says "insecure permissions" and rotates nothing there. The logs grow until the disk is full.
@@ -31,7 +32,6 @@ d /var/log/ros2 0775 robot robot -
 
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
-from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
 

@@ -4,8 +4,8 @@
 A stanza for ROS logs with `rotate`, without maxage, when no tmpfiles.d line with an age covers the folder.
 
 ## Why it matters on a robot
-Each node of each run writes a file of its own, with time and process id in its name. `rotate 3` keeps three rotations of each
-of them: nothing is ever deleted, and the disk fills up.
+Each node of each run writes a file of its own, with time and process id in its name. `rotate 3` keeps three
+rotations of each of them: nothing is ever deleted, and the disk fills up.
 
 ## Bad
 ```

@@ -4,8 +4,8 @@
 A stanza with both `size` and a time directive.
 
 ## Why it matters on a robot
-The later of the two counts alone. With `size` last, a log that stays small is never rotated, however old; with the time last,
-a flood fills the disk before the next turn.
+The later of the two counts alone. With `size` last, a log that stays small is never rotated, however old;
+with the time last, a flood fills the disk before the next turn.
 
 ## Bad
 ```

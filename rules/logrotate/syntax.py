@@ -1,12 +1,12 @@
 """A line that logrotate cannot read: the stanza or the rest of the file is skipped.
 
 ## What it finds
-A line that begins neither with a word nor with a path, a directive that runs into the next character, open quotes, text
-behind `}`; also lines that end in carriage return and line feed.
+A line that begins neither with a word nor with a path, a directive that runs into the next character, open
+quotes, text behind `}`; also lines that end in carriage return and line feed.
 
 ## Why it matters on a robot
-Inside a stanza, logrotate skips the whole stanza; outside, it reads nothing of the file from there on. Nothing is rotated, and
-the disk fills up.
+Inside a stanza, logrotate skips the whole stanza; outside, it reads nothing of the file from there on.
+Nothing is rotated, and the disk fills up.
 
 ## Bad
 ```
@@ -39,7 +39,9 @@ WHAT = {
 }
 
 
-@rule("error", symptoms=["lines must begin with a keyword", "not properly separated", "unexpected text after }"])
+@rule(
+    "error", symptoms=["lines must begin with a keyword", "not properly separated", "unexpected text after }"]
+)
 def syntax(robot: Robot):
     for file in robot.logs.files:
         dos = "\r\n" in file.source.text

@@ -4,8 +4,8 @@
 A word at the start of a line that is no directive of logrotate.
 
 ## Why it matters on a robot
-logrotate complains in a log that nobody reads, leaves the line out and ends with status 1: the size or age that should keep
-the disk from filling up does not count.
+logrotate complains in a log that nobody reads, leaves the line out and ends with status 1: the size or age
+that should keep the disk from filling up does not count.
 
 ## Bad
 ```

@@ -1,8 +1,8 @@
 """A user or group that does not exist: logrotate skips the whole stanza.
 
 ## What it finds
-A user or group of `create`, `createolddir` or `su` that a complete root file system has neither in its databases nor in
-sysusers.d.
+A user or group of `create`, `createolddir` or `su` that a complete root file system has neither in its
+databases nor in sysusers.d.
 
 ## Why it matters on a robot
 logrotate leaves the stanza out, and the logs grow until the disk is full.
@@ -37,7 +37,10 @@ def unknown_user(robot: Robot):
         for directive in [*file.directives, *(each for stanza in file.stanzas for each in stanza.directives)]:
             user, group = robot.logs.owners(directive)
             accounts = robot.accounts
-            for name, kind, known in ((user, "user", accounts.has_user), (group, "group", accounts.has_group)):
+            for name, kind, known in (
+                (user, "user", accounts.has_user),
+                (group, "group", accounts.has_group),
+            ):
                 if name is not None and not name.isdigit() and known(name) is False:
                     yield finding(
                         name,

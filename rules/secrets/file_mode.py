@@ -1,12 +1,12 @@
 """A file with secrets is open to others.
 
 ## What it finds
-In a root file system: environment files with secrets that others may read or the group may write, private keys of SSH and SROS2
-that group or others may read.
+In a root file system: environment files with secrets that others may read or the group may write, private
+keys of SSH and SROS2 that group or others may read.
 
 ## Why it matters on a robot
-Every account on the robot, also the one that the camera service runs under, can read the password or act as the robot. sshd does
-not start with a host key that others may read.
+Every account on the robot, also the one that the camera service runs under, can read the password or act as
+the robot. sshd does not start with a host key that others may read.
 
 ## Bad
 ```ini

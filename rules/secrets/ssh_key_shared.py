@@ -4,8 +4,8 @@
 The same public key in the authorized_keys of several robots of the tree.
 
 ## Why it matters on a robot
-Whoever gets hold of the one private key, from a laptop or from one robot that was stolen, has all of them; and it cannot be
-withdrawn for one alone.
+Whoever gets hold of the one private key, from a laptop or from one robot that was stolen, has all of them;
+and it cannot be withdrawn for one alone.
 
 ## Bad
 ```ini
@@ -31,8 +31,9 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
 
-
-KEY = re.compile(r"^(?!#).*?\b(?:ssh-(?:rsa|dss|ed25519)|ecdsa-sha2-\w+|sk-[\w@.-]+)[ \t]+(AAAA[A-Za-z0-9+/=]{30,})", re.M)
+KEY = re.compile(
+    r"^(?!#).*?\b(?:ssh-(?:rsa|dss|ed25519)|ecdsa-sha2-\w+|sk-[\w@.-]+)[ \t]+(AAAA[A-Za-z0-9+/=]{30,})", re.M
+)
 
 
 @rule("warning", tags=["CWE-321"])
@@ -47,7 +48,9 @@ def ssh_key_shared(robot: Robot):
                     place.span.source.span(place.span.start, place.span.start + 12),
                     "The same key opens another robot of this tree: who has it has all of them",
                     advice="a key for each robot, or an SSH CA",
-                    related=[note(first.span.source.span(first.span.start, first.span.start + 12), "here too")],
+                    related=[
+                        note(first.span.source.span(first.span.start, first.span.start + 12), "here too")
+                    ],
                 )
 
 

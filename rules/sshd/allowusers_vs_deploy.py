@@ -1,8 +1,8 @@
 """A script logs in as a user or on a port that sshd refuses.
 
 ## What it finds
-`ssh user@host`, scp or rsync in a script of the tree with a user that AllowUsers does not list, or on port 22 while sshd listens
-elsewhere only.
+`ssh user@host`, scp or rsync in a script of the tree with a user that AllowUsers does not list, or on port
+22 while sshd listens elsewhere only.
 
 ## Why it matters on a robot
 After the configuration is rolled out, the deployment that rolled it out no longer reaches the robot.

@@ -1,8 +1,8 @@
 """A value that sshd cannot read: it refuses to start.
 
 ## What it finds
-A value outside the set of its keyword, a keyword without a value, a quote that is left open, words too many, a Match line that
-sshd cannot read.
+A value outside the set of its keyword, a keyword without a value, a quote that is left open, words too
+many, a Match line that sshd cannot read.
 
 ## Why it matters on a robot
 sshd ends with an error at its next start, and after the reboot nobody gets in.
@@ -26,7 +26,6 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
-
 WHAT = {
     "no-argument": "'{text}' has no value",
     "invalid-quotes": "The quotes are not closed",
@@ -36,7 +35,15 @@ WHAT = {
 }
 
 
-@rule("error", symptoms=["unsupported option", "extra arguments at end of line", "no argument after keyword", "Bad Match condition"])
+@rule(
+    "error",
+    symptoms=[
+        "unsupported option",
+        "extra arguments at end of line",
+        "no argument after keyword",
+        "Bad Match condition",
+    ],
+)
 def bad_value(robot: Robot):
     for sshd in robot.sshd:
         for file in sshd.files:

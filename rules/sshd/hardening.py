@@ -1,8 +1,8 @@
 """sshd allows more than a robot needs.
 
 ## What it finds
-Settings of a whole configuration that are open by default or by a line: X11Forwarding, AllowTcpForwarding, PermitTunnel,
-MaxAuthTries above 4, no ClientAliveInterval, neither AllowUsers nor AllowGroups.
+Settings of a whole configuration that are open by default or by a line: X11Forwarding, AllowTcpForwarding,
+PermitTunnel, MaxAuthTries above 4, no ClientAliveInterval, neither AllowUsers nor AllowGroups.
 
 ## Why it matters on a robot
 Each is a way into the robot's network, or keeps one open, that nobody uses.
@@ -31,18 +31,34 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
 
-
 SETTINGS = (
     ("X11Forwarding", "no", {"yes"}, "X11 forwarding is on", "no"),
     ("AllowTcpForwarding", "yes", {"yes", "all", "local", "remote"}, "TCP forwarding is on", "no"),
     ("PermitTunnel", "no", {"yes", "point-to-point", "ethernet"}, "Tunnel devices are allowed", "no"),
-    ("ClientAliveInterval", "0", {"0", "0s"}, "Dead connections stay open: there is no ClientAliveInterval", "300"),
+    (
+        "ClientAliveInterval",
+        "0",
+        {"0", "0s"},
+        "Dead connections stay open: there is no ClientAliveInterval",
+        "300",
+    ),
 )
 """Keyword, default, values that are found, what they mean, what to write."""
 MOST_TRIES = 4
 
 
-@rule("info", fix="safe", aliases=["sshd/x11-forwarding", "sshd/tcp-forwarding", "sshd/permit-tunnel", "sshd/max-auth-tries", "sshd/client-alive-missing", "sshd/no-allowusers"])
+@rule(
+    "info",
+    fix="safe",
+    aliases=[
+        "sshd/x11-forwarding",
+        "sshd/tcp-forwarding",
+        "sshd/permit-tunnel",
+        "sshd/max-auth-tries",
+        "sshd/client-alive-missing",
+        "sshd/no-allowusers",
+    ],
+)
 def hardening(robot: Robot):
     for sshd in robot.sshd:
         if not sshd.files:
@@ -55,7 +71,9 @@ def hardening(robot: Robot):
         if tries is not None and tries.isdigit() and int(tries) > MOST_TRIES:
             yield from found(sshd, "MaxAuthTries", f"A connection may try {tries} passwords or keys", "3")
         if sshd.is_whole and not sshd.all("AllowUsers") and not sshd.all("AllowGroups"):
-            yield finding(sshd.where, "Every account may log in", advice="AllowUsers, with the accounts that need it")
+            yield finding(
+                sshd.where, "Every account may log in", advice="AllowUsers, with the accounts that need it"
+            )
 
 
 def found(sshd, name, what, better):

@@ -4,8 +4,8 @@
 Files in sshd_config.d beside a sshd_config that includes nothing of them.
 
 ## Why it matters on a robot
-Someone replaced the distribution's sshd_config. Whatever the drop-ins say, also those that a package or cloud-init writes
-later, has no effect.
+Someone replaced the distribution's sshd_config. Whatever the drop-ins say, also those that a package or
+cloud-init writes later, has no effect.
 
 ## Bad
 ```
@@ -35,7 +35,9 @@ def include_missing(robot: Robot):
     for sshd in robot.sshd:
         if sshd.main is None or not sshd.complete or not sshd.main.source.judged or sshd.main.source.template:
             continue
-        includes = [word for option in sshd.main.options if option.name == "Include" for word in option.arguments]
+        includes = [
+            word for option in sshd.main.options if option.name == "Include" for word in option.arguments
+        ]
         if sshd.dropins and not any("sshd_config.d" in word for word in includes):
             yield finding(
                 sshd.main.source,

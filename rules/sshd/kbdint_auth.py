@@ -1,11 +1,12 @@
 """Keyboard-interactive login is still on: passwords keep working.
 
 ## What it finds
-`PasswordAuthentication no` without `KbdInteractiveAuthentication no`, when UsePAM is on. Where nothing sets UsePAM, as a warning.
+`PasswordAuthentication no` without `KbdInteractiveAuthentication no`, when UsePAM is on. Where nothing sets
+UsePAM, as a warning.
 
 ## Why it matters on a robot
-The default of KbdInteractiveAuthentication is yes, and with PAM it asks for the password. The file says that passwords are off,
-and they are not.
+The default of KbdInteractiveAuthentication is yes, and with PAM it asks for the password. The file says
+that passwords are off, and they are not.
 
 ## Bad
 ```
@@ -35,7 +36,12 @@ from bringup_lint.api import rule
 def kbdint_auth(robot: Robot):
     for sshd in robot.sshd:
         password = sshd.get("PasswordAuthentication")
-        if password is None or password.value.lower() != "no" or not sshd.files or not password.span.source.judged:
+        if (
+            password is None
+            or password.value.lower() != "no"
+            or not sshd.files
+            or not password.span.source.judged
+        ):
             continue
         if sshd.says("KbdInteractiveAuthentication", "yes") != "yes" or sshd.get("AuthenticationMethods"):
             continue

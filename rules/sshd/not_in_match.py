@@ -4,8 +4,8 @@
 A keyword that holds for the whole server, such as Port or UsePAM, behind a Match line.
 
 ## Why it matters on a robot
-Everything behind a Match line belongs to it, up to the next one. sshd ends with an error at its next start, and after the
-reboot nobody gets in.
+Everything behind a Match line belongs to it, up to the next one. sshd ends with an error at its next start,
+and after the reboot nobody gets in.
 
 ## Bad
 ```

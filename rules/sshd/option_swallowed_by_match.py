@@ -4,8 +4,8 @@
 A line at the left margin behind a Match block whose own lines are indented.
 
 ## Why it matters on a robot
-Everything behind a Match line belongs to it, whatever the indentation, up to the next Match. The line that turns passwords off
-holds for one user only.
+Everything behind a Match line belongs to it, whatever the indentation, up to the next Match. The line that
+turns passwords off holds for one user only.
 
 ## Bad
 ```

@@ -1,8 +1,8 @@
 """A line of sshd_config that comes too late: the first value wins.
 
 ## What it finds
-A keyword that an earlier line, often in a drop-in, has set to something else. It is an error for the settings that keep people
-out.
+A keyword that an earlier line, often in a drop-in, has set to something else. It is an error for the
+settings that keep people out.
 
 ## Why it matters on a robot
 sshd takes the first value of a keyword. Debian and Ubuntu include sshd_config.d in the first line, so that
@@ -30,7 +30,6 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
-
 
 PROTECTS = {
     "PasswordAuthentication": {"no"},

@@ -1,10 +1,12 @@
 """SSH accepts passwords.
 
 ## What it finds
-An effective `PasswordAuthentication yes`. Where a whole configuration does not set it, the default is yes: a warning.
+An effective `PasswordAuthentication yes`. Where a whole configuration does not set it, the default is yes:
+a warning.
 
 ## Why it matters on a robot
-Passwords of robots are short, shared and the same on each of them; whoever reaches the network can try them all.
+Passwords of robots are short, shared and the same on each of them; whoever reaches the network can try them
+all.
 
 ## Bad
 ```
@@ -30,14 +32,19 @@ from bringup_lint.api import rule
 @rule("error", fix="safe", tags=["CWE-287", "CWE-307"])
 def password_auth(robot: Robot):
     for sshd in robot.sshd:
-        if not sshd.files or sshd.says("PasswordAuthentication", "yes") != "yes" or sshd.get("AuthenticationMethods"):
+        if (
+            not sshd.files
+            or sshd.says("PasswordAuthentication", "yes") != "yes"
+            or sshd.get("AuthenticationMethods")
+        ):
             continue
         option = sshd.get("PasswordAuthentication")
         if option is not None and not option.span.source.judged:
             continue
         yield finding(
             option.value if option else sshd.where,
-            "SSH accepts passwords" + ("" if option else ": nothing sets PasswordAuthentication, and the default is yes"),
+            "SSH accepts passwords"
+            + ("" if option else ": nothing sets PasswordAuthentication, and the default is yes"),
             advice="PasswordAuthentication no, after the keys are in place",
             fix=fix("PasswordAuthentication no", (option.value, "no")) if option else None,
             severity=None if option else "warning",

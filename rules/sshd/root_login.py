@@ -4,7 +4,8 @@
 An effective `PermitRootLogin yes`. `prohibit-password`, also as the default, is an info.
 
 ## Why it matters on a robot
-The name is known, so only the password is left to guess, and what gets in owns the robot. Nothing tells who it was.
+The name is known, so only the password is left to guess, and what gets in owns the robot. Nothing tells who
+it was.
 
 ## Bad
 ```
@@ -31,7 +32,11 @@ def root_login(robot: Robot):
     for sshd in robot.sshd:
         value = sshd.says("PermitRootLogin", "prohibit-password")
         option = sshd.get("PermitRootLogin")
-        if not sshd.files or value in (None, "no", "forced-commands-only") or (option and not option.span.source.judged):
+        if (
+            not sshd.files
+            or value in (None, "no", "forced-commands-only")
+            or (option and not option.span.source.judged)
+        ):
             continue
         keys = "" if value == "yes" else " with a key"
         yield finding(

@@ -4,8 +4,8 @@
 A word at the start of a line that is no keyword of sshd_config.
 
 ## Why it matters on a robot
-sshd ends with an error at its next start. The session that made the change still works; after the reboot nobody gets in, and
-the robot is far away.
+sshd ends with an error at its next start. The session that made the change still works; after the reboot
+nobody gets in, and the robot is far away.
 
 ## Bad
 ```

@@ -1,10 +1,12 @@
 """sshd offers algorithms that are broken.
 
 ## What it finds
-Ciphers, MACs, KexAlgorithms, HostKeyAlgorithms or PubkeyAcceptedAlgorithms with names such as 3des-cbc, hmac-md5 or ssh-rsa.
+Ciphers, MACs, KexAlgorithms, HostKeyAlgorithms or PubkeyAcceptedAlgorithms with names such as 3des-cbc,
+hmac-md5 or ssh-rsa.
 
 ## Why it matters on a robot
-OpenSSH has switched them off for good reasons. Who can listen to or sit in the robot's radio link can attack the connection.
+OpenSSH has switched them off for good reasons. Who can listen to or sit in the robot's radio link can
+attack the connection.
 
 ## Bad
 ```

@@ -4,7 +4,8 @@
 Settings in system.conf or a drop-in before any section header.
 
 ## Why it matters on a robot
-systemd ignores lines outside its section; only a message in the journal tells. The hardware watchdog stays off, or the default timeouts stay as they are; only one line in the journal tells.
+systemd ignores lines outside its section; only a message in the journal tells. The hardware watchdog stays
+off, or the default timeouts stay as they are; only one line in the journal tells.
 
 ## Bad
 ```ini

@@ -1,7 +1,8 @@
 """A key that systemd does not know: the line is ignored.
 
 ## What it finds
-A key in [Manager] of system.conf or a drop-in that no release knows, and one that the robot's release does not know yet.
+A key in [Manager] of system.conf or a drop-in that no release knows, and one that the robot's release does
+not know yet.
 
 ## Why it matters on a robot
 The hardware watchdog stays off, or the default timeouts stay as they are; only one line in the journal tells.
@@ -40,7 +41,9 @@ def unknown_key(robot: Robot):
             yield finding(
                 key,
                 f"Unknown key '{key}' in [Manager]: systemd ignores the line",
-                advice=f"did you mean {meant[0]}?" if meant else "remove the line, or see systemd-system.conf(5)",
+                advice=f"did you mean {meant[0]}?"
+                if meant
+                else "remove the line, or see systemd-system.conf(5)",
                 fix=fix(f"rename to {meant[0]}", (key, meant[0])) if len(meant) == 1 else None,
             )
         target = robot.target

@@ -1,11 +1,12 @@
 """A section that systemd does not read.
 
 ## What it finds
-A section other than [Manager] in system.conf or a drop-in. Sections that start with X- are meant for other programs and
-are fine.
+A section other than [Manager] in system.conf or a drop-in. Sections that start with X- are meant for other
+programs and are fine.
 
 ## Why it matters on a robot
-systemd ignores the section with everything in it. The hardware watchdog stays off, or the default timeouts stay as they are; only one line in the journal tells.
+systemd ignores the section with everything in it. The hardware watchdog stays off, or the default timeouts
+stay as they are; only one line in the journal tells.
 
 ## Bad
 ```ini

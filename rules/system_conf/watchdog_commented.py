@@ -1,11 +1,12 @@
 """The watchdog lines are comments: nothing is enabled.
 
 ## What it finds
-RuntimeWatchdogSec and its likes with a value of their own, only in comments, while no file sets them. The commented defaults of
-the distribution's file are left alone.
+RuntimeWatchdogSec and its likes with a value of their own, only in comments, while no file sets them. The
+commented defaults of the distribution's file are left alone.
 
 ## Why it matters on a robot
-Someone wanted the hardware watchdog and believes that it is on. A hung kernel leaves the robot standing where it is.
+Someone wanted the hardware watchdog and believes that it is on. A hung kernel leaves the robot standing
+where it is.
 
 ## Bad
 ```ini
@@ -29,7 +30,6 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
 
-
 DEFAULTS = {
     "RuntimeWatchdogSec": {"0", "off"},
     "RebootWatchdogSec": {"10min", "0"},
@@ -43,7 +43,12 @@ def watchdog_commented(robot: Robot):
     for daemon in robot.system_conf:
         seen = set()
         for file, line, key, value in daemon.commented():
-            if key not in DEFAULTS or value in DEFAULTS[key] or key in seen or not daemons.watchdog_seconds(value):
+            if (
+                key not in DEFAULTS
+                or value in DEFAULTS[key]
+                or key in seen
+                or not daemons.watchdog_seconds(value)
+            ):
                 continue
             if daemon.sets(key) or file.source.template:
                 continue

@@ -1,12 +1,12 @@
 """Two owners of one watchdog: the second cannot open it.
 
 ## What it finds
-RuntimeWatchdogSec switched on together with watchdog-device in watchdog.conf, or with a script or program of the tree that opens
-/dev/watchdog.
+RuntimeWatchdogSec switched on together with watchdog-device in watchdog.conf, or with a script or program
+of the tree that opens /dev/watchdog.
 
 ## Why it matters on a robot
-The kernel gives the device to one process. systemd takes it first; the daemon or the node gets EBUSY and ends, or goes on
-without a watchdog.
+The kernel gives the device to one process. systemd takes it first; the daemon or the node gets EBUSY and
+ends, or goes on without a watchdog.
 
 ## Bad
 ```ini

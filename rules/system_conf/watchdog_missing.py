@@ -1,10 +1,12 @@
 """No hardware watchdog: a hung kernel leaves the robot standing.
 
 ## What it finds
-A complete root file system with ROS where nothing sets RuntimeWatchdogSec and no other program has /dev/watchdog.
+A complete root file system with ROS where nothing sets RuntimeWatchdogSec and no other program has
+/dev/watchdog.
 
 ## Why it matters on a robot
-When the kernel or systemd hangs, nothing restarts the computer; the motors keep their last command until someone comes.
+When the kernel or systemd hangs, nothing restarts the computer; the motors keep their last command until
+someone comes.
 
 ## Bad
 ```ini
@@ -32,7 +34,9 @@ def watchdog_missing(robot: Robot):
     if not robot.tree.complete or not robot.is_ros or robot.watchdog.owners:
         return
     for daemon in robot.system_conf:
-        meant = any(key == "RuntimeWatchdogSec" and value not in ("0", "off") for *_, key, value in daemon.commented())
+        meant = any(
+            key == "RuntimeWatchdogSec" and value not in ("0", "off") for *_, key, value in daemon.commented()
+        )
         if daemon.judged and not meant and not daemon.sets("RuntimeWatchdogSec"):
             yield finding(
                 daemon.where,

@@ -1,7 +1,8 @@
 """The watchdog daemon feeds too late: the robot reboots.
 
 ## What it finds
-watchdog.conf with an interval that is not below watchdog-timeout (60 s by default); above half of it, as a warning.
+watchdog.conf with an interval that is not below watchdog-timeout (60 s by default); above half of it, as a
+warning.
 
 ## Why it matters on a robot
 The hardware resets the robot before the daemon feeds it, again and again.
@@ -28,7 +29,6 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
-
 
 DEFAULT_TIMEOUT = 60
 

@@ -86,7 +86,9 @@ def mutate(lines: list[str], chance: random.Random) -> list[str]:
     at = chance.randrange(len(lines))
     line = lines[at]
     words = line.split()
-    act = chance.choice(("drop", "twice", "swap", "cut", "typo", "value", "value", "directive", "insert", "indent", "brace"))
+    act = chance.choice(
+        ("drop", "twice", "swap", "cut", "typo", "value", "value", "directive", "insert", "indent", "brace")
+    )
     if act == "drop":
         return lines[:at] + lines[at + 1 :]
     if act == "twice":
@@ -108,7 +110,9 @@ def mutate(lines: list[str], chance: random.Random) -> list[str]:
     elif act == "directive" and words:
         lines[at] = " ".join(["   ", chance.choice(list(directives())), *words[1:]])
     elif act == "brace":
-        lines[at] = line.replace("{", "").replace("}", "") if {"{", "}"} & set(line) else line + chance.choice("{}")
+        lines[at] = (
+            line.replace("{", "").replace("}", "") if {"{", "}"} & set(line) else line + chance.choice("{}")
+        )
     return lines
 
 

@@ -82,7 +82,9 @@ def mutate(lines: list[str], chance: random.Random) -> list[str]:
     at = chance.randrange(len(lines))
     line = lines[at]
     words = line.split()
-    act = chance.choice(("drop", "twice", "swap", "cut", "typo", "value", "value", "keyword", "insert", "equals", "case"))
+    act = chance.choice(
+        ("drop", "twice", "swap", "cut", "typo", "value", "value", "keyword", "insert", "equals", "case")
+    )
     if act == "drop":
         return lines[:at] + lines[at + 1 :]
     if act == "twice":
@@ -112,7 +114,9 @@ def mutate(lines: list[str], chance: random.Random) -> list[str]:
 def reason(text: str, printed: str) -> str:
     """Why a difference is meant, by the table of differences."""
     for row in DIFFERENCES:
-        if ("says" in row and re.search(row["says"], printed)) or ("text" in row and re.search(row["text"], text)):
+        if ("says" in row and re.search(row["says"], printed)) or (
+            "text" in row and re.search(row["text"], text)
+        ):
             return row["reason"]
     return ""
 
@@ -171,7 +175,12 @@ def test_effective_values(tmp_path: Path) -> None:
             if theirs is None:
                 continue
             source = Source("config", text)
-            mine = effective([source], lambda pattern: [Source("first", (tmp_path / "first.conf").read_text())] if "first" in pattern else [])
+            mine = effective(
+                [source],
+                lambda pattern: (
+                    [Source("first", (tmp_path / "first.conf").read_text())] if "first" in pattern else []
+                ),
+            )
             for name in CHECKED:
                 value = mine.get(name)
                 if value is not None and name not in ("ClientAliveInterval",):
