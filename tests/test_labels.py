@@ -1,4 +1,4 @@
-"""Real configuration that people judged by hand: what they marked as wrong is found, what they marked as clean stays quiet."""
+"""Real configuration, judged by hand: what was marked as wrong is found, clean files stay quiet."""
 
 from __future__ import annotations
 
@@ -87,7 +87,8 @@ def test_the_rules_of_systemd_are_quiet(corpus: Path) -> None:
 def test_counts_for_each_family(corpus: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Prints how much of what was labelled is found, by the family of the rules that find it."""
     wanted = labels(corpus, "true anti-pattern")
-    by_family = Counter(family for row in wanted for family in {found.rule.partition("/")[0] for found in at(corpus, row)})
+    families = ({found.rule.partition("/")[0] for found in at(corpus, row)} for row in wanted)
+    by_family = Counter(family for each in families for family in each)
     found = sum(bool(at(corpus, row)) for row in wanted)
     with capsys.disabled():
         each = ", ".join(f"{family} {count}" for family, count in sorted(by_family.items()))

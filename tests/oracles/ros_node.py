@@ -25,7 +25,10 @@ class Started(NamedTuple):
 
 
 def start(cases: list[dict[str, str]], *, node: bool = True, each_alone: bool = False) -> list[Started]:
-    """What becomes of nodes with these variables, in order. A case that ends its process costs only itself."""
+    """What becomes of nodes with these variables, in order.
+
+    A case that ends its process costs only itself.
+    """
     answers: list[Started] = []
     while len(answers) < len(cases):
         rest = cases[len(answers) :][: 1 if each_alone else None]
@@ -82,7 +85,8 @@ def attempt(node: bool) -> dict[str, object]:
         rclpy.init(context=context)
         domain = context.get_domain_id()
         if node:
-            probe = rclpy.create_node("probe", context=context, enable_rosout=False, start_parameter_services=False)
+            options = {"enable_rosout": False, "start_parameter_services": False}
+            probe = rclpy.create_node("probe", context=context, **options)
             probe.get_logger().info("hello")
             probe.destroy_node()
         context.shutdown()

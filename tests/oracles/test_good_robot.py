@@ -1,4 +1,4 @@
-"""What the real programs say about the good robot: its files load everywhere, and nobody has a word to say."""
+"""What the real programs say about the good robot: its files load, and nobody has a word to say."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ DISTRIBUTION = ("sysinit", "basic", "shutdown", "multi-user", "network-online", 
 """Targets that the installed distribution brings."""
 PROGRAMS = ("usr/bin/bash", "usr/lib/systemd/systemd-networkd-wait-online")
 
-needs_systemd = pytest.mark.skipif(systemd_version() < 250, reason="systemd-analyze of 250 or newer is not installed")
+needs_systemd = pytest.mark.skipif(systemd_version() < 250, reason="needs systemd-analyze of 250 or newer")
 
 
 @pytest.fixture
@@ -45,12 +45,14 @@ def root(tmp_path: Path) -> Path:
 
 def verify(root: Path, *units: str) -> subprocess.CompletedProcess[str]:
     command = ["systemd-analyze", "verify", "--man=no", "--recursive-errors=yes", f"--root={root}", *units]
-    return subprocess.run(command, capture_output=True, text=True, env={"LANG": "C.UTF-8", "PATH": "/usr/bin:/bin"})
+    environment = {"LANG": "C.UTF-8", "PATH": "/usr/bin:/bin"}
+    return subprocess.run(command, capture_output=True, text=True, check=False, env=environment)
 
 
 @needs_systemd
 def test_every_unit_is_accepted(root: Path) -> None:
-    units = sorted(path.name.replace("@", "@tern-drivers") for path in (TREE / "etc/systemd/system").glob("*.*") if path.is_file())
+    files = (path for path in (TREE / "etc/systemd/system").glob("*.*") if path.is_file())
+    units = sorted(path.name.replace("@", "@tern-drivers") for path in files)
     run = verify(root, *units)
     assert run.stderr == ""
     assert run.returncode == 0
@@ -59,7 +61,7 @@ def test_every_unit_is_accepted(root: Path) -> None:
 @needs_systemd
 def test_verify_would_complain(root: Path) -> None:
     unit = root / "etc/systemd/system/tern-drivers.service"
-    unit.write_text(unit.read_text().replace("ExecStartPre=/usr/local/bin/tern-wait-devices", "ExecStartPre=/usr/local/bin/lost"))
+    unit.write_text(unit.read_text().replace("/usr/local/bin/tern-wait-devices", "/usr/local/bin/lost"))
     assert "lost" in verify(root, unit.name).stderr
 
 
@@ -73,7 +75,13 @@ needs_root = pytest.mark.skipif(os.geteuid() != 0, reason="needs root")
 def run(*command: str | Path, **environment: str) -> tuple[int, str]:
     """Exit status and output of a program."""
     done = subprocess.run(
-        command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False, timeout=60, env=os.environ | environment
+        command,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        check=False,
+        timeout=60,
+        env=os.environ | environment,
     )
     return done.returncode, done.stdout
 
