@@ -85,7 +85,7 @@ def _list(item: Item, text: str, version: str) -> Complaint | None:
         word for part in item.allowed.split(" | ") if not part.startswith("comma") for word in part.split("|")
     ]
     listed = words(item)
-    if text.lower() in alone or "addresses" in listed or (not text and version == "11"):
+    if text.lower() in alone or "addresses" in listed or not text:
         return None
     for part in text.split(","):
         if "integers" in listed:
