@@ -20,15 +20,14 @@ RCUTILS_CONSOLE_OUTPUT_FORMAT=[{severity}] {message}
 - rcutils, `logging.c`: the tokens of the output format
 """
 
+import re
+
 from bringup_lint.api import Robot
 from bringup_lint.api import at_least
 from bringup_lint.api import finding
 from bringup_lint.api import nearest
 from bringup_lint.api import ros_values
 from bringup_lint.api import rule
-
-
-import re
 
 
 @rule("warning")
@@ -39,7 +38,7 @@ def rcutils_format_unknown_token(robot: Robot):
             if since and at_least(robot.target.ros, since) is False:
                 yield finding(
                     setting.value.part(*token.span()),
-                    f"rcutils of {robot.target.ros} does not know {token[0]} and prints it in every line of the log",
+                    f"{robot.target.ros} does not know {token[0]}: rcutils prints it in every line of the log",
                     advice=f"leave it out: it comes with {since}",
                 )
             elif token[1] not in ros_values.FORMAT_TOKENS:

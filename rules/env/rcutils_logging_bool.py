@@ -1,11 +1,12 @@
 """A logging switch of rcutils is neither 0 nor 1.
 
 ## What it finds
-RCUTILS_LOGGING_USE_STDOUT, RCUTILS_COLORIZED_OUTPUT or RCUTILS_LOGGING_BUFFERED_STREAM with another value than 0 or 1. An empty value is fine.
+RCUTILS_LOGGING_USE_STDOUT, RCUTILS_COLORIZED_OUTPUT or RCUTILS_LOGGING_BUFFERED_STREAM with another value
+than 0 or 1. An empty value is fine.
 
 ## Why it matters on a robot
-Logging cannot be initialised: the node runs, but not one line of its log is written. Instead every call of the logger prints errors of
-rcutils, more than a hundred kilobytes for one node that starts.
+Logging cannot be initialised: the node runs, but not one line of its log is written. Instead every call
+of the logger prints errors of rcutils, more than a hundred kilobytes for one node that starts.
 
 ## Bad
 ```sh
@@ -27,11 +28,13 @@ from bringup_lint.api import fix
 from bringup_lint.api import ros_values
 from bringup_lint.api import rule
 
-
 WORDS = {"true": "1", "yes": "1", "on": "1", "false": "0", "no": "0", "off": "0"}
 
 
-@rule("error", fix="safe", symptoms=["unexpected value [", "error initializing logging", "failed to configure logging"])
+SYMPTOMS = ["unexpected value [", "error initializing logging", "failed to configure logging"]
+
+
+@rule("error", fix="safe", symptoms=SYMPTOMS)
 def rcutils_logging_bool(robot: Robot):
     for setting in robot.ros.of(*ros_values.LOGGING_SWITCHES):
         if setting.text in ("", "0", "1"):
@@ -39,7 +42,7 @@ def rcutils_logging_bool(robot: Robot):
         meant = WORDS.get(setting.text.lower())
         yield finding(
             setting.value,
-            f"{setting.name} '{setting.text}' makes logging fail: no node writes its log, and rcutils floods stderr with errors instead",
+            f"{setting.name} '{setting.text}' stops all logging: rcutils floods stderr with errors",
             advice=f"write {meant}" if meant else "write 0 or 1",
             fix=fix(f"write {meant}", (setting.value, meant)) if meant else None,
         )

@@ -32,10 +32,13 @@ def ros_domain_id_misparsed(robot: Robot):
     for setting in robot.ros.of("ROS_DOMAIN_ID"):
         number, plain = ros_values.domain_id(setting.text)
         if number is not None and not plain:
-            usable = number <= ros_values.MAX_DOMAIN
             yield finding(
                 setting.value,
                 f"ROS_DOMAIN_ID '{setting.text}' is read as domain {number}",
                 advice="write the number in plain decimal digits",
-                fix=fix(f"write {number}, as it is read now", (setting.value, str(number)), safe=False) if usable else None,
+                fix=_as_read(setting.value, number) if number <= ros_values.MAX_DOMAIN else None,
             )
+
+
+def _as_read(value, number: int):
+    return fix(f"write {number}, as it is read now", (value, str(number)), safe=False)

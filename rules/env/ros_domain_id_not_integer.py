@@ -33,6 +33,6 @@ def ros_domain_id_not_integer(robot: Robot):
         if ros_values.domain_id(setting.text).number is None:
             yield finding(
                 setting.value,
-                f"ROS_DOMAIN_ID '{setting.text}' is no number that rcl can read: every ROS process exits at start",
+                f"rcl reads no number in ROS_DOMAIN_ID '{setting.text}': every ROS process exits at start",
                 advice="write a plain decimal number from 0 to 101",
             )

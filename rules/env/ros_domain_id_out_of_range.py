@@ -37,7 +37,7 @@ def ros_domain_id_out_of_range(robot: Robot):
                 setting.value,
                 f"domain {number} needs UDP port {ros_values.highest_port(number)}: no node starts"
                 if number < 2**24 else
-                f"domain {number} is cut to 32 bits, and its ports with it: the nodes join another domain or none",
+                f"domain {number} is cut to 32 bits: the nodes join another domain, or none",
                 advice="use a domain from 0 to 101",
             )
 

@@ -4,7 +4,8 @@
 A comma or a blank in ROS_STATIC_PEERS, also at an end or beside a semicolon. A semicolon at the end is fine.
 
 ## Why it matters on a robot
-What stands between two semicolons, blanks and commas included, is taken as one host name. Fast DDS cannot resolve it and refuses to create the node.
+What stands between two semicolons, blanks and commas included, is taken as one host name. Fast DDS cannot
+resolve it and refuses to create the node.
 
 ## Bad
 ```sh
@@ -20,13 +21,12 @@ ROS_STATIC_PEERS=10.0.0.1;10.0.0.2
 - rcl, `discovery_options.c`: peers are separated by `;`
 """
 
+import re
+
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
-
-
-import re
 
 
 @rule("error", fix="safe", symptoms=["Unable to resolve peer"])
@@ -35,9 +35,10 @@ def ros_static_peers_separator(robot: Robot):
         peers = [peer for peer in re.split(r"[,;\s]+", setting.text) if peer]
         if peers and re.search(r"[,\s]", setting.text):
             right = ";".join(peers)
+            as_written = setting.value == setting.text
             yield finding(
                 setting.value,
-                f"'{setting.text}' has blanks or commas that become part of a host name: peers are separated by ';' alone, no node starts with Fast DDS",
+                f"'{setting.text}' has blanks or commas, which become part of a host name: no node starts with Fast DDS",
                 advice=f"write {right}",
-                fix=fix("separate the peers by ';'", (setting.value, right)) if setting.value == setting.text else None,
+                fix=fix("separate the peers by ';'", (setting.value, right)) if as_written else None,
             )
