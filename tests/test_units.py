@@ -221,3 +221,14 @@ def test_new_line_goes_to_the_end_of_the_section_or_makes_it(tmp_path, monkeypat
     assert (span.line, text) == (3, "Wants=b.service\n")
     span, text = unit.new_line("Install", "WantedBy=x.target")
     assert text == "\n\n[Install]\nWantedBy=x.target\n"
+
+
+def test_folder_behind_a_link_is_read_once(tmp_path, monkeypatch):
+    files = {
+        "usr/lib/systemd/system/a.service": SERVICE,
+        "lib": "-> usr/lib",
+        "etc/systemd/system/b.service": SERVICE,
+    }
+    units = load(tmp_path, files, monkeypatch, root=True)
+    assert not units.shadowed
+    assert sorted(unit.name for unit in units.all) == ["a.service", "b.service"]

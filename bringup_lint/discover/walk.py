@@ -61,12 +61,21 @@ def discover(
         for file in walk(path, excluded, lambda folder, error: _unreadable(tree, folder, error)):
             _read_walked(tree, file, walked, judged=not _is_vendor(tree, file, path))
     if tree.root is not None:
-        _read_context(tree, walked, [os.path.join(tree.root, folder) for folder in ("etc", *VENDOR_FOLDERS)])
+        _read_context(tree, walked, _context_folders(tree.root))
     else:
         files = [path for path in paths if not os.path.isdir(path)]
         _read_context(tree, walked, sorted({top for path in files if (top := repository_of(path))}), excluded)
     tree.sources.sort(key=lambda source: source.name)
     return tree
+
+
+def _context_folders(root: Path) -> list[str]:
+    """/etc and the vendor's folders; what lies behind a link (``/lib`` on a merged /usr) has another name there."""
+    base = os.path.realpath(root)
+    plain = [
+        folder for folder in VENDOR_FOLDERS if os.path.realpath(os.path.join(root, folder)) == os.path.join(base, folder)
+    ]
+    return [os.path.join(root, folder) for folder in ("etc", *plain)]
 
 
 def discover_text(name: str, data: bytes) -> Tree:

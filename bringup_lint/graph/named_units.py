@@ -100,16 +100,17 @@ class NamedUnits:
 
     def is_missing(self, name: str, near: Unit) -> bool:
         """Whether a unit that ``near`` names is provably, or in a repository most likely, not there: nothing
-        provides it, no script makes it, and it is named like the robot's own units, or nearly like one of
-        them."""
+        provides it, no script makes it, and it looks like one of the robot's own."""
         if self.exists(name, near) is not False or self.is_distribution_unit(name):
             return False
-        if self.robot.tree.complete:
-            return True
-        own = {unit.name for unit in self.all if unit.manager == near.manager and unit.fragment}
+        return self.robot.tree.complete or (self.is_own(name, near) and not self.is_made(name))
+
+    def is_own(self, name: str, near: Unit) -> bool:
+        """Whether a name looks like the robot's own units: the same first word, or nearly the name of one."""
         family = _family(name)
-        related = len(family) > 2 and "-" in name and any(_family(other) == family for other in own)
-        return (related or self.meant(name, near) is not None) and not self.is_made(name)
+        own = {unit.name for unit in self.all if unit.manager == near.manager and unit.fragment}
+        related = len(family) > 2 and "-" in name and family != "systemd"
+        return (related and any(_family(other) == family for other in own)) or bool(self.meant(name, near))
 
     def meant(self, name: str, near: Unit) -> str | None:
         """The one unit of the tree whose name a misspelt one nearly is. Units that differ in a number are

@@ -3,7 +3,7 @@
 ## What it finds
 A service with `Before=` of another service that it depends on (`Requires=`, `BindsTo=`) or whose stop it
 follows (`PartOf=`), while that service does not depend on it. One-shot services, which prepare something
-for the other one, are left out.
+for the other one or only hold a group together, are left out.
 
 ## Why it matters on a robot
 The stop order is the exact reverse of the start order: with `Before=B` the unit stops *after* B. A
@@ -48,7 +48,7 @@ def before_for_shutdown_order(robot: Robot):
                 if word not in depends or not word.endswith(".service") or not line.span.source.judged:
                     continue
                 other = robot.units.find(word, unit)
-                if other and robot.units.brings_in(other, unit.name):
+                if other is None or other.get("Type") == "oneshot" or robot.units.brings_in(other, unit.name):
                     continue
                 key, where = depends[str(word)]
                 yield finding(

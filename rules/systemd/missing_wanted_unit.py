@@ -2,8 +2,8 @@
 
 ## What it finds
 `Wants=`, `Upholds=`, `After=`, `Before=` or `PartOf=` of a unit that neither the tree nor the distribution
-has, in a root file system; in a repository only names that look like the robot's own, unless a script of
-the repository makes the unit.
+has. In a root file system that is a warning for names that look like the robot's own, and information for
+others, which may be optional; in a repository only the former are reported, unless a script makes the unit.
 
 ## Why it matters on a robot
 systemd says nothing about it: the line has no effect. What was meant to wait for the drivers does not wait,
@@ -52,5 +52,6 @@ def missing_wanted_unit(robot: Robot):
                         + ("" if robot.tree.complete else " in this tree"),
                         advice=f"did you mean {meant}?" if meant else "correct the name, or drop the line",
                         fix=fix(f"write {meant}", (word, meant), safe=False) if meant else None,
+                        severity=None if units.is_own(word, unit) else "info",
                         confidence="high" if robot.tree.complete else "medium",
                     )

@@ -41,9 +41,10 @@ def user_unit_no_linger(robot: Robot):
         return
     for link in robot.units.links:
         own = [unit for unit in robot.units.candidates(link.name, "user") if unit.judged and unit.fragment]
-        if link.manager != "user" or not link.source.robot_path or not own:
+        path = link.source.robot_path
+        if link.manager != "user" or not path or path.startswith(("/usr/", "/lib/")) or not own:
             continue
-        home = HOME.match(link.source.robot_path)
+        home = HOME.match(path)
         if home[1] in lingering if home else lingering:
             continue
         yield finding(
