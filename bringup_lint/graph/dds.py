@@ -19,6 +19,7 @@ from bringup_lint.graph.dds_selection import Selection
 from bringup_lint.graph.dds_selection import profile_selections
 from bringup_lint.graph.dds_selection import selections
 from bringup_lint.graph.dds_selection import sharing_memory
+from bringup_lint.graph.dds_selection import together
 from bringup_lint.graph.dds_selection import user_of
 from bringup_lint.model.cyclonedds import Configuration
 from bringup_lint.model.cyclonedds import Domain
@@ -152,6 +153,10 @@ class Dds:
         """The processes that read a profiles file, each with the value that names it."""
         found = self._profile_selections
         return [(process, value) for process, value, source in found if source is profiles.source]
+
+    def together(self, configuration: Configuration) -> list[Selection]:
+        """The readers of a file that surely run at the same time."""
+        return together(self.robot, self.readers(configuration))
 
     def readers(self, configuration: Configuration) -> list[Selection]:
         """The processes that read a configuration file."""

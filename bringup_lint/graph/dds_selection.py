@@ -48,6 +48,7 @@ class Selection:
     domain: int | None = None
     """ROS_DOMAIN_ID as it really is; None when nobody knows."""
     domain_where: Located | None = None
+    unit: Unit | None = None
     processes: int = 1
     """At least so many processes take part: what the launch files of the unit start by default."""
 
@@ -87,13 +88,13 @@ def _of_units(robot: Robot) -> Iterator[Selection]:
                 or not _reads_it(environment.text("RMW_IMPLEMENTATION"))
             ):
                 continue
-            selection = Selection(unit.name, process.line, variable.value)
+            selection = Selection(unit.name, process.line, variable.value, unit=unit)
             if variable.text == variable.value:
                 _resolve(selection, variable.value, robot.tree.find)
             else:
                 selection.complete = False
             _domain(selection, environment)
-            selection.processes = _processes(robot, process.launches)
+            selection.processes = _processes(robot, process.launches) if process.mentions_ros else 0
             yield selection
 
 
@@ -202,3 +203,10 @@ def user_of(unit: Unit) -> tuple[str, Located | Span]:
     if not user or user == "0":
         return "root", unit.where
     return str(user), user
+
+
+def together(robot: Robot, readers: list[Selection]) -> list[Selection]:
+    """Of these processes, the most that surely run at the same time: one alone, or the units of one boot."""
+    groups = [[each] for each in readers]
+    groups += [[each for each in readers if each.unit in units] for units in robot.units.stacks]
+    return max(groups, key=lambda group: sum(each.processes for each in group), default=[])

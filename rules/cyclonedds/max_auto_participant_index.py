@@ -49,7 +49,7 @@ def max_auto_participant_index(robot: Robot):
                 )
         index = domain.get("Discovery/ParticipantIndex")
         limit = domain.get("Discovery/MaxAutoParticipantIndex")
-        readers = robot.dds.readers(configuration)
+        readers = robot.dds.together(configuration)
         count = sum(selection.processes for selection in readers)
         if index is None or (index.effective or "").lower() != "auto" or not readers:
             continue
