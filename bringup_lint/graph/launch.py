@@ -57,6 +57,7 @@ SIMULATORS = re.compile(
 """Packages of simulators."""
 PUBLIC = ("nav2_", "ros2_", "ros_", "rclcpp_", "tf2_", "launch_", "image_", "joint_", "moveit_", "rviz", "controller_")
 """How packages of ROS itself begin."""
+_LAUNCH_FILE = re.compile(r"[\w.-]+\.launch(?:\.(?:py|xml|ya?ml))?|[\w.-]+_launch\.py")
 EXPANSIONS = 2_000
 """Entries that are expanded in one run."""
 
@@ -102,6 +103,18 @@ class Launch:
         if found is None or found.file is None:
             return None
         return self._by_path.get(found.file) or self._by_path.get(os.path.realpath(found.file))
+
+    @cached_property
+    def _mentions(self) -> dict[str, set[int]]:
+        found: dict[str, set[int]] = {}
+        for file in self.files:
+            for name in _LAUNCH_FILE.findall(file.source.text):
+                found.setdefault(name, set()).add(id(file))
+        return found
+
+    def is_named_elsewhere(self, file: LaunchFile) -> bool:
+        """Whether another launch file speaks of a file of this name, so that it may include it in a way that is not known."""
+        return bool(self._mentions.get(file.source.basename, set()) - {id(file)})
 
     @cached_property
     def included(self) -> set[int]:

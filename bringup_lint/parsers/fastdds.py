@@ -114,8 +114,9 @@ class _Reader:
 
     def top(self, element: Element) -> None:
         """``types``, ``log`` or ``library_settings``."""
-        if element.name != "types":
-            self.inside(element, self.items[str(element.name)])
+        item = self.items.get(str(element.name))
+        if element.name != "types" and item is not None:
+            self.inside(element, item)
 
     def below_profiles(self, element: Element, rooted: bool = False) -> None:
         before = len(self.profiles.profiles) + len(self.profiles.transports)

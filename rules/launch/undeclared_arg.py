@@ -2,7 +2,8 @@
 
 ## What it finds
 `LaunchConfiguration('x')` or `$(var x)` without a default, where neither the file nor a file that includes it declares or
-sets `x`. Files that read more than two such names are taken for parts of a larger launch file, and reported as info.
+sets `x`. Files that read more than two such
+names, or that another launch file names, are taken for parts of a larger launch file, and reported as info.
 
 ## Why it matters on a robot
 launch stops with "launch configuration 'x' does not exist" unless somebody happens to pass `x:=…` by hand. A unit that
@@ -50,14 +51,15 @@ def undeclared_arg(robot: Robot):
                 used.argument.name,
                 f"launch configuration '{name}' does not exist here: launch aborts unless {name}:= is passed",
                 advice=f"declare '{name}'" + (f", or read '{near[0]}'" if near else ""),
-                severity=None if near else grade(expansion, used, missing),
+                severity=None if near else grade(robot, expansion, used, missing),
                 related=related,
             )
 
 
-def grade(expansion, used, missing):
-    """A file that reads many configurations of others is meant to be included by a file that is not here."""
-    if len(missing) > 2:
+def grade(robot, expansion, used, missing):
+    """A file that reads many configurations of others, or that another file names in a way that leads nowhere here, is
+    meant to be included."""
+    if len(missing) > 2 or robot.launch.is_named_elsewhere(expansion.entry):
         return "info"
     certain = used.file is expansion.entry and not used.conditions and used.file.format == "python"
     return None if certain else "warning"
