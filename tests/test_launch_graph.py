@@ -146,6 +146,7 @@ CMAKE = {
     "c/package.xml": CMAKE_PACKAGE.format("c"),
     "c/CMakeLists.txt": """\
         project(c) # a comment )
+        include(GNUInstallDirs)
         set(dirs launch config)
         list(APPEND dirs maps)
         #[[ a block ]]
@@ -200,6 +201,7 @@ def test_cmake_package(tmp_path: Path) -> None:
         "my_macro(launch)",
         "install(DIRECTORY ${unknown} DESTINATION share/${PROJECT_NAME})",
         "add_subdirectory(missing)",
+        "include(cmake/install.cmake)",
     ],
 )
 def test_what_is_not_understood_proves_nothing(tmp_path: Path, line: str) -> None:

@@ -8,6 +8,8 @@ from typing import NamedTuple
 from bringup_lint.facts import table
 
 RANK = ("foxy", "galactic", "humble", "iron", "jazzy", "kilted", "lyrical", "rolling")
+ABSOLUTE = frozenset(("tf", "tf_static"))
+"""tf2 publishes these by absolute names, whatever the table says."""
 HARDWARE = ("driver", "hardware")
 
 
@@ -16,6 +18,8 @@ class Role(NamedTuple):
     """``driver``, ``hardware``, ``planning``, ``lifecycle manager``, ...; empty when it is not known."""
     managed: bool | None
     """Whether it is a lifecycle node; None when that is not known, or depends on an unknown distribution."""
+    topics: frozenset[str] = frozenset()
+    """Relative names of topics that it is known to use."""
 
 
 @cache
@@ -42,7 +46,9 @@ def role_of(package: str | None, program: str | None, distribution: str | None) 
     managed: bool | None = {"yes": True, "no": False}.get(row["managed"])
     if row["managed"].startswith("yes from ") and distribution in RANK:
         managed = RANK.index(distribution) >= RANK.index(row["managed"].split()[2].rstrip(","))
-    return Role(row["role"], managed)
+    words = (entry.split() for entry in row["topics_qos"].split(";"))
+    topics = frozenset(word[1] for word in words if len(word) > 1 and word[0] in ("pub", "sub") and word[1][0] not in "/~")
+    return Role(row["role"], managed, topics - ABSOLUTE)
 
 
 @cache

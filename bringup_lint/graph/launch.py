@@ -38,7 +38,9 @@ from bringup_lint.model.launch import Include
 from bringup_lint.model.launch import LaunchFile
 from bringup_lint.model.launch import walk_actions
 from bringup_lint.model.launch_values import Condition
+from bringup_lint.model.launch_values import ParameterFile
 from bringup_lint.model.launch_values import Value
+from bringup_lint.model.launch_values import walk
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
@@ -86,8 +88,23 @@ class Launch:
 
     @property
     def judged(self) -> list[LaunchFile]:
-        """Those that findings may be about: not context, not templates."""
-        return [file for file in self.files if file.source.judged and not file.source.template]
+        """Those that findings may be about: not context, not templates, nothing in packages of ROS 1."""
+        return self._judged
+
+    @cached_property
+    def _judged(self) -> list[LaunchFile]:
+        files = [file for file in self.files if file.source.judged and not file.source.template]
+        owners = [self.workspace.owner(file.source) for file in files]
+        return [file for file, owner in zip(files, owners) if owner is None or not owner.manifest.is_ros1]
+
+    def reads_unseen(self, files: Iterable[LaunchFile]) -> bool:
+        """Whether files may read launch configurations by names that are not in them: by computed names, or in parameter
+        files with substitutions."""
+        return any(id(file) in self._unseen for file in files)
+
+    @cached_property
+    def _unseen(self) -> frozenset[int]:
+        return frozenset(id(file) for file in self.files if file.reads_all or _substitutes(file))
 
     def place(self, value: Value) -> Place | None:
         """A resolved value as a path, in terms of the package or folder it stands on."""
@@ -349,6 +366,14 @@ class Launch:
             for action in walk_actions(file.actions):
                 if isinstance(action, kind):
                     yield file, action
+
+
+def _substitutes(file: LaunchFile) -> bool:
+    for action in walk_actions(file.actions):
+        for source in getattr(action, "parameters", ()):
+            if any(isinstance(each, ParameterFile) and each.allow_substs is not None for each in walk(source)):
+                return True
+    return False
 
 
 def load_launch(robot: Robot) -> Launch:

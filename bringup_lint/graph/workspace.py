@@ -232,6 +232,8 @@ def _read_builds(robot: Robot, package: Package, sources: dict[str, Source]) -> 
             package.builds += robot.parsed(setup_py.parse, [python])
         if settings is not None:
             package.builds += robot.parsed(setup_py.parse_cfg, [settings])
+        if os.path.lexists(os.path.join(package.folder, "pyproject.toml")):
+            package.complete = False
     else:
         _read_cmake(robot, package, lists, sources)
     package.complete = bool(package.builds) and package.complete

@@ -37,13 +37,19 @@ HARMLESS = frozenset(
     " rosidl_generate_interfaces rosidl_get_typesupport_target pluginlib_export_plugin_description_file install"
     " rclcpp_components_register_node rclcpp_components_register_nodes ament_python_install_package"
     " find_package_handle_standard_args link_directories set_property list string ament_environment_hooks"
-    " ament_add_gtest ament_add_gmock ament_add_pytest_test target_sources enable_testing add_test include"
+    " ament_add_gtest ament_add_gmock ament_add_pytest_test target_sources enable_testing add_test"
     " ament_auto_find_build_dependencies ament_auto_add_library ament_auto_add_executable ament_auto_package"
     " generate_parameter_library add_dependencies execute_process get_filename_component file configure_file"
-    " add_custom_command add_custom_target find_dependency include_guard mark_as_advanced return"
+    " add_custom_command add_custom_target find_dependency include include_guard mark_as_advanced return"
     " ament_add_gtest_test ament_add_gtest_executable ament_add_ros_isolated_gtest ament_uncrustify"
     " ament_generate_version_header add_subdirectory nav2_package generate_export_header add_compile_definitions"
     " cmake_policy link_libraries separate_arguments get_target_property cmake_parse_arguments math".split()
+)
+
+
+_MODULES = frozenset(
+    "GNUInstallDirs CTest CMakePackageConfigHelpers CheckCXXCompilerFlag CheckCCompilerFlag CheckIPOSupported FetchContent"
+    " ExternalProject FindPkgConfig GenerateExportHeader CMakePrintHelpers".split()
 )
 
 
@@ -161,6 +167,11 @@ class Reader:
     def do_file(self, command: Command) -> None:
         if len(command.arguments) > 1 and str(command.arguments[0]).upper() in ("GLOB", "GLOB_RECURSE"):
             self.variables.pop(str(command.arguments[1]), None)
+
+    def do_include(self, command: Command) -> None:
+        """A module of CMake changes nothing; a file of the package may install anything."""
+        if not command.arguments or command.arguments[0] not in _MODULES:
+            self.build.installs_known = self.build.executables_known = self.build.plugins_known = False
 
     def do_add_subdirectory(self, command: Command) -> None:
         words = self.words(command.arguments[:1])

@@ -48,7 +48,7 @@ def include_unknown_arg(robot: Robot):
 
 def unknown(robot, names, target):
     inner = robot.launch.expansion(target)
-    if inner.open or any(each.reads_all for each in inner.files):
+    if inner.open or robot.launch.reads_unseen(inner.files):
         return
     known = {each.name for each in inner.declared} | robot.launch.read_in(inner.files)
     for name in names:

@@ -23,6 +23,8 @@ Node(package='my_robot_driver', executable='motor')
 - ament_index, `get_package_prefix`
 """
 
+import re
+
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -43,6 +45,7 @@ def package_missing(robot: Robot):
             continue
         known = package in workspace.packages or package in workspace.ambiguous or robot.launch.is_known_package(package)
         near = nearest(package, sorted(workspace.packages)) if not known and len(package) > 5 else []
+        near = [other for other in near if re.sub(r"\d", "", other) != re.sub(r"\d", "", package)]
         if near:
             yield finding(
                 package,

@@ -24,18 +24,24 @@ Python launch files with a syntax error, XML and YAML launch files that are not 
 - Launch file architecture of ROS 2, "Static launch description files"
 """
 
+import sys
+
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 IGNORED = {"doctype", "control-character", "late-declaration", "bad-comment", "no-launch-root", "too-large", "alias-bomb"}
 
+OLD = ("foxy", "galactic", "humble", "iron")
+"""Their Python reads f-strings as old as ours does; from Jazzy on, quotes may be nested in them."""
+
 
 @rule("error", symptoms=["Caught exception in launch", "invalid syntax", "mismatched tag"])
 def syntax(robot: Robot):
     for file in robot.launch.judged:
         for problem in file.problems[:1]:
-            if problem.code not in IGNORED:
+            newer = sys.version_info < (3, 12) and "f-string" in problem.detail
+            if problem.code not in IGNORED and not (newer and robot.target.ros not in OLD):
                 detail = f" ({problem.detail})" if problem.detail else ""
                 yield finding(
                     problem.where,

@@ -35,6 +35,10 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
+OWN = ("ros_namespace", "ros_remaps", "global_params")
+"""launch_ros keeps these among the launch configurations."""
+
+
 @rule("error", symptoms=["launch configuration 'robot_name' does not exist"])
 def undeclared_arg(robot: Robot):
     for expansion in robot.launch.entries:
@@ -42,7 +46,7 @@ def undeclared_arg(robot: Robot):
         missing = {str(used.argument.name) for used in expansion.unbound} - declared.keys()
         for used in expansion.unbound:
             name = str(used.argument.name)
-            if not used.certain or name not in missing:
+            if not used.certain or name not in missing or name in OWN:
                 continue
             near = nearest(name, declared)
             related = [note(span, "included from here") for span in used.chain]

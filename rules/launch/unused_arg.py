@@ -37,7 +37,7 @@ def unused_arg(robot: Robot):
     for file in robot.launch.judged:
         expansions = list(robot.launch.leading_to(file))
         files = {id(each): each for expansion in expansions for each in expansion.files}
-        if any(expansion.open for expansion in expansions) or any(each.reads_all for each in files.values()):
+        if any(expansion.open for expansion in expansions) or robot.launch.reads_unseen(files.values()):
             continue
         read = {str(argument.name) for each in files.values() for argument in each.reads}
         for declared in robot.launch.expansion(file).declared:

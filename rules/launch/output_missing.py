@@ -1,0 +1,52 @@
+"""What a node prints goes to a file only.
+
+## What it finds
+Nodes without `output=`.
+
+## Why it matters on a robot
+Its standard output is written to a log file below ROS_LOG_DIR and is not in the journal, where people look first.
+
+## Bad
+```python
+Node(package='demo', executable='talker')
+```
+
+## Good
+```python
+Node(package='demo', executable='talker', output='screen')
+```
+
+## References
+- launch, `OVERRIDE_LAUNCH_PROCESS_OUTPUT`
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import launch
+from bringup_lint.api import rule
+
+OVERRIDE = "OVERRIDE_LAUNCH_PROCESS_OUTPUT"
+
+
+@rule("info", fix="safe")
+def output_missing(robot: Robot):
+    for file in robot.launch.judged:
+        for action, _ in robot.launch.visited(file):
+            if not isinstance(action, launch.Node) or action.open or "output" in action.options or OVERRIDE in file.source.text:
+                continue
+            if launch.literal(action.executable) == "spawner":
+                continue
+            end = action.executable.span if action.executable is not None else None
+            plain = end is not None and end.source is file.source and action.span.start < end.start <= action.span.end
+            repair = None
+            if plain and file.format == "python" and end.text[:1] in "'\"":
+                repair = fix("print to the screen", (end.source.span(end.end, end.end), ", output='screen'"))
+            elif plain and file.format == "xml":
+                repair = fix("print to the screen", (end.source.span(end.end + 1, end.end + 1), ' output="screen"'))
+            yield finding(
+                action.span,
+                "what the node prints goes to a file only, not to the journal",
+                advice="set output='screen'",
+                fix=repair,
+            )

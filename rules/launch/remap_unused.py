@@ -1,0 +1,46 @@
+"""A remapping never matches.
+
+## What it finds
+Remappings from an absolute topic (`/image_raw`) on nodes in a namespace that are known to use the relative one.
+
+## Why it matters on a robot
+In the namespace `/front` the driver publishes `/front/image_raw`. A rule for `/image_raw` does not match it: the driver goes on
+under the old name, and the consumer of the new one gets nothing.
+
+## Bad
+```python
+Node(package='usb_cam', executable='usb_cam_node_exe', namespace='front', remappings=[('/image_raw', 'image')])
+```
+
+## Good
+```python
+Node(package='usb_cam', executable='usb_cam_node_exe', namespace='front', remappings=[('image_raw', 'image')])
+```
+
+## References
+- ROS 2 design, "Topic and Service name mapping"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import launch
+from bringup_lint.api import rule
+
+
+@rule("warning", fix="unsafe")
+def remap_unused(robot: Robot):
+    for node in robot.launch.nodes:
+        topics = robot.launch.role(node).topics
+        if not topics or node.namespace in (None, "/"):
+            continue
+        for src, _ in node.action.remappings:
+            source = launch.literal(src)
+            if source is None or not source.startswith("/") or source[1:] not in topics:
+                continue
+            yield finding(
+                source,
+                f"'{source}' matches only at the root: in {node.namespace} the node keeps using {node.namespace}{source}",
+                advice=f"remap '{source[1:]}'",
+                fix=fix(f"remap '{source[1:]}'", (source, source[1:]), safe=False) if source.span.text == source else None,
+            )
