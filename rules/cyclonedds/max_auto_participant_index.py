@@ -1,10 +1,9 @@
 """More processes than Cyclone DDS has participant indices.
 
 ## What it finds
-`ParticipantIndex` `auto` (or Jazzy's default) with a `MaxAutoParticipantIndex` below the number of
-processes that the units of the robot start with this file, counted from their launch files; components
-of a container count once, and what is conditional does not count. And, for information, an index above
-119, whose ports belong to the next domain.
+`ParticipantIndex` `auto` with a `MaxAutoParticipantIndex` below the number of processes that read the file and
+start at boot together, counted from the launch files of their units: components of a container count once, and
+what is conditional does not count. And, for information, an index above 119, whose ports belong to the next domain.
 
 ## Why it matters on a robot
 Indices 0 to the maximum are given out; the next process dies with `Failed to find a free participant
