@@ -12,13 +12,17 @@ from tests.lint import lint
 
 pytestmark = pytest.mark.corpus
 
-OWN = """restart-missing restart-unlimited restartsec-too-short restart-on-failure-ros-launch onfailure-unreachable
-onfailure-template-missing start-limit-action-missing notify-ros-launch notify-nobody-notifies watchdog-without-notify
-watchdog-missing watchdog-no-restart timeout-start-short execstartpre-sleep execstartpre-missing-script device-check-missing
-kill-signal-not-sigint kill-mode shell-wrapper-no-exec shell-background-job execstop-async-kill final-kill-signal
-timeout-stop-vs-launch no-resource-limits memory-high-ge-max rt-limits-only-in-pam rt-starvation rt-restrict-conflict
-readwritepaths-missing protectsystem-log-dir protecthome-workspace privatetmp-redundant privatetmp-ipc private-devices
-private-network nnp-filecaps syslogidentifier-missing stdout-file-no-rotation log-flood""".split()
+OWN = (
+    "restart-missing restart-unlimited restartsec-too-short restart-on-failure-ros-launch "
+    "onfailure-unreachable onfailure-template-missing start-limit-action-missing notify-ros-launch "
+    "notify-nobody-notifies watchdog-without-notify watchdog-missing watchdog-no-restart "
+    "timeout-start-short execstartpre-sleep execstartpre-missing-script device-check-missing "
+    "kill-signal-not-sigint kill-mode shell-wrapper-no-exec shell-background-job execstop-async-kill "
+    "final-kill-signal timeout-stop-vs-launch no-resource-limits memory-high-ge-max "
+    "rt-limits-only-in-pam rt-starvation rt-restrict-conflict readwritepaths-missing "
+    "protectsystem-log-dir protecthome-workspace privatetmp-redundant privatetmp-ipc private-devices "
+    "private-network nnp-filecaps syslogidentifier-missing stdout-file-no-rotation log-flood"
+).split()
 
 FOUND = {
     "Kitjesen__MapPilot": {
@@ -38,7 +42,11 @@ FOUND = {
         ("ros2/systemd/mowgli.service", 30, "restart-unlimited"),
     },
     "ClemensElflein__open_mower_ros": {
-        ("os/external/board/openmower-cm4/rootfs-overlay/usr/lib/systemd/system/dnsmasq.service", 9, "restart-unlimited"),
+        (
+            "os/external/board/openmower-cm4/rootfs-overlay/usr/lib/systemd/system/dnsmasq.service",
+            9,
+            "restart-unlimited",
+        ),
     },
     "turtlebot__turtlebot4_setup": {("etc/systemd/system/webserver.service", 4, "restart-unlimited")},
     "systemd__systemd-stable": set(),

@@ -90,6 +90,42 @@ def test_arguments_are_counted(tmp_path: Path) -> None:
 
 
 @settings(max_examples=100, deadline=None)
-@given(st.lists(st.sampled_from("for while do done if then fi case esac in ;; ; ( ) (( )) { } | & && x=1 a= $i \n [ ] ' \"".split(" "))))
+@given(
+    st.lists(
+        st.sampled_from(
+            [
+                "for",
+                "while",
+                "do",
+                "done",
+                "if",
+                "then",
+                "fi",
+                "case",
+                "esac",
+                "in",
+                ";;",
+                ";",
+                "(",
+                ")",
+                "((",
+                "))",
+                "{",
+                "}",
+                "|",
+                "&",
+                "&&",
+                "x=1",
+                "a=",
+                "$i",
+                "\n",
+                "[",
+                "]",
+                "'",
+                '"',
+            ]
+        )
+    )
+)
 def test_no_text_makes_the_reader_fail(words: list[str]) -> None:
     blocks(nowhere(" ".join(words)))

@@ -10,13 +10,18 @@ from bringup_lint.source import Span
 if TYPE_CHECKING:
     from bringup_lint.robot import Robot
 
-_SETCAP = re.compile(r"\bsetcap\b[ \t]+(?:-\w+[ \t]+)*[\"']?((?:cap_\w+,?)+)[=+][epi+]+[\"']?[ \t]+[\"']?([^\s\"';&|]+)", re.I)
-_SCRIPTS = re.compile(r"\.(?:sh|bash|cmake|mk|ya?ml)$|(?:^|/)(?:CMakeLists\.txt|Makefile|Dockerfile[^/]*|postinst|[^/.]+)$")
+_SETCAP = re.compile(
+    r"\bsetcap\b[ \t]+(?:-\w+[ \t]+)*[\"']?((?:cap_\w+,?)+)[=+][epi+]+[\"']?[ \t]+[\"']?([^\s\"';&|]+)", re.I
+)
+_SCRIPTS = re.compile(
+    r"\.(?:sh|bash|cmake|mk|ya?ml)$|(?:^|/)(?:CMakeLists\.txt|Makefile|Dockerfile[^/]*|postinst|[^/.]+)$"
+)
 _FILES = 3000
 
 
 def file_capabilities(robot: Robot) -> dict[str, list[tuple[str, Span]]]:
-    """Name of a program -> the capabilities (``CAP_NET_RAW``) that it is given, each with the place that says so."""
+    """Name of a program -> the capabilities (``CAP_NET_RAW``) that it is given, each with the place "
+    "that says so."""
     found: dict[str, list[tuple[str, Span]]] = {}
     paths = [path for path in robot.tree.paths if _SCRIPTS.search(path)]
     for path in paths[:_FILES]:

@@ -42,7 +42,7 @@ def absolute(word: Located, unit: Unit) -> str | None:
 
 
 def is_made(path: str, unit: Unit, robot: Robot) -> bool | None:
-    """Whether something makes the path before the unit starts; False: nothing that the tree shows does; None: not known."""
+    """Whether something makes the path before the unit starts. False: nothing in the tree; None: not known."""
     path = path.replace("/var/run/", "/run/", 1) if path.startswith("/var/run/") else path
     if any(made == path or made.startswith(f"{path}/") for made in _made(unit, robot)):
         return True
@@ -52,13 +52,16 @@ def is_made(path: str, unit: Unit, robot: Robot) -> bool | None:
         there = is_there(path, robot)
         if there is not None:
             return there
-    if any((source.robot_path or "").startswith(f"{path}/") for source in robot.sources) or mentions(robot.tree, path):
+    if any((source.robot_path or "").startswith(f"{path}/") for source in robot.sources) or mentions(
+        robot.tree, path
+    ):
         return True
     return False if path.startswith(_STATE) else None
 
 
 def is_there(path: str, robot: Robot) -> bool | None:
-    """What a root file system says of a path; None when it is not whole there, or the path lies on another mount."""
+    """What a root file system says of a path; None when it is not whole there, or the path lies on "
+    "another mount."""
     if any(path.startswith(f"{mount}/") for mount in _mounts(robot)):
         return None
     if resolve_inside(robot.tree.root, path) is not None:
@@ -69,8 +72,9 @@ def is_there(path: str, robot: Robot) -> bool | None:
 
 
 def forgotten(path: str, robot: Robot) -> str | None:
-    """A file of one's own that the repository ships for the same folder of the robot, when it ships and makes nothing at
-    ``path``. Names that share their first word, and scripts, are one's own; what else lies there may come from elsewhere."""
+    """A file of one's own that the repository ships for the same folder of the robot, when it ships and makes
+    nothing at ``path``. Names that share their first word, and scripts, are one's own; the rest may come from
+    elsewhere."""
     tree = robot.tree
     if tree.root is not None or tree.find(path) is not None or path.startswith(_VOLATILE):
         return None
@@ -85,7 +89,7 @@ def forgotten(path: str, robot: Robot) -> str | None:
 
 def _related(name: str, other: str) -> bool:
     words = re.split(r"[-_.]", name)
-    return name.endswith((".sh", ".bash")) or len(words) > 1 and words[0] == re.split(r"[-_.]", other)[0]
+    return name.endswith((".sh", ".bash")) or (len(words) > 1 and words[0] == re.split(r"[-_.]", other)[0])
 
 
 def _made(unit: Unit, robot: Robot) -> Iterator[str]:

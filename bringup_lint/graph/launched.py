@@ -25,7 +25,7 @@ def launched(ros: Ros, robot: Robot) -> Expansion | None:
 
 
 def devices_of(unit: Unit, robot: Robot):
-    """The uses of device paths (``graph.devices.DeviceUse``) in the unit, its scripts and the launch files that it starts."""
+    """Device paths (``graph.devices.DeviceUse``) in the unit, its scripts and its launch files."""
     sources = {id(file.source) for file in unit.files}
     for process in robot.units.processes(unit):
         sources |= {id(step.script) for step in process.steps if step.script}
@@ -34,4 +34,8 @@ def devices_of(unit: Unit, robot: Robot):
             sources |= {id(file.source) for file in expansion.files} if expansion else set()
     for variable in robot.units.environment(unit):
         sources.add(id(variable.value.span.source))
-    return [use for use in robot.devices.uses if id(use.path.span.source) in sources and use.certainty in ("literal", "unit")]
+    return [
+        use
+        for use in robot.devices.uses
+        if id(use.path.span.source) in sources and use.certainty in ("literal", "unit")
+    ]

@@ -17,14 +17,19 @@ LIMIT_OF = {"rtprio": "LimitRTPRIO", "memlock": "LimitMEMLOCK", "nice": "LimitNI
 
 
 def granted_limits(unit: Unit, robot: Robot) -> Iterator[tuple[str, Grant]]:
-    """The real-time items that the limits files grant to the user of a service, with the line that says so."""
+    """The real-time items that the limits files grant to the user of a service, with the line that says "
+    "so."""
     user = unit.get("User")
     if not user or user in ("root", "0"):
         return
-    groups = {str(word) for word in (*unit.words("Group"), *unit.words("SupplementaryGroups"))} | _memberships(str(user), robot)
+    groups = {
+        str(word) for word in (*unit.words("Group"), *unit.words("SupplementaryGroups"))
+    } | _memberships(str(user), robot)
     for grants in robot.parsed(parse, robot.of_kind("limits-conf")):
         for grant in grants:
-            if grant.item in LIMIT_OF and (grant.domain == user or grant.domain.startswith("@") and grant.domain[1:] in groups):
+            if grant.item in LIMIT_OF and (
+                grant.domain == user or (grant.domain.startswith("@") and grant.domain[1:] in groups)
+            ):
                 yield grant.item, grant
 
 

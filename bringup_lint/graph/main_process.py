@@ -1,7 +1,7 @@
 """The main process of a service: the one that systemd supervises, signals with KillMode=mixed and listens to.
 
-A shell is replaced by what it execs; ``bash -c`` also execs the last command of its text by itself (bash 5.1 and later).
-dash and script files do not: there the shell stays, and what it starts are children.
+A shell is replaced by what it execs; ``bash -c`` also execs the last command of its text by itself (bash
+5.1 and later). dash and script files do not: there the shell stays, and what it starts are children.
 """
 
 from __future__ import annotations
@@ -25,12 +25,16 @@ from bringup_lint.source import Source
 if TYPE_CHECKING:
     from bringup_lint.robot import Robot
 
-CONTAINERS = frozenset({"docker", "podman", "docker-compose", "podman-compose", "systemd-nspawn", "lxc-start", "lxc", "nerdctl"})
+CONTAINERS = frozenset(
+    {"docker", "podman", "docker-compose", "podman-compose", "systemd-nspawn", "lxc-start", "lxc", "nerdctl"}
+)
 _PYTHON = re.compile(r"python[0-9.]*$")
 _PYTHON_SCRIPT = re.compile(r"#!\s*\S*/(?:env\s+(?:-S\s+)?)?python")
 _BUILTINS = frozenset(
-    ": . [ [[ alias break cd continue declare echo eval exit export false hash kill let local printf pwd read return set shift"
-    " source test trap true type ulimit umask unset wait".split()
+    (
+        ": . [ [[ alias break cd continue declare echo eval exit export false hash kill let local printf "
+        "pwd read return set shift source test trap true type ulimit umask unset wait"
+    ).split()
 )
 """Commands that bash runs itself, so that there is nothing to exec."""
 _TRAPS = re.compile(r"\btrap\b")
@@ -40,9 +44,9 @@ class Main(NamedTuple):
     """What the main process turns out to be."""
 
     kind: str
-    """``launch``, ``run``, ``node``, ``cli`` (ROS 2 programs); ``shell`` (a shell that stays and starts children);
-    ``lost`` (a shell that runs a script which the tree does not hold); ``python`` (a script of the tree or not);
-    ``container``; ``program`` (any other program); ``unknown``."""
+    """``launch``, ``run``, ``node``, ``cli`` (ROS 2 programs); ``shell`` (one that stays, with children);
+    ``lost`` (a shell that runs a script which the tree does not hold); ``python`` (a script of the tree or
+    not); ``container``; ``program`` (any other program); ``unknown``."""
     where: Located
     """The words that say so: the program, or the script that is run."""
     ros: Ros | None = None

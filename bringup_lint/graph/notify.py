@@ -1,4 +1,5 @@
-"""Who could tell systemd that a service is ready or alive: sd_notify(3) in the scripts and packages of the tree."""
+"""Who could tell systemd that a service is ready or alive: sd_notify(3) in the scripts and packages of the
+tree."""
 
 from __future__ import annotations
 
@@ -17,7 +18,9 @@ from bringup_lint.source import Source
 if TYPE_CHECKING:
     from bringup_lint.robot import Robot
 
-SPEAKS = re.compile(r"\bsd_(?:pid_)?notify|READY=1|WATCHDOG=1|systemd-notify|\bsdnotify\b|NOTIFY_SOCKET|systemd\.daemon|cysystemd")
+SPEAKS = re.compile(
+    r"\bsd_(?:pid_)?notify|READY=1|WATCHDOG=1|systemd-notify|\bsdnotify\b|NOTIFY_SOCKET|systemd\.daemon|cysystemd"
+)
 """What code that talks to systemd contains."""
 
 _CODE = (".py", ".cpp", ".cc", ".cxx", ".c", ".hpp", ".hxx", ".h", ".rs", ".sh", ".bash")
@@ -49,8 +52,8 @@ class Notify:
         return any(SPEAKS.search(text) for text in process.texts)
 
     def nobody(self, ros: Ros) -> tuple[str, list[Source]] | None:
-        """That nothing which ``ros2 launch`` or ``ros2 run`` starts can talk to systemd: the reason in words, and the
-        notifiers of the tree that are not started. None when it may."""
+        """That nothing which ``ros2 launch`` or ``ros2 run`` starts can talk to systemd: the reason in words,
+        and the notifiers of the tree that are not started. None when it may."""
         if ros.package is None or ros.target is None:
             return None
         workspace = self.robot.launch.workspace
@@ -70,7 +73,11 @@ class Notify:
         if len(idle) < len(self.sources):
             return None
         named = os.path.basename(idle[0].name) if idle else ""
-        return (f"{named} is in no launch file that is started" if named else "no code of the tree talks to systemd"), idle
+        return (
+            f"{named} is in no launch file that is started"
+            if named
+            else "no code of the tree talks to systemd"
+        ), idle
 
     def _launched(self, ros: Ros) -> tuple[list[tuple[str, str]], set[str]] | None:
         """(package, executable) of what the launch file starts, and the packages that are not in the tree."""
@@ -82,7 +89,10 @@ class Notify:
         workspace = self.robot.launch.workspace
         started, external = [], set()
         for node in expansion.nodes:
-            package, executable = literal_text(node.package), literal_text(node.executable) or literal_text(node.plugin)
+            package, executable = (
+                literal_text(node.package),
+                literal_text(node.executable) or literal_text(node.plugin),
+            )
             if package is None or executable is None:
                 return None
             started.append((str(package), str(executable)))
@@ -106,9 +116,9 @@ class Notify:
         stem = os.path.basename(notifier.name).rpartition(".")[0]
         if not notifier.name.endswith(".py"):
             return True
-        return bool(executables & {stem, f"{stem}.py", *self._entry_points(package.folder, stem)}) or self._imported(
-            package.folder, stem, notifier
-        )
+        return bool(
+            executables & {stem, f"{stem}.py", *self._entry_points(package.folder, stem)}
+        ) or self._imported(package.folder, stem, notifier)
 
     def _depends(self, name: str, other: str) -> bool:
         package = self.robot.launch.workspace.packages.get(name)
@@ -123,7 +133,11 @@ class Notify:
         """Whether another module of the package imports the notifier."""
         uses = re.compile(rf"^\s*(?:from|import)\s[^\n]*\b{re.escape(stem)}\b", re.M)
         for path in self.robot.tree.paths:
-            if path.startswith(folder + "/") and path.endswith(".py") and os.path.basename(path) != notifier.basename:
+            if (
+                path.startswith(folder + "/")
+                and path.endswith(".py")
+                and os.path.basename(path) != notifier.basename
+            ):
                 source = self.robot.tree.read(path, judged=False)
                 if source is not None and uses.search(source.text):
                     return True

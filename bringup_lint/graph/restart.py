@@ -1,7 +1,8 @@
 """The restart arithmetic: whether a crash loop ever reaches the start limit.
 
-Per the systemd source (``src/basic/ratelimit.c``): the limit is hit by the (burst + 1)-th start that happens within the interval,
-so exactly when the first ``burst`` delays and the times to fail add up to no more than the interval.
+Per the systemd source (``src/basic/ratelimit.c``): the limit is hit by the (burst + 1)-th start that
+happens within the interval, so exactly when the first ``burst`` delays and the times to fail add up to no
+more than the interval.
 """
 
 from __future__ import annotations
@@ -68,19 +69,30 @@ class RestartPolicy:
 
     @property
     def own_limit(self) -> bool:
-        """Whether the unit sets a start limit of its own, at the right place or not, rather than none or an empty one."""
-        return bool(self.misplaced or self.interval_at or self.burst_at) and (self.limited or bool(self.misplaced))
+        """Whether the unit sets a start limit of its own, at the right place or not, rather than none "
+        "or an empty one."""
+        return bool(self.misplaced or self.interval_at or self.burst_at) and (
+            self.limited or bool(self.misplaced)
+        )
 
     def next_delay(self, restart: int) -> float:
-        """The delay before the n-th restart, counted from 1 (``service_restart_usec_next()`` of systemd 254)."""
-        if restart <= 1 or not self.steps or not self.delay or math.isinf(self.longest) or self.longest <= self.delay:
+        """The delay before the n-th restart, counted from 1 (``service_restart_usec_next()`` of systemd "
+        "254)."""
+        if (
+            restart <= 1
+            or not self.steps
+            or not self.delay
+            or math.isinf(self.longest)
+            or self.longest <= self.delay
+        ):
             return self.delay
         if restart > self.steps:
             return self.longest
         return self.delay * (self.longest / self.delay) ** ((restart - 1) / self.steps)
 
     def loop(self, fail: float = 0.0) -> float:
-        """Seconds from the first start to the one that would trip the limit, when every start fails after ``fail``."""
+        """Seconds from the first start to the one that would trip the limit, when every start fails "
+        "after ``fail``."""
         counted = min(self.burst, BURSTS_COUNTED)
         total = sum(self.next_delay(number) for number in range(1, counted + 1))
         return total + (self.burst - counted) * self.longest + self.burst * fail
@@ -92,7 +104,8 @@ class RestartPolicy:
 
     @property
     def leaves_no_time(self) -> bool:
-        """The limit trips only in theory: the delays alone fill the interval, and every start takes some time."""
+        """The limit trips only in theory: the delays alone fill the interval, and every start takes "
+        "some time."""
         return self.known and self.restarts and self.limited and self.loop() == self.interval
 
 

@@ -1,7 +1,8 @@
 """What a service may see and write: the name space that systemd builds for it, systemd.exec(5), "Sandboxing".
 
-Per the systemd source (``src/core/namespace.c``, and tried with 252): ProtectSystem=strict leaves /home, /root and /run/user as they
-are, that is for ProtectHome=; what lies below a hidden directory stays hidden, whatever ReadWritePaths= says.
+Per the systemd source (``src/core/namespace.c``, and tried with 252): ProtectSystem=strict leaves /home,
+/root and /run/user as they are, that is for ProtectHome=; what lies below a hidden directory stays hidden,
+whatever ReadWritePaths= says.
 """
 
 from __future__ import annotations
@@ -118,9 +119,14 @@ class Sandbox:
     def _views(self) -> Iterator[View]:
         system, home = self.protect_system, self.protect_home
         for prefix in _SYSTEM.get(system.value, ()):
-            yield View(prefix, "ro", system.at, f"ProtectSystem={system.value}" if system.at else "DynamicUser=")
+            yield View(
+                prefix, "ro", system.at, f"ProtectSystem={system.value}" if system.at else "DynamicUser="
+            )
         if system.value == "strict":
-            yield from (View(prefix, "rw", None, "left alone by ProtectSystem=strict") for prefix in _OPEN_UNDER_STRICT)
+            yield from (
+                View(prefix, "rw", None, "left alone by ProtectSystem=strict")
+                for prefix in _OPEN_UNDER_STRICT
+            )
         mode = {"yes": "hidden", "read-only": "ro", "tmpfs": "empty"}.get(home.value)
         for prefix in HOMES if mode else ():
             yield View(prefix, mode, home.at, f"ProtectHome={home.value}" if home.at else "DynamicUser=")
@@ -137,7 +143,11 @@ class Sandbox:
         for value in self.unit.values(key, self.unit.section):
             for word in split_words(value).words:
                 parts = word.lstrip("-").split(":")
-                target = parts[1] if key.startswith("Bind") and len(parts) > 1 and parts[1].startswith("/") else parts[0]
+                target = (
+                    parts[1]
+                    if key.startswith("Bind") and len(parts) > 1 and parts[1].startswith("/")
+                    else parts[0]
+                )
                 read_only = key == "TemporaryFileSystem" and "ro" in ":".join(parts[1:]).split(",")
                 yield View(target.rstrip("/") or "/", "ro" if read_only else kind, word, f"{key}=")
 
@@ -148,6 +158,16 @@ class Sandbox:
             if view.mode == "hidden":
                 return view
         return max(holding, key=lambda view: len(view.prefix.rstrip("/")), default=None)
+
+    @property
+    def user_known(self) -> bool:
+        """Whether the user is certain: no specifier, no id without a name, no template's placeholder."""
+        user = self.unit.get("User")
+        if self.unit.manager != "system":
+            return False
+        return user is None or not (
+            "%" in user or (user.isdigit() and user != "0") or self.unit.is_opaque(user)
+        )
 
     def home(self) -> tuple[str | None, str]:
         """The home directory of the service's user and who says so; None when there is none."""
@@ -172,7 +192,11 @@ class Sandbox:
             variable = environment.get(name)
             if variable is not None:
                 path = variable.text
-                return LogDirectory(path.rstrip("/") + suffix, f"{name}=", variable.value) if path and path[0] == "/" else None
+                return (
+                    LogDirectory(path.rstrip("/") + suffix, f"{name}=", variable.value)
+                    if path and path[0] == "/"
+                    else None
+                )
             if not environment.complete:
                 return None
         return self._default_log(environment)
@@ -180,7 +204,11 @@ class Sandbox:
     def _default_log(self, environment: Environment) -> LogDirectory | None:
         variable = environment.get("HOME")
         if variable is not None:
-            return LogDirectory(f"{variable.text}/.ros/log", "HOME=", variable.value) if variable.text else None
+            return (
+                LogDirectory(f"{variable.text}/.ros/log", "HOME=", variable.value) if variable.text else None
+            )
+        if not self.user_known:
+            return None
         home, why = self.home()
         if home == "/root" and not self.unit.get("User"):
             return None

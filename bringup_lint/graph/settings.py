@@ -1,7 +1,7 @@
 """Scalar settings of a unit as systemd takes them: the last assignment that it does not ignore.
 
-Per the systemd source (``src/shared/conf-parser.c``): an empty or malformed value of a number, time span, boolean or word is
-ignored with a warning, and what an earlier line said stays.
+Per the systemd source (``src/shared/conf-parser.c``): an empty or malformed value of a number, time span,
+boolean or word is ignored with a warning, and what an earlier line said stays.
 """
 
 from __future__ import annotations
@@ -35,8 +35,8 @@ class Setting(NamedTuple):
 
 
 def setting(unit: Unit, read: Callable[[str], Value | None], *keys: tuple[str, str]) -> Setting:
-    """The last assignment to one of the (key, section) pairs that ``read`` accepts (it gives None for what systemd would
-    ignore)."""
+    """The last assignment to one of the (key, section) pairs that ``read`` accepts (it gives None for what
+    systemd would ignore)."""
     found = Setting(None, None)
     for file in unit.files:
         for assignment in file.assignments:

@@ -1,4 +1,5 @@
-"""How systemd supervises a service: readiness, watchdog, timeouts, signals. systemd.service(5), systemd.kill(5)."""
+"""How systemd supervises a service: readiness, watchdog, timeouts, signals. systemd.service(5),
+systemd.kill(5)."""
 
 from __future__ import annotations
 
@@ -23,15 +24,26 @@ if TYPE_CHECKING:
     from bringup_lint.robot import Robot
 
 TYPES = frozenset("simple exec forking oneshot dbus notify notify-reload idle".split())
-ACCESS = frozenset("none main exec all".split())
-KILL_MODES = frozenset("control-group process mixed none".split())
+ACCESS = frozenset(["none", "main", "exec", "all"])
+KILL_MODES = frozenset(["control-group", "process", "mixed", "none"])
 DEFAULT_TIMEOUT = 90.0
 """systemd-system.conf(5): DefaultTimeoutStartSec=, DefaultTimeoutStopSec=."""
 
-_NUMBERED = {"1": "HUP", "2": "INT", "3": "QUIT", "6": "ABRT", "9": "KILL", "10": "USR1", "12": "USR2", "15": "TERM"}
+_NUMBERED = {
+    "1": "HUP",
+    "2": "INT",
+    "3": "QUIT",
+    "6": "ABRT",
+    "9": "KILL",
+    "10": "USR1",
+    "12": "USR2",
+    "15": "TERM",
+}
 _NAMED = frozenset(
-    "HUP INT QUIT ILL TRAP ABRT BUS FPE KILL USR1 SEGV USR2 PIPE ALRM TERM STKFLT CHLD CONT STOP TSTP TTIN TTOU URG XCPU XFSZ"
-    " VTALRM PROF WINCH IO PWR SYS".split()
+    (
+        "HUP INT QUIT ILL TRAP ABRT BUS FPE KILL USR1 SEGV USR2 PIPE ALRM TERM STKFLT CHLD CONT STOP TSTP "
+        "TTIN TTOU URG XCPU XFSZ VTALRM PROF WINCH IO PWR SYS"
+    ).split()
 )
 
 
@@ -70,7 +82,8 @@ class Supervision:
 
     @cached_property
     def access(self) -> Setting:
-        """NotifyAccess=, with what systemd makes of ``none`` when it needs the socket (``service_add_extras()``)."""
+        """NotifyAccess=, with what systemd makes of ``none`` when it needs the socket "
+        "(``service_add_extras()``)."""
         found = word(self.unit, "NotifyAccess", ACCESS)
         if found.unknown or found.value in ("main", "exec", "all"):
             return found
@@ -126,7 +139,10 @@ class Supervision:
 
     @cached_property
     def as_root(self) -> bool:
-        return not self.unit.get("User") and not self.unit.get("DynamicUser") or self.unit.get("User") in ("root", "0")
+        """Whether the processes run as root, who may speak to systemd in the name of another process."""
+        if self.unit.manager != "system" or self.unit.get("DynamicUser"):
+            return False
+        return self.unit.get("User") in (None, "root", "0")
 
     @cached_property
     def main(self) -> Main | None:

@@ -1,6 +1,7 @@
 """How long a shell script may wait: the sleeps and polling loops whose bounds stand in it.
 
-The result is what the script may certainly spend waiting when what it waits for is late; whatever cannot be read counts as 0.
+The result is what the script may certainly spend waiting when what it waits for is late; whatever cannot be
+read counts as 0.
 """
 
 from __future__ import annotations
@@ -35,12 +36,16 @@ _SPAN = re.compile(r"([0-9]*\.?[0-9]+)([smhd]?)$")
 _UNITS = {"": 1.0, "s": 1.0, "m": 60.0, "h": 3600.0, "d": 86400.0}
 _VARIABLE = re.compile(r"\$(?:(\w+)|\{(\w+)(?::?-([^{}]*))?\})$")
 _ARRAY = re.compile(r"\$\{(\w+)\[[@*]\]\}$")
-_SEQUENCE = re.compile(r"\$\(\s*seq\s+(?:(\S+)\s+)?(?:(\S+)\s+)?(\S+?)\s*\)$|`\s*seq\s+(?:(\S+)\s+)?(?:(\S+)\s+)?(\S+?)\s*`$")
+_SEQUENCE = re.compile(
+    r"\$\(\s*seq\s+(?:(\S+)\s+)?(?:(\S+)\s+)?(\S+?)\s*\)$|`\s*seq\s+(?:(\S+)\s+)?(?:(\S+)\s+)?(\S+?)\s*`$"
+)
 _BRACES = re.compile(r"\{(\d+)\.\.(\d+)\}$")
 _C_LOOP = re.compile(r"\(\(\s*(\w+)\s*=\s*(\d+)\s*;\s*\w+\s*(<=?)\s*(\$?\{?\w+\}?)\s*;")
 _COMPARED = {"-ge": 0, "-gt": 1, "-lt": 0, "-le": 1, "-eq": 0, ">=": 0, ">": 1, "<": 0, "<=": 1, "==": 0}
 _ARITHMETIC = re.compile(r"\$?\{?(\w+)\}?\s*(>=|<=|==|>|<)\s*(\$?\{?\w+\}?)")
-_GROWS = re.compile(r"(\w+)\s*(?:\+\+|\+=\s*(\$?\{?\w+\}?)|=\s*\$?\{?\1\}?\s*\+\s*(\$?\{?\w+\}?))|\+\+\s*(\w+)")
+_GROWS = re.compile(
+    r"(\w+)\s*(?:\+\+|\+=\s*(\$?\{?\w+\}?)|=\s*\$?\{?\1\}?\s*\+\s*(\$?\{?\w+\}?))|\+\+\s*(\w+)"
+)
 _ASSIGNED_SUM = re.compile(r"(\w+)=\$\(\(\s*\$?\{?(\w+)\}?\s*\+\s*(\$?\{?\w+\}?)\s*\)\)$")
 _EXPR_SUM = re.compile(r"(\w+)=(?:\$\(|`)\s*expr\s+\$\{?(\w+)\}?\s*\+\s*(\S+?)\s*[)`]$")
 
@@ -175,7 +180,12 @@ class _Waits:
             spans = [names.number(word) for word in words[1:]]
             return Wait(sum(spans), words[0].span) if spans and None not in spans else NONE
         if str(words[0]) in names.functions:
-            inner = _Names(names.values, names.arrays, names.functions, tuple(names.text(word) or "" for word in words[1:]))
+            inner = _Names(
+                names.values,
+                names.arrays,
+                names.functions,
+                tuple(names.text(word) or "" for word in words[1:]),
+            )
             return self.all(names.functions[str(words[0])], inner, depth + 1) if depth < 8 else NONE
         return self.program(unwrapped(words), names, depth)
 
@@ -189,7 +199,11 @@ class _Waits:
             for at, word in enumerate(words[1:], 1):
                 if word.startswith("-") and not word.startswith("--") and "c" in word and at + 1 < len(words):
                     text = words[at + 1]
-                    return self.all(blocks(nowhere(text.replace("$$", "$")) if "$$" in text else text), _Names(), depth + 1)
+                    return self.all(
+                        blocks(nowhere(text.replace("$$", "$")) if "$$" in text else text),
+                        _Names(),
+                        depth + 1,
+                    )
                 if not word.startswith(("-", "+")):
                     return self.script(words[at:], names, depth)
             return NONE

@@ -1,4 +1,5 @@
-"""Shell scripts with their structure: loops, branches, functions (POSIX.1-2017, 2.9.4; bash(1), "Compound Commands")."""
+"""Shell scripts with their structure: loops, branches, functions (POSIX.1-2017, 2.9.4; bash(1), "Compound
+Commands")."""
 
 from __future__ import annotations
 
@@ -49,7 +50,7 @@ class _Reader:
         found: list[Block] = []
         while (token := self.peek()) is not None:
             text = str(token.text)
-            if token.operator and text in stops or self.keyword() in stops:
+            if (token.operator and text in stops) or self.keyword() in stops:
                 self.at += 1
                 break
             if token.operator and text in _SEPARATORS | _ENDS_BRANCH:
@@ -83,7 +84,7 @@ class _Reader:
         if word == "{":
             self.at += 1
             return Block("group", bodies=(self.list(frozenset({"}"}), depth + 1),))
-        if word == "function" or self.is_operator("(", 1) and self.is_operator(")", 2):
+        if word == "function" or (self.is_operator("(", 1) and self.is_operator(")", 2)):
             return self.function(depth)
         if self.is_operator("("):
             if self.is_operator("(", 1):
@@ -123,7 +124,9 @@ class _Reader:
             else:
                 items = [token.text.part(0, 0)] if token.text else []
         self.list(frozenset({"do"}), depth + 1)
-        return Block("for", name=name, items=tuple(items), bodies=(self.list(frozenset({"done"}), depth + 1),))
+        return Block(
+            "for", name=name, items=tuple(items), bodies=(self.list(frozenset({"done"}), depth + 1),)
+        )
 
     def branches(self, depth: int) -> Block:
         self.at += 1

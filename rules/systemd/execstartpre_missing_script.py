@@ -1,13 +1,14 @@
 """A script that the unit runs is not there, or cannot be run.
 
 ## What it finds
-A script or program of one's own (below /usr/local, /opt, /etc, /home, /srv, /var or /data) in Exec*= that a root file system does not
-hold, that is not executable there, or that is text without a `#!` line, also in a repository. A repository that ships
-other files for the same folder, and no step that makes this one, is warned with less confidence. A `-` in front says that it may
-fail.
+A script or program of one's own (below /usr/local, /opt, /etc, /home, /srv, /var or /data) in Exec*= that a
+root file system does not hold, that is not executable there, or that is text without a `#!` line, also in a
+repository. A repository that ships other files for the same folder, and no step that makes this one, is
+warned with less confidence. A `-` in front says that it may fail.
 
 ## Why it matters on a robot
-systemd gives up with 203/EXEC. When it is the device check of ExecStartPre=, the driver behind it never starts.
+systemd gives up with 203/EXEC. When it is the device check of ExecStartPre=, the driver behind it never
+starts.
 
 ## Bad
 ```ini
@@ -47,7 +48,13 @@ def execstartpre_missing_script(robot: Robot):
     for unit in robot.units.services:
         for process in robot.units.processes(unit):
             program = process.program
-            if "-" in process.prefixes or not OWN.match(program) or "$" in program or "%" in program or unit.is_opaque(process.line):
+            if (
+                "-" in process.prefixes
+                or not OWN.match(program)
+                or "$" in program
+                or "%" in program
+                or unit.is_opaque(process.line)
+            ):
                 continue
             if unit.get("RootDirectory") or unit.get("RootImage"):
                 continue
@@ -62,7 +69,8 @@ def execstartpre_missing_script(robot: Robot):
             if sibling:
                 yield finding(
                     program,
-                    f"The tree ships {sibling} but not {program}: {process.key}= of {unit.name} fails with 203/EXEC if nobody else does",
+                    f"The tree ships {sibling} but not {program}: {process.key}= of {unit.name} fails "
+                    "with 203/EXEC if nobody else does",
                     advice="ship it with mode 0755",
                     severity="warning",
                     confidence="medium",
@@ -77,7 +85,15 @@ def _problems(robot, process):
             yield "is not in this root file system", "ship it with mode 0755", ()
         return
     if source.mode is not None and not source.mode & 0o111:
-        yield f"is not executable (mode {source.mode:04o})", f"chmod 0755 {program}", [note(source, "the script")]
+        yield (
+            f"is not executable (mode {source.mode:04o})",
+            f"chmod 0755 {program}",
+            [note(source, "the script")],
+        )
     first = source.text[:2]
     if source.text and not source.template and first != "#!" and TEXT.search(program):
-        yield "is a script without a #! line", "write the interpreter in its first line, such as #!/bin/bash", [note(source, "the script")]
+        yield (
+            "is a script without a #! line",
+            "write the interpreter in its first line, such as #!/bin/bash",
+            [note(source, "the script")],
+        )

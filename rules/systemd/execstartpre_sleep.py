@@ -4,8 +4,8 @@
 ExecStartPre= that only sleeps.
 
 ## Why it matters on a robot
-The delay is too short on the one cold morning when the device takes longer, and too long on every other day. It also says
-nothing about what is waited for.
+The delay is too short on the one cold morning when the device takes longer, and too long on every other
+day. It also says nothing about what is waited for.
 
 ## Bad
 ```ini
@@ -43,5 +43,5 @@ def execstartpre_sleep(robot: Robot):
                 yield finding(
                     process.line,
                     f"A fixed sleep before {unit.name} hides what it waits for, and is too short one day",
-                    advice="wait for the thing itself: a device unit, a socket, or a check that ends when it is there",
+                    advice="wait for the thing itself: a device unit, a socket, or a check",
                 )

@@ -4,8 +4,8 @@
 ExecStop= that runs `kill` on $MAINPID and nothing else.
 
 ## Why it matters on a robot
-`kill` returns at once, and systemd then sends KillSignal= anyway: the second SIGINT is ignored by ros2 launch, and a SIGTERM after
-the SIGINT makes it exit before its nodes have stopped.
+`kill` returns at once, and systemd then sends KillSignal= anyway: the second SIGINT is ignored by ros2
+launch, and a SIGTERM after the SIGINT makes it exit before its nodes have stopped.
 
 ## Bad
 ```ini
@@ -42,7 +42,11 @@ def execstop_async_kill(robot: Robot):
     for unit in robot.units.services:
         service = robot.units.supervision(unit)
         for process in robot.units.processes(unit):
-            commands = [step.command for step in process.steps if step.command.name != process.shell or not process.shell]
+            commands = [
+                step.command
+                for step in process.steps
+                if step.command.name != process.shell or not process.shell
+            ]
             if process.key != "ExecStop" or len(commands) != 1 or commands[0].name != "kill":
                 continue
             words = [str(word) for word in commands[0].words[1:]]
@@ -53,15 +57,24 @@ def execstop_async_kill(robot: Robot):
             lines = [line for line in unit.assignments("ExecStop", "Service") if line.value is process.line]
             yield finding(
                 process.line,
-                f"ExecStop= sends {signal} and returns at once: systemd sends {service.kill_signal.value} right after it",
+                f"ExecStop= sends {signal} and returns at once: systemd sends "
+                f"{service.kill_signal.value} right after it",
                 advice="delete the line" if same else f"delete the line and set KillSignal={signal}",
-                related=[note(service.kill_signal.at, "the same signal")] if same and service.kill_signal.at else (),
-                fix=fix("leave it to KillSignal=", *map(delete_lines, lines)) if same and unit.editable else None,
+                related=[note(service.kill_signal.at, "the same signal")]
+                if same and service.kill_signal.at
+                else (),
+                fix=fix("leave it to KillSignal=", *map(delete_lines, lines))
+                if same and unit.editable
+                else None,
             )
 
 
 def _signal(words):
     text = " ".join(words).partition("$")[0].strip().rstrip("\\").strip()
     match = SIGNAL.search(text) or re.search(r"-s\s+(\w+)$", text)
-    name = {"2": "INT", "15": "TERM", "9": "KILL", "1": "HUP", "3": "QUIT"}.get(match[1], match[1]) if match else "TERM"
+    name = (
+        {"2": "INT", "15": "TERM", "9": "KILL", "1": "HUP", "3": "QUIT"}.get(match[1], match[1])
+        if match
+        else "TERM"
+    )
     return f"SIG{name.removeprefix('SIG')}"

@@ -1,11 +1,12 @@
 """A hung process is never killed.
 
 ## What it finds
-FinalKillSignal= with another signal than SIGKILL, or SendSIGKILL=no, on a service that starts ROS 2. FinalKillSignal= is not one
-step of three: it replaces the SIGKILL at the end.
+FinalKillSignal= with another signal than SIGKILL, or SendSIGKILL=no, on a service that starts ROS 2.
+FinalKillSignal= is not one step of three: it replaces the SIGKILL at the end.
 
 ## Why it matters on a robot
-A driver that hangs ignores SIGINT and SIGTERM alike. It keeps the device, the stop job waits in vain, and so does the shutdown.
+A driver that hangs ignores SIGINT and SIGTERM alike. It keeps the device, the stop job waits in vain, and
+so does the shutdown.
 
 ## Bad
 ```ini
@@ -37,7 +38,10 @@ def final_kill_signal(robot: Robot):
     for unit in robot.units.ros:
         service = robot.units.supervision(unit)
         if service.final_signal.value not in ("SIGKILL", None) and service.sends_kill.value:
-            text = f"FinalKillSignal= replaces SIGKILL by {service.final_signal.value}: a hung process of {unit.name} is never killed"
+            text = (
+                f"FinalKillSignal= replaces SIGKILL by {service.final_signal.value}: a hung process "
+                f"of {unit.name} is never killed"
+            )
             yield finding(
                 service.final_signal.at,
                 text,

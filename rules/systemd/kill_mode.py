@@ -4,8 +4,8 @@
 KillMode=process or none on a service that starts ROS 2.
 
 ## Why it matters on a robot
-Only the main process is stopped. Whatever it does not stop itself keeps running: after a crash of ros2 launch, or with a shell
-in front of it, the nodes go on driving, and the restart starts them a second time.
+Only the main process is stopped. Whatever it does not stop itself keeps running: after a crash of ros2
+launch, or with a shell in front of it, the nodes go on driving, and the restart starts them a second time.
 
 ## Bad
 ```ini
@@ -39,10 +39,15 @@ def kill_mode(robot: Robot):
         mode = service.kill_mode
         if mode.value not in ("process", "none") or unit.get("Type") == "oneshot" or service.in_container:
             continue
-        stops = f"only the main process of {unit.name} is stopped" if mode.value == "process" else f"nothing of {unit.name} is stopped"
+        stops = (
+            f"only the main process of {unit.name} is stopped"
+            if mode.value == "process"
+            else f"nothing of {unit.name} is stopped"
+        )
         yield finding(
             mode.at,
-            f"KillMode={mode.value}: {stops}; nodes that stay behind keep running, and a restart starts them twice",
+            f"KillMode={mode.value}: {stops}; nodes that stay behind keep running, and a restart starts "
+            "them twice",
             advice="set KillMode=mixed",
             fix=fix("kill what is left", (mode.at, "mixed"), safe=False) if unit.editable else None,
         )

@@ -4,8 +4,8 @@
 A service that runs ros2 launch with KillSignal= unset (SIGTERM) or another signal than SIGINT.
 
 ## Why it matters on a robot
-On SIGINT ros2 launch stops its nodes one after the other: SIGINT, then SIGTERM, then SIGKILL, and runs its shutdown handlers. On
-SIGTERM it simply exits. Nodes then die without their safe state, or stay behind.
+On SIGINT ros2 launch stops its nodes one after the other: SIGINT, then SIGTERM, then SIGKILL, and runs its
+shutdown handlers. On SIGTERM it simply exits. Nodes then die without their safe state, or stay behind.
 
 ## Bad
 ```ini
@@ -46,14 +46,20 @@ def kill_signal_not_sigint(robot: Robot):
         service = robot.units.supervision(unit)
         launches = [found for process in robot.units.started(unit) for _, found in process.launches]
         signal = service.kill_signal
-        if not launches or not unit.complete or signal.value in ("SIGINT", None) or unit.get("Type") == "oneshot":
+        if (
+            not launches
+            or not unit.complete
+            or signal.value in ("SIGINT", None)
+            or unit.get("Type") == "oneshot"
+        ):
             continue
         if service.in_container:
             continue
         change = (signal.at, "SIGINT") if signal.at else unit.new_line("Service", "KillSignal=SIGINT")
         yield finding(
             signal.at or unit.where,
-            f"{unit.name} is stopped with {signal.value}, at which ros2 launch exits without stopping its nodes, "
+            f"{unit.name} is stopped with {signal.value}, at which ros2 launch exits without stopping "
+            "its nodes, "
             f"{THEN.get(service.kill_mode.value, THEN['control-group'])}",
             advice="set KillSignal=SIGINT",
             related=[note(found.where, "ros2 launch is started here") for found in launches],

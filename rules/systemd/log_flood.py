@@ -1,23 +1,23 @@
 """Debug output of a whole stack, without a rate limit of its own.
 
 ## What it finds
-A ROS service that is started with the log level debug for everything (`--log-level debug`, `log_level:=debug`, `ros2 launch
---debug`) and has no LogRateLimitIntervalSec= or LogRateLimitBurst=.
+A ROS service that is started with the log level debug for everything (`--log-level debug`,
+`log_level:=debug`, `ros2 launch --debug`) and has no LogRateLimitIntervalSec= or LogRateLimitBurst=.
 
 ## Why it matters on a robot
-The journal's rate limit then drops lines of the service at random, the warnings among them, and the disk and the CPU pay for
-text that nobody reads.
+The journal's rate limit then drops lines of the service at random, the warnings among them, and the disk
+and the CPU pay for text that nobody reads.
 
 ## Bad
 ```ini
 [Service]
-ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rover base.launch.py log_level:=debug'
+ExecStart=/opt/rover/setup-and-run ros2 launch rover base.launch.py log_level:=debug
 ```
 
 ## Good
 ```ini
 [Service]
-ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rover base.launch.py log_level:=info'
+ExecStart=/opt/rover/setup-and-run ros2 launch rover base.launch.py log_level:=info
 ```
 
 ## References
@@ -40,14 +40,17 @@ def log_flood(robot: Robot):
                 if word is not None:
                     yield finding(
                         word,
-                        f"Everything in {unit.name} logs at level debug: the journal's rate limit drops lines at random",
+                        f"Everything in {unit.name} logs at level debug: the journal's rate limit drops "
+                        "lines at random",
                         advice="lower the level, or set LogRateLimitIntervalSec= and LogRateLimitBurst=",
                     )
 
 
 def _debug(words):
     for before, word in zip(["", *words], words, strict=False):
-        if word.lower() in ("log_level:=debug", "--log-level=debug") or before == "--log-level" and word.lower() == "debug":
+        if word.lower() in ("log_level:=debug", "--log-level=debug") or (
+            before == "--log-level" and word.lower() == "debug"
+        ):
             return word
         if word in ("--debug", "-d") and len(words) > 2 and "launch" in words[:3]:
             return word

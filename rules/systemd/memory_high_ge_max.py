@@ -4,8 +4,8 @@
 MemoryHigh= that is as large as MemoryMax= or larger.
 
 ## Why it matters on a robot
-MemoryHigh= slows a service down before MemoryMax= kills it. When the hard limit comes first, the service is killed without
-warning, in the middle of the mission.
+MemoryHigh= slows a service down before MemoryMax= kills it. When the hard limit comes first, the service is
+killed without warning, in the middle of the mission.
 
 ## Bad
 ```ini
@@ -40,7 +40,8 @@ def memory_high_ge_max(robot: Robot):
             continue
         yield finding(
             high.at,
-            f"MemoryHigh={high.at} is not below MemoryMax={most.at}: {unit.name} is killed before it is slowed down",
+            f"MemoryHigh={high.at} is not below MemoryMax={most.at}: {unit.name} is killed before it is "
+            "slowed down",
             advice="set MemoryHigh= below MemoryMax=",
             related=[note(most.at, "the hard limit")],
         )

@@ -1,12 +1,12 @@
 """NoNewPrivileges= takes away what setcap has given.
 
 ## What it finds
-NoNewPrivileges=yes on a service that starts a program which a script or build file of the tree gives file capabilities with
-`setcap`, when the unit does not hand it the same with AmbientCapabilities=.
+NoNewPrivileges=yes on a service that starts a program which a script or build file of the tree gives file
+capabilities with `setcap`, when the unit does not hand it the same with AmbientCapabilities=.
 
 ## Why it matters on a robot
-File capabilities are privileges gained on exec, and those are what NoNewPrivileges= forbids. The EtherCAT master or the CAN tool
-runs without CAP_NET_RAW and cannot open its socket, but only as a service.
+File capabilities are privileges gained on exec, and those are what NoNewPrivileges= forbids. The EtherCAT
+master or the CAN tool runs without CAP_NET_RAW and cannot open its socket, but only as a service.
 
 ## Bad
 ```ini
@@ -40,15 +40,25 @@ from bringup_lint.api import rule
 
 @rule("warning", symptoms=["Operation not permitted", "could not open raw socket"])
 def nnp_filecaps(robot: Robot):
-    units = [unit for unit in robot.units.services if flag(unit, "NoNewPrivileges").value and unit.get("User") not in (None, "root", "0")]
+    units = [
+        unit
+        for unit in robot.units.services
+        if flag(unit, "NoNewPrivileges").value and unit.get("User") not in (None, "root", "0")
+    ]
     given = file_capabilities(robot) if units else {}
     for unit in units:
         ambient = {str(word).upper() for word in unit.words("AmbientCapabilities")}
         for process in robot.units.started(unit):
             names = {step.command.name: step.command.words[0] for step in process.steps if step.command.words}
-            names |= {str(found.where).rpartition("/")[2]: found.where for _, found in process.ros if found.kind != "launch"}
+            names |= {
+                str(found.where).rpartition("/")[2]: found.where
+                for _, found in process.ros
+                if found.kind != "launch"
+            }
             for name, where in names.items():
-                lost = [(capability, at) for capability, at in given.get(name, ()) if capability not in ambient]
+                lost = [
+                    (capability, at) for capability, at in given.get(name, ()) if capability not in ambient
+                ]
                 if not lost:
                     continue
                 wanted = " ".join(dict.fromkeys(capability for capability, _ in lost))

@@ -4,7 +4,8 @@
 A ROS service without MemoryMax=, MemoryHigh= and CPUQuota=, neither of its own nor of a slice in the tree.
 
 ## Why it matters on a robot
-A leaking node takes all memory, and the kernel then kills whatever it likes best: the driver, sshd, the logger.
+A leaking node takes all memory, and the kernel then kills whatever it likes best: the driver, sshd, the
+logger.
 
 ## Bad
 ```ini

@@ -1,8 +1,9 @@
 """Type=notify, and nothing that is started ever reports readiness.
 
 ## What it finds
-A ROS service with Type=notify and NotifyAccess=all (or exec) whose launched packages are in the tree and never talk to
-systemd: no sd_notify, systemd-notify or NOTIFY_SOCKET anywhere, or only in a node that no launch file on the way starts.
+A ROS service with Type=notify and NotifyAccess=all (or exec) whose launched packages are in the tree and
+never talk to systemd: no sd_notify, systemd-notify or NOTIFY_SOCKET anywhere, or only in a node that no
+launch file on the way starts.
 
 ## Why it matters on a robot
 systemd waits for READY=1, gives up after TimeoutStartSec= and kills a stack that was running well.

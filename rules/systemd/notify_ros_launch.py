@@ -1,12 +1,13 @@
 """Type=notify around ros2 launch: the READY=1 of a node is refused.
 
 ## What it finds
-Type=notify or notify-reload on a service whose main process is ros2 launch, ros2 run or a shell, while NotifyAccess= is not
-`all`. Without NotifyAccess= systemd listens to the main process only; the nodes are its children.
+Type=notify or notify-reload on a service whose main process is ros2 launch, ros2 run or a shell, while
+NotifyAccess= is not `all`. Without NotifyAccess= systemd listens to the main process only; the nodes are
+its children.
 
 ## Why it matters on a robot
-ros2 launch itself never reports readiness, and systemd refuses the report of a node. The start times out, the whole stack is
-killed and started again, for ever if the start limit is not reached.
+ros2 launch itself never reports readiness, and systemd refuses the report of a node. The start times out,
+the whole stack is killed and started again, for ever if the start limit is not reached.
 
 ## Bad
 ```ini
@@ -26,7 +27,8 @@ or, when no node reports readiness, `Type=exec`.
 
 ## References
 - systemd.service(5), Type= and NotifyAccess=
-- systemd, src/core/service.c: "Got notification message from PID ..., but reception only permitted for main PID"
+- systemd, src/core/service.c: "Got notification message from PID ..., but reception only permitted for main
+  PID"
 """
 
 from bringup_lint.api import Robot
@@ -37,11 +39,20 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("error", fix="unsafe", symptoms=["reception only permitted for main PID", "start operation timed out. Terminating."])
+@rule(
+    "error",
+    fix="unsafe",
+    symptoms=["reception only permitted for main PID", "start operation timed out. Terminating."],
+)
 def notify_ros_launch(robot: Robot):
     for unit in robot.units.ros:
         service = robot.units.supervision(unit)
-        if not unit.complete or not service.notifies or service.access.value in ("all", None) or service.main is None:
+        if (
+            not unit.complete
+            or not service.notifies
+            or service.access.value in ("all", None)
+            or service.main is None
+        ):
             continue
         if not (service.main.is_ros_tool or service.main.kind == "shell"):
             continue
@@ -52,7 +63,8 @@ def notify_ros_launch(robot: Robot):
         main = "a shell" if service.main.kind == "shell" else f"ros2 {service.main.kind}"
         yield finding(
             service.type.at,
-            f"systemd accepts READY=1 from the {service.access.value} process only, which is {main}: a node's is refused, "
+            f"systemd accepts READY=1 from the {service.access.value} process only, which is {main}: a "
+            "node's is refused, "
             f"the start of {unit.name} times out{when}",
             advice="set NotifyAccess=all if a node sends READY=1, else Type=exec",
             related=[

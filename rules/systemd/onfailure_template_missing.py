@@ -1,7 +1,8 @@
 """OnFailure= names an instance of a template that does not exist.
 
 ## What it finds
-OnFailure= with a template instance such as `robot-alarm@%n.service`, and no `robot-alarm@.service` in the tree.
+OnFailure= with a template instance such as `robot-alarm@%n.service`, and no `robot-alarm@.service` in the
+tree.
 
 ## Why it matters on a robot
 When the service fails, systemd logs that the unit was not found and does nothing: no alarm, no safe stop.
@@ -41,7 +42,9 @@ def onfailure_template_missing(robot: Robot):
                 continue
             if units.candidates(word, unit.manager) or units.is_provided(template) is not False:
                 continue
-            shipped = robot.tree.complete or any(other.place == unit.place for other in units.all if other is not unit)
+            shipped = robot.tree.complete or any(
+                other.place == unit.place for other in units.all if other is not unit
+            )
             yield finding(
                 word,
                 f"The failure handler {template} does not exist: when {unit.name} fails, nothing happens",

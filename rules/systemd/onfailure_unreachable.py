@@ -1,12 +1,13 @@
 """OnFailure= that never gets its turn.
 
 ## What it finds
-OnFailure= on a service that restarts for ever because its start limit can never trip. Up to systemd 253, and with
-RestartMode=direct, the unit enters "failed" only when the limit is hit. From systemd 254 on the handler runs after every
-single failure instead; that is reported as information.
+OnFailure= on a service that restarts for ever because its start limit can never trip. Up to systemd 253,
+and with RestartMode=direct, the unit enters "failed" only when the limit is hit. From systemd 254 on the
+handler runs after every single failure instead; that is reported as information.
 
 ## Why it matters on a robot
-The alarm, the safe stop or the log upload that OnFailure= should start never runs, and nobody notices until it is needed.
+The alarm, the safe stop or the log upload that OnFailure= should start never runs, and nobody notices until
+it is needed.
 
 ## Bad
 ```ini
@@ -52,7 +53,8 @@ def onfailure_unreachable(robot: Robot):
         if not handlers or not unit.complete or not policy.never_trips:
             continue
         why = (
-            f"{policy.burst} restarts take {duration(policy.loop())} > {duration(policy.interval)}, so the start limit never trips"
+            f"{policy.burst} restarts take {duration(policy.loop())} > {duration(policy.interval)}, so "
+            "the start limit never trips"
             if policy.limited
             else "The start limit is switched off"
         )
@@ -61,7 +63,7 @@ def onfailure_unreachable(robot: Robot):
             handlers[0],
             f"{why}: systemd {robot.target.systemd} starts {handlers[0]} after every single failure"
             if each_time
-            else f"{why}: {unit.name} never enters \"failed\" and OnFailure= does not fire",
+            else f'{why}: {unit.name} never enters "failed" and OnFailure= does not fire',
             advice="give the unit a start limit in [Unit] that its restarts can reach",
             related=[
                 note(policy.restart_at, "restarts"),

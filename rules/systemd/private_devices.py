@@ -1,12 +1,12 @@
 """The sandbox hides the devices that the service opens.
 
 ## What it finds
-PrivateDevices=yes, or DevicePolicy=closed or strict without DeviceAllow=, on a service that names a device below /dev: on its
-command line, in its environment, in a script or in the launch file that it starts.
+PrivateDevices=yes, or DevicePolicy=closed or strict without DeviceAllow=, on a service that names a device
+below /dev: on its command line, in its environment, in a script or in the launch file that it starts.
 
 ## Why it matters on a robot
-The device node is not there, or opening it is refused: the driver says "No such file" or "Operation not permitted" although
-the device, its link and its group are right.
+The device node is not there, or opening it is refused: the driver says "No such file" or "Operation not
+permitted" although the device, its link and its group are right.
 
 ## Bad
 ```ini
@@ -38,10 +38,16 @@ from bringup_lint.api import flag
 from bringup_lint.api import note
 from bringup_lint.api import rule
 
-PSEUDO = re.compile(r"/dev/(?:null|zero|full|u?random|tty|ptmx|pts|shm|mqueue|hugepages|log|std(?:in|out|err)|fd|console)(?:/|$)")
+PSEUDO = re.compile(
+    r"/dev/(?:null|zero|full|u?random|tty|ptmx|pts|shm|mqueue|hugepages|log|std(?:in|out|err)|fd|console)(?:/|$)"
+)
 
 
-@rule("error", fix="unsafe", symptoms=["Operation not permitted", "could not open port", "No such file or directory: '/dev/"])
+@rule(
+    "error",
+    fix="unsafe",
+    symptoms=["Operation not permitted", "could not open port", "No such file or directory: '/dev/"],
+)
 def private_devices(robot: Robot):
     for unit in robot.units.services:
         closed = _closed(unit)
@@ -57,7 +63,9 @@ def private_devices(robot: Robot):
             f"{key}={value} keeps {used[0].path} from {unit.name}",
             advice="drop it, or use DevicePolicy=closed with a DeviceAllow= line for each device",
             related=[note(use.path, "opened here") for use in used[:5]],
-            fix=fix("let it see the devices", *map(delete_lines, lines), safe=False) if unit.editable and lines else None,
+            fix=fix("let it see the devices", *map(delete_lines, lines), safe=False)
+            if unit.editable and lines
+            else None,
         )
 
 

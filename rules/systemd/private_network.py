@@ -1,8 +1,8 @@
 """The sandbox cuts DDS off the network.
 
 ## What it finds
-On a service that takes part in DDS: PrivateNetwork=yes, IPAddressDeny=any without IPAddressAllow=, or RestrictAddressFamilies=
-without AF_NETLINK, which lists the interfaces, or without AF_INET and AF_INET6.
+On a service that takes part in DDS: PrivateNetwork=yes, IPAddressDeny=any without IPAddressAllow=, or
+RestrictAddressFamilies= without AF_NETLINK, which lists the interfaces, or without AF_INET and AF_INET6.
 
 ## Why it matters on a robot
 The participant finds no interface and is not created, or it comes up and never sees another node.
@@ -35,14 +35,17 @@ from bringup_lint.api import rule
 @rule("error", symptoms=["failed to find interfaces", "Address family not supported by protocol"])
 def private_network(robot: Robot):
     for unit in robot.units.dds:
-        if robot.units.supervision(unit).in_container or unit.unsure_of("RestrictAddressFamilies", "IPAddressAllow"):
+        if robot.units.supervision(unit).in_container or unit.unsure_of(
+            "RestrictAddressFamilies", "IPAddressAllow"
+        ):
             continue
         local = robot.units.stays_local(unit)
         private = flag(unit, "PrivateNetwork")
         if private.value and not local and not unit.has("JoinsNamespaceOf"):
             yield finding(
                 private.at,
-                f"PrivateNetwork= leaves {unit.name} nothing but a loopback of its own: no other node ever sees it",
+                f"PrivateNetwork= leaves {unit.name} nothing but a loopback of its own: no other node "
+                "ever sees it",
                 advice="drop the line",
             )
         for word in unit.words("IPAddressDeny"):
@@ -58,7 +61,8 @@ def private_network(robot: Robot):
         if missing:
             yield finding(
                 values[-1],
-                f"Without {' and '.join(missing)} DDS cannot {'list the interfaces' if 'AF_NETLINK' in missing else 'open its sockets'}: "
+                f"Without {' and '.join(missing)} DDS cannot "
+                f"{'list the interfaces' if 'AF_NETLINK' in missing else 'open its sockets'}: "
                 f"the participants of {unit.name} fail",
                 advice="set RestrictAddressFamilies=AF_INET AF_INET6 AF_UNIX AF_NETLINK",
             )

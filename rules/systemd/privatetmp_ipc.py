@@ -1,8 +1,8 @@
 """PrivateTmp= cuts a shared-memory daemon off.
 
 ## What it finds
-PrivateTmp=yes on a service that runs RouDi, or whose Cyclone DDS configuration enables iceoryx shared memory: their sockets and
-locks lie in /tmp. Fast DDS is not affected, its segments lie in /dev/shm.
+PrivateTmp=yes on a service that runs RouDi, or whose Cyclone DDS configuration enables iceoryx shared
+memory: their sockets and locks lie in /tmp. Fast DDS is not affected, its segments lie in /dev/shm.
 
 ## Why it matters on a robot
 RouDi and its clients look for each other in different /tmp folders: every node waits for RouDi, in vain.
@@ -34,7 +34,9 @@ from bringup_lint.api import flag
 from bringup_lint.api import note
 from bringup_lint.api import rule
 
-SHARED = re.compile(r"<SharedMemory\b[^>]*>(?:(?!</SharedMemory>).)*?<Enable>\s*true\s*</Enable>", re.S | re.I)
+SHARED = re.compile(
+    r"<SharedMemory\b[^>]*>(?:(?!</SharedMemory>).)*?<Enable>\s*true\s*</Enable>", re.S | re.I
+)
 
 
 @rule("warning", symptoms=["Timeout registering at RouDi", "RouDi not found"])
@@ -64,4 +66,7 @@ def _uses(unit, robot):
         source = robot.tree.find(variable.text.removeprefix("file://"))
         found = SHARED.search(source.text) if source else None
         if found:
-            yield source.span(found.start(), found.start() + len("<SharedMemory")), "Cyclone DDS with shared memory"
+            yield (
+                source.span(found.start(), found.start() + len("<SharedMemory")),
+                "Cyclone DDS with shared memory",
+            )

@@ -1,7 +1,8 @@
 """ReadWritePaths=/tmp beside PrivateTmp=yes.
 
 ## What it finds
-/tmp or /var/tmp in ReadWritePaths= of a unit with PrivateTmp=yes, which has a /tmp of its own that is writable anyway.
+/tmp or /var/tmp in ReadWritePaths= of a unit with PrivateTmp=yes, which has a /tmp of its own that is
+writable anyway.
 
 ## Why it matters on a robot
 Nothing breaks, but the line says that the service shares /tmp with others, which it does not.
@@ -45,7 +46,8 @@ def privatetmp_redundant(robot: Robot):
             if path in ("/tmp", "/var/tmp"):
                 yield finding(
                     word,
-                    f"With PrivateTmp= the {path} of {unit.name} is its own and writable: the entry is redundant",
+                    f"With PrivateTmp= the {path} of {unit.name} is its own and writable: the entry is "
+                    "redundant",
                     advice="drop the entry",
                     related=[note(private.at, "a /tmp of its own")],
                     fix=_without(unit, word) if unit.editable else None,
@@ -57,5 +59,8 @@ def _without(unit, word):
         others = [other for other in line.value.words() if other.span != word.span]
         if len(others) < len(list(line.value.words())):
             text = " ".join(others)
-            return fix("drop the entry", (line.value, text) if text else (line.span, "# ReadWritePaths= was redundant"))
+            return fix(
+                "drop the entry",
+                (line.value, text) if text else (line.span, "# ReadWritePaths= was redundant"),
+            )
     return None

@@ -1,12 +1,13 @@
 """ProtectHome= hides what the service needs.
 
 ## What it finds
-ProtectHome=yes or tmpfs while the working directory, the program, a sourced workspace or another argument lies below /home,
-/root or /run/user; and ReadWritePaths= or the like below them: a hidden directory cannot be opened again.
+ProtectHome=yes or tmpfs while the working directory, the program, a sourced workspace or another argument
+lies below /home, /root or /run/user; and ReadWritePaths= or the like below them: a hidden directory cannot
+be opened again.
 
 ## Why it matters on a robot
-The service fails with 200/CHDIR or 203/EXEC, or setup.bash is "not found" although it is there. With ProtectHome=tmpfs a path in
-ReadWritePaths= ends the start with 226/NAMESPACE.
+The service fails with 200/CHDIR or 203/EXEC, or setup.bash is "not found" although it is there. With
+ProtectHome=tmpfs a path in ReadWritePaths= ends the start with 226/NAMESPACE.
 
 ## Bad
 ```ini
@@ -45,7 +46,14 @@ BELOW = re.compile(r"(?<![\w./])/(?:home/[\w.-]+|root)(?:/[\w.@+-]+)*")
 REOPENED = ("ReadWritePaths", "ReadOnlyPaths", "ExecPaths")
 
 
-@rule("error", symptoms=["status=200/CHDIR", "Changing to the requested working directory failed", "status=226/NAMESPACE"])
+@rule(
+    "error",
+    symptoms=[
+        "status=200/CHDIR",
+        "Changing to the requested working directory failed",
+        "status=226/NAMESPACE",
+    ],
+)
 def protecthome_workspace(robot: Robot):
     for unit in robot.units.services:
         box = sandbox(unit, robot)
@@ -63,7 +71,10 @@ def protecthome_workspace(robot: Robot):
                 f"{path} lies below a directory that ProtectHome={home.at} {state}: "
                 + ("the service does not start, 226/NAMESPACE" if hard else "this line cannot open it again"),
                 advice="use ProtectHome=read-only, or keep the data outside of the homes",
-                related=[note(home.at, f"{state} it"), *(note(other.word, "likewise") for other in lists[1:])],
+                related=[
+                    note(home.at, f"{state} it"),
+                    *(note(other.word, "likewise") for other in lists[1:]),
+                ],
             )
         if needed or lists:
             names = list(dict.fromkeys([path for _, path in needed] + [entry.path for entry in lists]))
@@ -86,7 +97,9 @@ def _is_closed(box, closed, path):
         return False
     if view in closed:
         return True
-    return view.why in ("ReadWritePaths=", "ReadOnlyPaths=") and any(path.startswith(f"{home.prefix}/") for home in closed)
+    return view.why in ("ReadWritePaths=", "ReadOnlyPaths=") and any(
+        path.startswith(f"{home.prefix}/") for home in closed
+    )
 
 
 def _needed(unit, box, robot):

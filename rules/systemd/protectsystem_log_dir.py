@@ -1,14 +1,16 @@
 """The ROS nodes cannot write their logs.
 
 ## What it finds
-A ROS service whose log directory (ROS_LOG_DIR, else ROS_HOME/log, else ~/.ros/log) is read-only or hidden for it: outside of
-ReadWritePaths= and LogsDirectory= under ProtectSystem=strict, below a home that ProtectHome= closes, or nowhere, because a dynamic
-user or a user without home has none. Also ROS_LOG_DIR below a directory of root that nothing creates, for a user who may not.
-The default directory under ProtectSystem=strict alone is reported as information: systemd leaves /home writable, against what its
+A ROS service whose log directory (ROS_LOG_DIR, else ROS_HOME/log, else ~/.ros/log) is read-only or hidden
+for it: outside of ReadWritePaths= and LogsDirectory= under ProtectSystem=strict, below a home that
+ProtectHome= closes, or nowhere, because a dynamic user or a user without home has none. Also ROS_LOG_DIR
+below a directory of root that nothing creates, for a user who may not. The default directory under
+ProtectSystem=strict alone is reported as information: systemd leaves /home writable, against what its
 manual page says.
 
 ## Why it matters on a robot
-rcl sets up logging first of all. Without a directory to write to, every node ends at once with "Failed to get logging directory".
+rcl sets up logging first of all. Without a directory to write to, every node ends at once with "Failed to
+get logging directory".
 
 ## Bad
 ```ini
@@ -45,13 +47,27 @@ from bringup_lint.api import sandbox
 OF_ROOT = ("/var/log/", "/var/lib/", "/var/cache/", "/opt/", "/srv/", "/etc/", "/usr/")
 
 
-@rule("error", fix="unsafe", symptoms=["Failed to get logging directory", "rcutils_mkdir", "Read-only file system"])
+@rule(
+    "error",
+    fix="unsafe",
+    symptoms=["Failed to get logging directory", "rcutils_mkdir", "Read-only file system"],
+)
 def protectsystem_log_dir(robot: Robot):
     seen = set()
     for unit in robot.units.ros:
         service, box = robot.units.supervision(unit), sandbox(unit, robot)
-        processes = [process for process in robot.units.started(unit) if any(found.kind != "cli" for _, found in process.ros)]
-        if not unit.complete or len(processes) != 1 or box.own_root or service.in_container or processes[0].is_ros1:
+        processes = [
+            process
+            for process in robot.units.started(unit)
+            if any(found.kind != "cli" for _, found in process.ros)
+        ]
+        if (
+            not unit.complete
+            or len(processes) != 1
+            or box.own_root
+            or service.in_container
+            or processes[0].is_ros1
+        ):
             continue
         log = box.log_directory(processes[0])
         found = _verdict(unit, robot, box, log) if log is not None else None
@@ -78,19 +94,40 @@ def _related(unit, box, log, where):
 
 
 def _verdict(unit, robot, box, log):
-    ends = f"every node of {unit.name} ends with \"Failed to get logging directory\""
+    ends = f'every node of {unit.name} ends with "Failed to get logging directory"'
     if log.path is None:
-        return unit.get("DynamicUser") or unit.get("User") or unit.where, f"{log.why}, and ROS_LOG_DIR is not set: {ends}", "error"
+        return (
+            unit.get("DynamicUser") or unit.get("User") or unit.where,
+            f"{log.why}, and ROS_LOG_DIR is not set: {ends}",
+            "error",
+        )
     view = box.view(log.path)
     if view is not None and view.mode in ("ro", "hidden", "empty"):
         closed = {"ro": "read-only", "hidden": "hidden", "empty": "empty and read-only"}[view.mode]
         if view.why.startswith("TemporaryFileSystem") and view.mode == "empty":
             return None
-        return view.at or unit.where, f"{view.why} makes {view.prefix} {closed}, the logs go to {log.path}: {ends}", "error"
-    if log.at is not None and log.why == "ROS_LOG_DIR=" and _foreign(unit, log.path) and is_made(log.path, unit, robot) is False:
+        return (
+            view.at or unit.where,
+            f"{view.why} makes {view.prefix} {closed}, the logs go to {log.path}: {ends}",
+            "error",
+        )
+    if (
+        log.at is not None
+        and log.why == "ROS_LOG_DIR="
+        and _foreign(unit, log.path)
+        and is_made(log.path, unit, robot) is False
+    ):
         return log.at, f"Nothing creates {log.path}, and {unit.get('User')} may not: {ends}", "warning"
-    if log.at is None and box.protect_system.value == "strict" and view is not None and view.prefix in ("/home", "/root"):
-        text = f"{log.path} stays writable only because ProtectSystem=strict leaves {view.prefix} alone, against its manual page"
+    if (
+        log.at is None
+        and box.protect_system.value == "strict"
+        and view is not None
+        and view.prefix in ("/home", "/root")
+    ):
+        text = (
+            f"{log.path} stays writable only because ProtectSystem=strict leaves {view.prefix} alone, "
+            "against its manual page"
+        )
         return box.protect_system.at or unit.where, text, "info"
     return None
 

@@ -1,14 +1,14 @@
 """A sandbox path that nothing creates.
 
 ## What it finds
-A path in ReadWritePaths=, ReadOnlyPaths=, BindPaths= or BindReadOnlyPaths= without `-`, that no tmpfiles.d line, no
-LogsDirectory=, StateDirectory= or the like, no mount and no script of the tree creates. In a root file system absence is proven
-everywhere, in a repository only below /var/log, /var/lib, /run and the other places where nothing is by itself. Device nodes
-that may be unplugged are reported as information.
+A path in ReadWritePaths=, ReadOnlyPaths=, BindPaths= or BindReadOnlyPaths= without `-`, that no tmpfiles.d
+line, no LogsDirectory=, StateDirectory= or the like, no mount and no script of the tree creates. In a root
+file system absence is proven everywhere, in a repository only below /var/log, /var/lib, /run and the other
+places where nothing is by itself. Device nodes that may be unplugged are reported as information.
 
 ## Why it matters on a robot
-systemd cannot build the name space and the service does not even start: 226/NAMESPACE. It works on the developer's robot, where
-somebody made the directory by hand, and fails on the next one.
+systemd cannot build the name space and the service does not even start: 226/NAMESPACE. It works on the
+developer's robot, where somebody made the directory by hand, and fails on the next one.
 
 ## Bad
 ```ini
@@ -38,8 +38,23 @@ from bringup_lint.api import rule
 from bringup_lint.api import sandbox
 
 KEYS = ("ReadWritePaths", "ReadOnlyPaths", "BindPaths", "BindReadOnlyPaths")
-ALWAYS = ("/dev/null", "/dev/shm", "/dev/mqueue", "/dev/pts", "/dev/input", "/dev/bus", "/dev/net/tun", "/dev/dri", "/dev/snd")
-BASES = {"/var/log/": "LogsDirectory", "/var/lib/": "StateDirectory", "/var/cache/": "CacheDirectory", "/run/": "RuntimeDirectory"}
+ALWAYS = (
+    "/dev/null",
+    "/dev/shm",
+    "/dev/mqueue",
+    "/dev/pts",
+    "/dev/input",
+    "/dev/bus",
+    "/dev/net/tun",
+    "/dev/dri",
+    "/dev/snd",
+)
+BASES = {
+    "/var/log/": "LogsDirectory",
+    "/var/lib/": "StateDirectory",
+    "/var/cache/": "CacheDirectory",
+    "/run/": "RuntimeDirectory",
+}
 
 
 @rule("warning", fix="safe", symptoms=["Failed to set up mount namespacing", "status=226/NAMESPACE"])
@@ -62,7 +77,9 @@ def readwritepaths_missing(robot: Robot):
                     if device
                     else f"Nothing creates {path}: {unit.name} does not start, 226/NAMESPACE",
                     advice=_advice(path, device),
-                    fix=fix("ignore it when it is missing", (word.part(0, 0), "-")) if unit.editable else None,
+                    fix=fix("ignore it when it is missing", (word.part(0, 0), "-"))
+                    if unit.editable
+                    else None,
                     severity="info" if device else "warning",
                     confidence="high" if robot.tree.complete and not device else "medium",
                 )

@@ -1,12 +1,13 @@
 """Nothing restarts the ROS service when it dies.
 
 ## What it finds
-A service that starts ROS 2 and stays (not Type=oneshot, not started by a timer or path unit) without Restart=. An explicit
-Restart=no is taken as a decision and reported as information only, as is a service of a ROS tree whose start script is not in it.
+A service that starts ROS 2 and stays (not Type=oneshot, not started by a timer or path unit) without
+Restart=. An explicit Restart=no is taken as a decision and reported as information only, as is a service of
+a ROS tree whose start script is not in it.
 
 ## Why it matters on a robot
-The first segmentation fault, the first unplugged cable ends the stack until somebody logs in. On a robot in the field that
-is the end of the mission.
+The first segmentation fault, the first unplugged cable ends the stack until somebody logs in. On a robot in
+the field that is the end of the mission.
 
 ## Bad
 ```ini

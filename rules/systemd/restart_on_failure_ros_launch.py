@@ -1,12 +1,12 @@
 """Restart=on-failure around ros2 launch, which hardly ever fails.
 
 ## What it finds
-Restart=on-failure, on-abnormal or on-abort on a service whose main process is ros2 launch. Silent when the launch file is in the
-tree and respawns all of its nodes itself.
+Restart=on-failure, on-abnormal or on-abort on a service whose main process is ros2 launch. Silent when the
+launch file is in the tree and respawns all of its nodes itself.
 
 ## Why it matters on a robot
-ros2 launch keeps running when a node dies, and ends with status 0 after on_exit=Shutdown(). systemd sees a running or a cleanly
-ended service: the dead driver stays dead.
+ros2 launch keeps running when a node dies, and ends with status 0 after on_exit=Shutdown(). systemd sees a
+running or a cleanly ended service: the dead driver stays dead.
 
 ## Bad
 ```ini
@@ -21,7 +21,8 @@ Restart=on-failure
 ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rover base.launch.py'
 Restart=always
 ```
-together with on_exit=Shutdown() for the nodes that the robot cannot do without, or respawn=True in the launch file.
+together with on_exit=Shutdown() for the nodes that the robot cannot do without, or respawn=True in the
+launch file.
 
 ## References
 - <https://github.com/ros2/launch/issues/816>: "process exits with Exit Code = 0"
@@ -46,7 +47,9 @@ def restart_on_failure_ros_launch(robot: Robot):
         if policy.restart not in FAILURES or service.main is None:
             continue
         programs = [found for _, found in service.process.launches]
-        last = [found for step, found in service.process.launches if step.last and service.main.kind == "shell"]
+        last = [
+            found for step, found in service.process.launches if step.last and service.main.kind == "shell"
+        ]
         if not programs or not (service.main.kind == "launch" or last):
             continue
         expansion = launched(programs[-1], robot)
@@ -54,9 +57,12 @@ def restart_on_failure_ros_launch(robot: Robot):
             continue
         yield finding(
             policy.restart_at,
-            f"ros2 launch keeps running when a node dies, and ends with status 0 after Shutdown(): Restart={policy.restart} does not "
+            "ros2 launch keeps running when a node dies, and ends with status 0 after Shutdown(): "
+            f"Restart={policy.restart} does not "
             f"start {unit.name} again",
-            advice="set Restart=always, and let launch end when a vital node does, or respawn the nodes in the launch file",
+            advice="set Restart=always, and let launch end with a vital node or respawn the nodes itself",
             related=[note(programs[-1].where, "what is launched")],
-            fix=fix("restart it whenever it ends", (policy.restart_at, "always"), safe=False) if unit.editable else None,
+            fix=fix("restart it whenever it ends", (policy.restart_at, "always"), safe=False)
+            if unit.editable
+            else None,
         )

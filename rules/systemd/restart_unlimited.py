@@ -1,14 +1,15 @@
 """A crash loop that no start limit stops.
 
 ## What it finds
-A service with Restart= whose start limit can never trip: it is switched off, or its interval is shorter than the restarts
-take (StartLimitBurst= × RestartSec= > StartLimitIntervalSec=). The defaults are 5 starts in 10 s, so RestartSec=3 alone is
-enough. StartLimitIntervalSec= in [Service] does not count, systemd ignores it there. Also: Restart=always with less than a
-second between restarts and no limit of its own, which the default limit stops for good after a second.
+A service with Restart= whose start limit can never trip: it is switched off, or its interval is shorter
+than the restarts take (StartLimitBurst= × RestartSec= > StartLimitIntervalSec=). The defaults are 5 starts
+in 10 s, so RestartSec=3 alone is enough. StartLimitIntervalSec= in [Service] does not count, systemd
+ignores it there. Also: Restart=always with less than a second between restarts and no limit of its own,
+which the default limit stops for good after a second.
 
 ## Why it matters on a robot
-A driver whose device is missing restarts for ever: it fills the journal, takes the CPU from the others, jerks the device
-and never reaches "failed", so no alarm is raised and OnFailure= may never be started.
+A driver whose device is missing restarts for ever: it fills the journal, takes the CPU from the others,
+jerks the device and never reaches "failed", so no alarm is raised and OnFailure= may never be started.
 
 ## Bad
 ```ini
@@ -51,7 +52,11 @@ FAILING_LAUNCH = 1.0
 """Seconds that ros2 launch needs at least to start and fail."""
 
 
-@rule("warning", fix="unsafe", symptoms=["Scheduled restart job, restart counter is at", "Start request repeated too quickly"])
+@rule(
+    "warning",
+    fix="unsafe",
+    symptoms=["Scheduled restart job, restart counter is at", "Start request repeated too quickly"],
+)
 def restart_unlimited(robot: Robot):
     launches = [unit for unit, _ in robot.units.launch]
     for unit in robot.units.services:
@@ -61,13 +66,17 @@ def restart_unlimited(robot: Robot):
         severity, message = _verdict(policy, unit, unit in robot.units.ros, unit in launches)
         if not severity:
             continue
-        off = [at for at, value in ((policy.interval_at, policy.interval), (policy.burst_at, policy.burst)) if at and not value]
+        off = [
+            at
+            for at, value in ((policy.interval_at, policy.interval), (policy.burst_at, policy.burst))
+            if at and not value
+        ]
         where = off[0] if off and policy.never_trips else policy.restart_at
         yield finding(
             where,
             message,
-            advice=f"set StartLimitIntervalSec= above {duration(policy.loop())} plus the time that {policy.burst or 5} starts take "
-            "to fail, and StartLimitBurst=, both in [Unit]",
+            advice=f"set StartLimitIntervalSec= above {duration(policy.loop())} plus the time that "
+            f"{policy.burst or 5} starts take to fail, and StartLimitBurst=, both in [Unit]",
             related=_parts(policy, where),
             fix=_limit(unit, policy) if unit.editable and not policy.misplaced else None,
             severity=severity,
@@ -87,19 +96,33 @@ def _verdict(policy, unit, ros, launch):
         else:
             sums = "The first {0} delays take {2}" if policy.steps else "{0} restarts × {1} = {2}"
             sums = sums.format(policy.burst, every, duration(policy.loop()))
-            message = f"{sums} > {duration(policy.interval)}: the start limit never trips, a failing {name} restarts for ever"
+            message = (
+                f"{sums} > {duration(policy.interval)}: the start limit never trips, a failing "
+                f"{name} restarts for ever"
+            )
         return "warning" if bad else "info", message
     limit = f"{policy.burst} starts in {duration(policy.interval)}"
     if policy.leaves_no_time:
-        return "info", f"{policy.burst} restarts × {every} fill the interval of {duration(policy.interval)}: the limit never trips"
+        return (
+            "info",
+            f"{policy.burst} restarts × {every} fill the interval of {duration(policy.interval)}: the "
+            "limit never trips",
+        )
     if policy.interval_at or policy.burst_at or policy.misplaced:
         return None, ""
     if policy.restart == "always" and policy.delay < 1 and (ros or policy.delay):
-        message = f"{name} restarts after {every} without a limit of its own: {limit} are the default, then it stays down for good"
+        message = (
+            f"{name} restarts after {every} without a limit of its own: {limit} are the default, "
+            "then it stays down for good"
+        )
         return "warning" if ros else "info", message
     if launch and policy.loop(FAILING_LAUNCH) > policy.interval:
         spare = (policy.interval - policy.loop()) / policy.burst
-        return "info", f"The default limit of {limit} trips only if every start fails within {duration(round(spare, 2))}: {name} goes on"
+        return (
+            "info",
+            f"The default limit of {limit} trips only if every start fails within "
+            f"{duration(round(spare, 2))}: {name} goes on",
+        )
     return None, ""
 
 
@@ -118,7 +141,10 @@ def _limit(unit, policy):
     burst = policy.burst or 5
     span = math.ceil(burst * (policy.longest + 10) / 30) * 30
     edits, missing = [], []
-    for at, key, value in ((policy.interval_at, "StartLimitIntervalSec", span), (policy.burst_at, "StartLimitBurst", burst)):
+    for at, key, value in (
+        (policy.interval_at, "StartLimitIntervalSec", span),
+        (policy.burst_at, "StartLimitBurst", burst),
+    ):
         if at is None:
             missing.append(f"{key}={value}")
         elif str(value) != at:

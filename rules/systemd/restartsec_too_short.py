@@ -1,12 +1,13 @@
 """Less than a second between restarts.
 
 ## What it finds
-A service with Restart= and RestartSec= below one second, or without RestartSec=: the default is 100 ms. RestartSec=0 on a
-service without ROS is taken as a decision.
+A service with Restart= and RestartSec= below one second, or without RestartSec=: the default is 100 ms.
+RestartSec=0 on a service without ROS is taken as a decision.
 
 ## Why it matters on a robot
-Serial ports, cameras and network ports need a moment until they are free again; a driver that is back after 100 ms finds its
-device busy. Five such failures take less than two seconds, and then the default start limit leaves the service down.
+Serial ports, cameras and network ports need a moment until they are free again; a driver that is back after
+100 ms finds its device busy. Five such failures take less than two seconds, and then the default start
+limit leaves the service down.
 
 ## Bad
 ```ini
@@ -45,7 +46,8 @@ def restartsec_too_short(robot: Robot):
         unset = "" if policy.delay_at else " (the default)"
         yield finding(
             policy.delay_at or policy.restart_at,
-            f"{unit.name} restarts after {duration(policy.delay)}{unset}: its device or port may not be free again, "
+            f"{unit.name} restarts after {duration(policy.delay)}{unset}: its device or port may not be "
+            "free again, "
             f"and {policy.burst} failures in {duration(policy.interval)} leave it down",
             advice="set RestartSec=2 or more",
             related=[note(policy.restart_at, "restarts")] if policy.delay_at else (),

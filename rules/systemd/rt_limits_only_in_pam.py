@@ -1,14 +1,15 @@
 """Real-time limits that only a login gets.
 
 ## What it finds
-/etc/security/limits.conf or limits.d grants rtprio, memlock or nice to the user of a ROS service (or to a group of the user),
-and the unit has no LimitRTPRIO=, LimitMEMLOCK= or LimitNICE=. PAM reads these files at login; systemd does not. An error when the
-service runs ros2_control; information when it is only nice and the unit sets Nice=, which systemd applies itself, and for services
-that show no interest in scheduling while another service of the user does.
+/etc/security/limits.conf or limits.d grants rtprio, memlock or nice to the user of a ROS service (or to a
+group of the user), and the unit has no LimitRTPRIO=, LimitMEMLOCK= or LimitNICE=. PAM reads these files at
+login; systemd does not. An error when the service runs ros2_control; information when it is only nice and
+the unit sets Nice=, which systemd applies itself, and for services that show no interest in scheduling
+while another service of the user does.
 
 ## Why it matters on a robot
-By hand, from an SSH session, the control loop gets its priority; as a service it is refused, and nobody looks at the one line in
-the log. The arm jitters only in production.
+By hand, from an SSH session, the control loop gets its priority; as a service it is refused, and nobody
+looks at the one line in the log. The arm jitters only in production.
 
 ## Bad
 ```ini
@@ -42,13 +43,27 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 SETTING = {"rtprio": "LimitRTPRIO", "memlock": "LimitMEMLOCK", "nice": "LimitNICE"}
-SCHEDULING = ("Nice", "CPUSchedulingPolicy", "CPUSchedulingPriority", "LimitRTPRIO", "LimitMEMLOCK", "LimitNICE", "IOSchedulingClass")
+SCHEDULING = (
+    "Nice",
+    "CPUSchedulingPolicy",
+    "CPUSchedulingPriority",
+    "LimitRTPRIO",
+    "LimitMEMLOCK",
+    "LimitNICE",
+    "IOSchedulingClass",
+)
 CONTROL = re.compile(r"ros2_control_node|controller_manager|ros2_control")
 
 
-@rule("warning", fix="unsafe", symptoms=["Could not enable FIFO RT scheduling policy", "Operation not permitted"])
+@rule(
+    "warning",
+    fix="unsafe",
+    symptoms=["Could not enable FIFO RT scheduling policy", "Operation not permitted"],
+)
 def rt_limits_only_in_pam(robot: Robot):
-    interested = {str(unit.get("User")) for unit in robot.units.ros if _schedules(unit) or _controls(robot, unit)}
+    interested = {
+        str(unit.get("User")) for unit in robot.units.ros if _schedules(unit) or _controls(robot, unit)
+    }
     for unit in robot.units.ros:
         if not unit.complete or unit.get("PAMName") or robot.units.supervision(unit).in_container:
             continue
@@ -70,8 +85,12 @@ def rt_limits_only_in_pam(robot: Robot):
             unit.get("User") or unit.where,
             f"limits.d grants {', '.join(missing)} to logins only: {unit.name} runs without it",
             advice=f"set {' and '.join(keys)} in the unit",
-            related=[note(grant.line, "read by PAM at login") for grants in missing.values() for grant in grants],
-            fix=fix("grant it to the service", unit.new_line("Service", "\n".join(keys)), safe=False) if unit.editable else None,
+            related=[
+                note(grant.line, "read by PAM at login") for grants in missing.values() for grant in grants
+            ],
+            fix=fix("grant it to the service", unit.new_line("Service", "\n".join(keys)), safe=False)
+            if unit.editable
+            else None,
             severity=severity,
         )
 

@@ -1,11 +1,13 @@
 """RestrictRealtime= forbids what the unit asks for.
 
 ## What it finds
-RestrictRealtime=yes together with LimitRTPRIO= (an error: the permission can never be used) or with CPUSchedulingPolicy=fifo or rr
-(a warning: systemd still starts the process with that policy, but the process may not choose one for its threads).
+RestrictRealtime=yes together with LimitRTPRIO= (an error: the permission can never be used) or with
+CPUSchedulingPolicy=fifo or rr (a warning: systemd still starts the process with that policy, but the
+process may not choose one for its threads).
 
 ## Why it matters on a robot
-The control loop asks for its real-time priority, is refused, and runs with the jitter of an ordinary process.
+The control loop asks for its real-time priority, is refused, and runs with the jitter of an ordinary
+process.
 
 ## Bad
 ```ini
@@ -33,7 +35,10 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("error", symptoms=["Could not enable FIFO RT scheduling policy", "sched_setscheduler: Operation not permitted"])
+@rule(
+    "error",
+    symptoms=["Could not enable FIFO RT scheduling policy", "sched_setscheduler: Operation not permitted"],
+)
 def rt_restrict_conflict(robot: Robot):
     for unit in robot.units.services:
         restricted = flag(unit, "RestrictRealtime")
@@ -43,14 +48,16 @@ def rt_restrict_conflict(robot: Robot):
         if limit and limit.partition(":")[0] != "0":
             yield finding(
                 limit,
-                f"RestrictRealtime= refuses every real-time priority, so LimitRTPRIO={limit} is of no use to {unit.name}",
+                f"RestrictRealtime= refuses every real-time priority, so LimitRTPRIO={limit} is of no "
+                f"use to {unit.name}",
                 advice="drop RestrictRealtime= or the limit",
                 related=[note(restricted.at, "refuses real-time scheduling")],
             )
         elif policy in ("fifo", "rr"):
             yield finding(
                 policy,
-                f"{unit.name} starts with {policy} scheduling, but RestrictRealtime= refuses it any policy for its own threads",
+                f"{unit.name} starts with {policy} scheduling, but RestrictRealtime= refuses it any "
+                "policy for its own threads",
                 advice="drop RestrictRealtime=",
                 related=[note(restricted.at, "refuses real-time scheduling")],
                 severity="warning",

@@ -1,12 +1,12 @@
 """Real-time scheduling for a whole launch tree.
 
 ## What it finds
-A service that runs ros2 launch with CPUSchedulingPolicy=fifo or rr at priority 90 and above or without a priority, or with
-IOSchedulingClass=realtime. Children inherit both.
+A service that runs ros2 launch with CPUSchedulingPolicy=fifo or rr at priority 90 and above or without a
+priority, or with IOSchedulingClass=realtime. Children inherit both.
 
 ## Why it matters on a robot
-Every node, the logging ones included, then goes before journald, sshd and the kernel's own threads. One busy loop locks the
-machine; one bag recorder starves every other disk access.
+Every node, the logging ones included, then goes before journald, sshd and the kernel's own threads. One
+busy loop locks the machine; one bag recorder starves every other disk access.
 
 ## Bad
 ```ini
@@ -48,11 +48,16 @@ def rt_starvation(robot: Robot):
         tree = [note(found.where, "every node of this launch inherits it") for found in launches]
         policy, priority = unit.get("CPUSchedulingPolicy"), unit.get("CPUSchedulingPriority")
         inherited = not flag(unit, "CPUSchedulingResetOnFork").value
-        if policy in ("fifo", "rr") and inherited and (priority is None or priority.isdigit() and int(priority) >= HIGH):
+        if (
+            policy in ("fifo", "rr")
+            and inherited
+            and (priority is None or (priority.isdigit() and int(priority) >= HIGH))
+        ):
             level = f"priority {priority}" if priority else "no priority of its own choice"
             yield finding(
                 priority or policy,
-                f"All nodes of {unit.name} run with {policy} scheduling, {level}: a busy loop in one of them locks the machine",
+                f"All nodes of {unit.name} run with {policy} scheduling, {level}: a busy loop in one of "
+                "them locks the machine",
                 advice="give real-time scheduling to the one node that needs it, in a unit of its own",
                 related=[*tree, *([note(policy, "real-time scheduling")] if priority else [])],
             )
@@ -60,7 +65,8 @@ def rt_starvation(robot: Robot):
         if io in ("realtime", "1"):
             yield finding(
                 io,
-                f"All nodes of {unit.name} go before every other disk access: journald, sshd and the rest can starve",
+                f"All nodes of {unit.name} go before every other disk access: journald, sshd and the "
+                "rest can starve",
                 advice="drop the line, or give the class to one service that needs it",
                 related=tree,
             )

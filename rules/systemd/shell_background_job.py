@@ -1,11 +1,12 @@
 """A ROS program in the background of the start script.
 
 ## What it finds
-`ros2 ... &` in the shell text or script of ExecStart=. It is an error when nothing keeps the shell running afterwards.
+`ros2 ... &` in the shell text or script of ExecStart=. It is an error when nothing keeps the shell running
+afterwards.
 
 ## Why it matters on a robot
-The shell is the main process. When it ends, systemd takes the service for finished and kills the job; when it goes on, for
-instance with `wait`, the crash of a job goes unnoticed and Restart= never acts.
+The shell is the main process. When it ends, systemd takes the service for finished and kills the job; when
+it goes on, for instance with `wait`, the crash of a job goes unnoticed and Restart= never acts.
 
 ## Bad
 ```ini
@@ -45,9 +46,11 @@ def shell_background_job(robot: Robot):
                 ends = not any(_keeps_running(later) for later in process.steps[at + 1 :])
                 yield finding(
                     step.command.words[0],
-                    f"Nothing keeps the shell running after this background job: {unit.name} ends at once and systemd kills the job"
+                    f"Nothing keeps the shell running after this background job: {unit.name} ends at "
+                    "once and systemd kills the job"
                     if ends and not step.command.depth
-                    else f"A background job: when it dies, {unit.name} still counts as running and is not restarted",
+                    else f"A background job: when it dies, {unit.name} still counts as running and is "
+                    "not restarted",
                     advice="run it in the foreground with exec, each process in a unit of its own",
                     related=[note(process.program, "the main process")],
                     severity="error" if ends and not step.command.depth else "warning",

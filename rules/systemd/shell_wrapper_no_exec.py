@@ -1,12 +1,13 @@
 """A shell stays between systemd and the ROS command.
 
 ## What it finds
-A script, or the text behind `sh -c`, that starts a ROS 2 program without `exec`, so that the shell remains the main process. The
-last command of `bash -c` is fine: bash execs it by itself.
+A script, or the text behind `sh -c`, that starts a ROS 2 program without `exec`, so that the shell remains
+the main process. The last command of `bash -c` is fine: bash execs it by itself.
 
 ## Why it matters on a robot
-With KillMode=mixed or process only the shell gets the stop signal; ros2 launch never hears of it, and its nodes are killed with
-SIGKILL, or survive. With the default KillMode= the signal reaches all of them at once; that is reported as information.
+With KillMode=mixed or process only the shell gets the stop signal; ros2 launch never hears of it, and its
+nodes are killed with SIGKILL, or survive. With the default KillMode= the signal reaches all of them at
+once; that is reported as information.
 
 ## Bad
 ```bash
@@ -40,7 +41,12 @@ ALONE = ("mixed", "process")
 def shell_wrapper_no_exec(robot: Robot):
     for unit in robot.units.ros:
         service = robot.units.supervision(unit)
-        if not unit.complete or service.main is None or service.main.kind != "shell" or service.kill_mode.unknown:
+        if (
+            not unit.complete
+            or service.main is None
+            or service.main.kind != "shell"
+            or service.kill_mode.unknown
+        ):
             continue
         for step, found in service.process.ros:
             words = step.command.words
@@ -51,12 +57,24 @@ def shell_wrapper_no_exec(robot: Robot):
             yield finding(
                 words[0],
                 f"The shell stays the main process of {unit.name}: "
-                + (f"on stop only the shell gets {signal}, not this command" if alone else "it is the shell that systemd watches"),
-                advice="start the command with exec" if step.last else "make it the last command and start it with exec",
+                + (
+                    f"on stop only the shell gets {signal}, not this command"
+                    if alone
+                    else "it is the shell that systemd watches"
+                ),
+                advice="start the command with exec"
+                if step.last
+                else "make it the last command and start it with exec",
                 related=[
                     note(service.process.program, "the main process"),
-                    *([note(service.kill_mode.at, "only the main process is signalled")] if alone and service.kill_mode.at else ()),
+                    *(
+                        [note(service.kill_mode.at, "only the main process is signalled")]
+                        if alone and service.kill_mode.at
+                        else ()
+                    ),
                 ],
-                fix=fix("replace the shell", (words[0].part(0, 0), "exec ")) if step.last and not step.command.assignments else None,
+                fix=fix("replace the shell", (words[0].part(0, 0), "exec "))
+                if step.last and not step.command.assignments
+                else None,
                 severity="warning" if alone else "info",
             )

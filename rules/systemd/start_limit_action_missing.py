@@ -4,8 +4,8 @@
 A ROS service whose start limit can be reached and that has neither OnFailure= nor StartLimitAction=.
 
 ## Why it matters on a robot
-Once the limit is hit the service stays "failed" until somebody runs `systemctl reset-failed`. A robot in the field should at
-least raise an alarm, stop its actuators or reboot.
+Once the limit is hit the service stays "failed" until somebody runs `systemctl reset-failed`. A robot in
+the field should at least raise an alarm, stop its actuators or reboot.
 
 ## Bad
 ```ini
@@ -44,7 +44,8 @@ def start_limit_action_missing(robot: Robot):
             continue
         yield finding(
             policy.burst_at or policy.interval_at or policy.restart_at,
-            f"After {policy.burst} starts in {duration(policy.interval)} {unit.name} stays down until somebody runs "
+            f"After {policy.burst} starts in {duration(policy.interval)} {unit.name} stays down until "
+            "somebody runs "
             "systemctl reset-failed, and nothing is told",
             advice="name a handler with OnFailure= in [Unit], or an action with StartLimitAction=",
             related=[note(policy.restart_at, "restarts")],

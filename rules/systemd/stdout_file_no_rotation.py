@@ -1,10 +1,12 @@
 """Output goes to a file that grows for ever.
 
 ## What it finds
-StandardOutput= or StandardError= with `append:` or `file:`, and no logrotate file of the tree that covers the file.
+StandardOutput= or StandardError= with `append:` or `file:`, and no logrotate file of the tree that covers
+the file.
 
 ## Why it matters on a robot
-ROS nodes write a lot. The small disk of a robot is full after weeks, and then nothing works any more, the update least of all.
+ROS nodes write a lot. The small disk of a robot is full after weeks, and then nothing works any more, the
+update least of all.
 
 ## Bad
 ```ini

@@ -4,7 +4,8 @@
 A ROS service that is started through a shell, without SyslogIdentifier=.
 
 ## Why it matters on a robot
-systemd names the lines after the program of ExecStart=: all layers appear as "bash", and `journalctl -t` cannot tell them apart.
+systemd names the lines after the program of ExecStart=: all layers appear as "bash", and `journalctl -t`
+cannot tell them apart.
 
 ## Bad
 ```ini
@@ -33,10 +34,15 @@ def syslogidentifier_missing(robot: Robot):
     for unit in robot.units.ros:
         shells = [process for process in robot.units.started(unit) if process.shell]
         output = unit.get("StandardOutput") or "journal"
-        if not shells or not unit.complete or unit.get("SyslogIdentifier") or output.startswith(("null", "file:", "append:")):
+        if (
+            not shells
+            or not unit.complete
+            or unit.get("SyslogIdentifier")
+            or output.startswith(("null", "file:", "append:"))
+        ):
             continue
         yield finding(
             unit.where,
-            f"The journal shows the lines of {unit.name} as \"{shells[0].name}\"",
+            f'The journal shows the lines of {unit.name} as "{shells[0].name}"',
             advice=f"set SyslogIdentifier={unit.stem.partition('@')[0]}",
         )

@@ -1,12 +1,14 @@
 """The start check may wait longer than systemd lets it.
 
 ## What it finds
-A command of ExecStartPre= (or ExecStart= of a service that counts as started only when it says so) whose loops and sleeps,
-read from the shell text or the script in the tree, add up to more than TimeoutStartSec=. Typical is a time-out for each device in
-a loop over several devices. systemd starts the clock anew for every command of the unit.
+A command of ExecStartPre= (or ExecStart= of a service that counts as started only when it says so) whose
+loops and sleeps, read from the shell text or the script in the tree, add up to more than TimeoutStartSec=.
+Typical is a time-out for each device in a loop over several devices. systemd starts the clock anew for
+every command of the unit.
 
 ## Why it matters on a robot
-systemd kills the check before it can say which device is missing; the journal only shows a start that timed out.
+systemd kills the check before it can say which device is missing; the journal only shows a start that timed
+out.
 
 ## Bad
 ```ini
@@ -49,11 +51,16 @@ def timeout_start_short(robot: Robot):
             wait = robot.units.longest_wait(process) if process.key in counted else None
             if wait is None or wait.seconds <= limit.value:
                 continue
-            sum_ = f"{wait.times} × {duration(wait.each)} = " if wait.times > 1 and wait.times * wait.each == wait.seconds else ""
+            sum_ = (
+                f"{wait.times} × {duration(wait.each)} = "
+                if wait.times > 1 and wait.times * wait.each == wait.seconds
+                else ""
+            )
             default = "" if limit.at else " (the default)"
             yield finding(
                 limit.at or process.program,
-                f"{process.name} may wait {sum_}{duration(wait.seconds)}, TimeoutStartSec= is {duration(limit.value)}{default}: "
+                f"{process.name} may wait {sum_}{duration(wait.seconds)}, TimeoutStartSec= is "
+                f"{duration(limit.value)}{default}: "
                 "systemd kills it before it can say what is missing",
                 advice=f"set TimeoutStartSec= above {duration(wait.seconds)}",
                 related=[

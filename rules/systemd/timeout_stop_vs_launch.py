@@ -4,9 +4,9 @@
 A service that runs ros2 launch with TimeoutStopSec= below 15 seconds, or above 90.
 
 ## Why it matters on a robot
-When it is asked to stop, launch sends every node SIGINT, after 5 s SIGTERM and after 5 s more SIGKILL. A shorter time-out kills
-launch and all nodes in the middle of that, before they have reached their safe state. A very long one lets one hung node
-hold up every shutdown.
+When it is asked to stop, launch sends every node SIGINT, after 5 s SIGTERM and after 5 s more SIGKILL. A
+shorter time-out kills launch and all nodes in the middle of that, before they have reached their safe
+state. A very long one lets one hung node hold up every shutdown.
 
 ## Bad
 ```ini

@@ -4,8 +4,8 @@
 A ROS service whose name says that it drives hardware or guards it, without WatchdogSec=.
 
 ## Why it matters on a robot
-A driver that hangs keeps its process and its unit "active": nobody notices that the emergency stop or the motors are not
-served any more.
+A driver that hangs keeps its process and its unit "active": nobody notices that the emergency stop or the
+motors are not served any more.
 
 ## Bad
 ```ini
@@ -34,7 +34,9 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
-CRITICAL = re.compile(r"(?:^|[-_.@])(?:drivers?|motors?|base|actuators?|safety|e?-?stop|estop|watchdog|hardware|hw|control(?:ler)?)(?=[-_.@]|$)")
+CRITICAL = re.compile(
+    r"(?:^|[-_.@])(?:drivers?|motors?|base|actuators?|safety|e?-?stop|estop|watchdog|hardware|hw|control(?:ler)?)(?=[-_.@]|$)"
+)
 
 
 @rule("info")
@@ -47,6 +49,6 @@ def watchdog_missing(robot: Robot):
             continue
         yield finding(
             unit.where,
-            f"Nothing notices when {unit.name} hangs: it stays \"active\"",
+            f'Nothing notices when {unit.name} hangs: it stays "active"',
             advice="set WatchdogSec= and send WATCHDOG=1 from the control loop",
         )

@@ -1,10 +1,12 @@
 """The watchdog kills the service, and nothing starts it again.
 
 ## What it finds
-WatchdogSec= together with Restart=no (the default), on-success or on-abort: none of them restarts after a watchdog timeout.
+WatchdogSec= together with Restart=no (the default), on-success or on-abort: none of them restarts after a
+watchdog timeout.
 
 ## Why it matters on a robot
-The watchdog is there to get a hung driver going again. Without a restart it turns a hang into a dead driver.
+The watchdog is there to get a hung driver going again. Without a restart it turns a hang into a dead
+driver.
 
 ## Bad
 ```ini
@@ -45,8 +47,11 @@ def watchdog_no_restart(robot: Robot):
             continue
         yield finding(
             service.watchdog.at,
-            f"After a watchdog timeout of {duration(service.watchdog.value)} {unit.name} stays dead: Restart={policy.restart} "
+            f"After a watchdog timeout of {duration(service.watchdog.value)} {unit.name} stays dead: "
+            f"Restart={policy.restart} "
             "does not start it again",
             advice="set Restart=on-failure or on-watchdog",
-            related=[note(policy.restart_at, "does not restart after a watchdog timeout")] if policy.restart_at else (),
+            related=[note(policy.restart_at, "does not restart after a watchdog timeout")]
+            if policy.restart_at
+            else (),
         )

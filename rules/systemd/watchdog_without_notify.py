@@ -1,13 +1,14 @@
 """WatchdogSec= without anybody who can feed the watchdog.
 
 ## What it finds
-WatchdogSec= on a service whose main process never sends keep-alives (ros2 launch, ros2 run, a shell), while NotifyAccess= does
-not let its children send them; also NotifyAccess=all when nothing that is started talks to systemd. Setting WatchdogSec= makes
-systemd listen, but to the main process only. A script that is not in the tree, and a Python script that never talks to systemd, are
-reported with less confidence.
+WatchdogSec= on a service whose main process never sends keep-alives (ros2 launch, ros2 run, a shell), while
+NotifyAccess= does not let its children send them; also NotifyAccess=all when nothing that is started talks
+to systemd. Setting WatchdogSec= makes systemd listen, but to the main process only. A script that is not in
+the tree, and a Python script that never talks to systemd, are reported with less confidence.
 
 ## Why it matters on a robot
-The first keep-alive never arrives: a healthy stack is killed with SIGABRT every WatchdogSec= seconds, while driving.
+The first keep-alive never arrives: a healthy stack is killed with SIGABRT every WatchdogSec= seconds, while
+driving.
 
 ## Bad
 ```ini
@@ -23,8 +24,8 @@ ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rov
 WatchdogSec=30
 NotifyAccess=all
 ```
-with a node in slam.launch.py that sends WATCHDOG=1. Such a node must not ask sd_watchdog_enabled(): WATCHDOG_PID names the
-main process.
+with a node in slam.launch.py that sends WATCHDOG=1. Such a node must not ask sd_watchdog_enabled():
+WATCHDOG_PID names the main process.
 
 ## References
 - systemd.service(5), WatchdogSec= and NotifyAccess=; sd_notify(3)
@@ -51,7 +52,8 @@ def watchdog_without_notify(robot: Robot):
             continue
         yield finding(
             service.watchdog.at,
-            f"No keep-alive reaches systemd, {why}: {unit.name} is killed every {duration(service.watchdog.value)}",
+            f"No keep-alive reaches systemd, {why}: {unit.name} is killed every "
+            f"{duration(service.watchdog.value)}",
             advice="let a process of the unit send WATCHDOG=1 and set NotifyAccess=all, or drop WatchdogSec=",
             related=[
                 note(service.main.where, "the main process"),
@@ -68,7 +70,12 @@ def _verdict(service, robot):
     main, access = service.main, service.access.value
     if access == "all":
         programs = [found for _, found in service.process.ros]
-        if service.notifies or not main.is_ros_tool or robot.notify.within(service.process) or len(programs) != 1:
+        if (
+            service.notifies
+            or not main.is_ros_tool
+            or robot.notify.within(service.process)
+            or len(programs) != 1
+        ):
             return None, ""
         silent = robot.notify.nobody(programs[0])
         return ("warning", silent[0]) if silent else (None, "")
@@ -89,6 +96,8 @@ def _fix(unit, service, robot):
     if service.access.value != "all" and robot.notify.sources:
         if service.access.at:
             return fix("let every process send keep-alives", (service.access.at, "all"), safe=False)
-        return fix("let every process send keep-alives", unit.new_line("Service", "NotifyAccess=all"), safe=False)
+        return fix(
+            "let every process send keep-alives", unit.new_line("Service", "NotifyAccess=all"), safe=False
+        )
     lines = [line for line in unit.assignments("WatchdogSec", "Service") if line.value is service.watchdog.at]
     return fix("drop the watchdog", *map(delete_lines, lines), safe=False) if lines else None
