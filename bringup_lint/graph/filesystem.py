@@ -42,7 +42,7 @@ def absolute(word: Located, unit: Unit) -> str | None:
 
 
 def is_made(path: str, unit: Unit, robot: Robot) -> bool | None:
-    """Whether something makes the path before the unit starts. False: nothing in the tree; None: not known."""
+    """Whether something makes the path before the unit starts. False: nothing of the tree; None: unknown."""
     path = path.replace("/var/run/", "/run/", 1) if path.startswith("/var/run/") else path
     if any(made == path or made.startswith(f"{path}/") for made in _made(unit, robot)):
         return True
