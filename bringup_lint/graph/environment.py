@@ -152,7 +152,7 @@ def environment_files(unit: Unit, robot: Robot) -> list[EnvironmentFile]:
 
 def unit_environment(unit: Unit, robot: Robot) -> Environment:
     """What systemd gives to the processes of a unit."""
-    environment = Environment(complete=not unit.uncertain and not unit.has("PAMName"))
+    environment = Environment(complete=not unit.unsure_of() and not unit.has("PAMName"))
     for value in unit.values("PassEnvironment", unit.section):
         for word in split_words(value).words:
             environment.set(Variable(str(word), word, None, "PassEnvironment="))

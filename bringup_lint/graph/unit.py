@@ -174,11 +174,11 @@ class Unit:
                     yield assignment, word
 
     def unsure_of(self, *keys: str, section: str | None = None) -> bool:
-        """Whether a template may still change what these settings hold, so that nothing is missing from
-        them."""
-        return self.uncertain or any(
-            assignment.opaque for key in keys for assignment in self.assignments(key, section)
-        )
+        """Whether these settings may hold more than is known: the unit file itself is not in the tree, or a
+        template is still to be filled in."""
+        if self.uncertain or self.fragment is None:
+            return True
+        return any(assignment.opaque for key in keys for assignment in self.assignments(key, section))
 
     def new_line(self, section: str, line: str) -> tuple[Span, str]:
         """The edit that adds a line to a section of the unit's file, and the section when there is none."""

@@ -68,7 +68,7 @@ def ros2_not_sourced(robot: Robot):
                 )
         for process in units.started(unit):
             environment = units.environment(unit)
-            if process.profiles or unit.uncertain or any(environment.get(name) for name in ENOUGH):
+            if process.profiles or unit.unsure_of() or any(environment.get(name) for name in ENOUGH):
                 continue
             found = [(step, ros) for step, ros in process.ros if not process.sourced_before(step)]
             if found and not hidden(process, *found[0]):

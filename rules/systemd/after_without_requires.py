@@ -39,7 +39,13 @@ def after_without_requires(robot: Robot):
         for line in unit.assignments("After"):
             for word in line.value.words() if not line.opaque else ():
                 other = units.find(word, unit)
-                if other is None or other is unit or other.type != "service" or units.is_started(other):
+                if (
+                    other is None
+                    or other is unit
+                    or other.type != "service"
+                    or other.unsure_of()
+                    or units.is_started(other)
+                ):
                     continue
                 yield finding(
                     word,

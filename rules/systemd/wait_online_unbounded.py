@@ -1,0 +1,59 @@
+"""The boot waits for the network without a limit.
+
+## What it finds
+A `systemd-networkd-wait-online` with `--timeout=0`, which means no limit: in a drop-in of the
+distribution's unit, or in a unit of one's own.
+
+## Why it matters on a robot
+Without link on one interface, a spare port or a camera that is switched off, `network-online.target` is
+never reached, and nothing that waits for it starts. The robot looks dead and needs a screen and a keyboard.
+
+## Bad
+```ini
+# systemd-networkd-wait-online.service.d/forever.conf
+[Service]
+ExecStart=
+ExecStart=/usr/lib/systemd/systemd-networkd-wait-online --timeout=0
+```
+
+## Good
+```ini
+# systemd-networkd-wait-online.service.d/lidar.conf
+[Service]
+ExecStart=
+ExecStart=/usr/lib/systemd/systemd-networkd-wait-online --interface=eth0 --timeout=30
+```
+
+## References
+- systemd-networkd-wait-online.service(8)
+- <https://github.com/systemd/systemd/issues/30345>
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+WAITER = re.compile(r"(?:^|/)systemd-networkd-wait-online$")
+FOREVER = re.compile(r"--timeout=0$")
+
+
+@rule("warning", symptoms=["A start job is running for Wait for Network to be Configured"])
+def wait_online_unbounded(robot: Robot):
+    for unit in robot.units.services:
+        for process in robot.units.started(unit):
+            if not WAITER.search(process.program):
+                continue
+            words = process.argv[1:]
+            forever = [word for word in words if FOREVER.search(word)]
+            forever += [
+                second for first, second in zip(words, words[1:]) if first == "--timeout" and second == "0"
+            ]
+            if forever:
+                yield finding(
+                    forever[0],
+                    f"{unit.name} waits for ever: without link on one interface nothing behind "
+                    "network-online.target starts",
+                    advice="give a limit (--timeout=30), and name what must be up (--interface=)",
+                )
