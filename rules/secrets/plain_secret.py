@@ -3,9 +3,9 @@
 ## What it finds
 A value whose name (`..._PASSWORD`, `..._TOKEN`, `--api-key`) or form (keys of AWS, GitHub, GitLab, Slack,
 Stripe, a private key, a password in a URL) shows a secret, in `Environment=` and command lines of units, in
-environment files, compose files, Dockerfiles, parameter files and launch files. Variables, paths of credential files, stand-ins such as
-`<your-password>` and sample files are left out, and so are environment files that only root and a group can
-read.
+environment files, compose files, Dockerfiles, parameter files and launch files. Variables, paths of
+credential files, stand-ins such as `<your-password>` and sample files are left out, and so are environment
+files that only root and a group can read.
 
 ## Why it matters on a robot
 What a unit sets can be read by every local user with `systemctl show`, and by everybody who sees the
