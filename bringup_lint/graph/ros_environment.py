@@ -70,6 +70,11 @@ class RosEnvironment:
 
     robot: Robot
 
+    @staticmethod
+    def is_development(value: Located) -> bool:
+        """Whether the path of the file says that it is for tests, simulation or development."""
+        return bool(_SIMULATION.search(value.span.path))
+
     @cached_property
     def settings(self) -> list[Setting]:
         """Every place of the tree that sets a variable of ROS, each once."""

@@ -1,0 +1,52 @@
+"""SROS2 is switched off although the robot has a keystore.
+
+## What it finds
+A clear no in ROS_SECURITY_ENABLE of a process whose environment names a keystore, outside of files for tests, simulation and development.
+
+## Why it matters on a robot
+Any machine on the network can publish velocity commands. Security that is switched off to try something tends to stay off.
+
+## Bad
+```sh
+ROS_SECURITY_ENABLE=false
+ROS_SECURITY_KEYSTORE=/etc/robot/keystore
+```
+
+## Good
+```sh
+ROS_SECURITY_ENABLE=true
+ROS_SECURITY_STRATEGY=Enforce
+ROS_SECURITY_KEYSTORE=/etc/robot/keystore
+```
+
+## References
+- rcl, `security.c`: the values are compared letter by letter
+- https://docs.ros.org/en/rolling/Tutorials/Advanced/Security/The-Keystore.html
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+NO = ("false", "0", "no", "off")
+
+
+@rule("error", fix="unsafe", tags=["CWE-306", "CWE-319"])
+def ros_security_disabled(robot: Robot):
+    stores = robot.ros.of("ROS_SECURITY_KEYSTORE")
+    for setting in robot.ros.of("ROS_SECURITY_ENABLE"):
+        if setting.text.lower() not in NO or setting.development:
+            continue
+        for store in stores:
+            if store.value.span.source is setting.value.span.source:
+                yield finding(
+                    setting.value,
+                    "SROS2 is switched off: any machine on the network can command the robot",
+                    advice="write ROS_SECURITY_ENABLE=true and ROS_SECURITY_STRATEGY=Enforce",
+                    related=[note(store.value, "the keystore is named here")],
+                    fix=fix("switch security on", (setting.value, "true"), safe=False),
+                )
+                break

@@ -1,0 +1,42 @@
+"""The path of the keystore is not expanded.
+
+## What it finds
+`~` or `$HOME` in ROS_SECURITY_KEYSTORE in a place where nothing expands it, such as an environment file.
+
+## Why it matters on a robot
+rcl looks for a folder of that very name: with Enforce no node starts, else all run unsecured.
+
+## Bad
+```sh
+ROS_SECURITY_KEYSTORE=~/keystore
+```
+
+## Good
+```sh
+ROS_SECURITY_KEYSTORE=/etc/robot/keystore
+```
+
+## References
+- rcl, `security.c`: the values are compared letter by letter
+- https://docs.ros.org/en/rolling/Tutorials/Advanced/Security/The-Keystore.html
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+import re
+
+
+@rule("error", symptoms=["SECURITY ERROR: directory"])
+def ros_security_keystore_tilde(robot: Robot):
+    for setting in robot.ros.settings:
+        if setting.name != "ROS_SECURITY_KEYSTORE" or setting.origin not in ("Environment=", "EnvironmentFile=", "env file", "env_file:"):
+            continue
+        if re.match(r"~|\$\{?HOME\b", setting.value):
+            yield finding(
+                setting.value,
+                f"'{setting.value}' is not expanded here: rcl finds no keystore",
+                advice="write the absolute path",
+            )

@@ -1,0 +1,41 @@
+"""Security is on, but there is no keystore.
+
+## What it finds
+A process with ROS_SECURITY_ENABLE=true and no ROS_SECURITY_KEYSTORE, when all sources of its environment are known.
+
+## Why it matters on a robot
+With Enforce every node stops with "failed to initialize rcl: error not set", which says nothing; with Permissive all run unsecured.
+
+## Bad
+```sh
+ROS_SECURITY_ENABLE=true
+```
+
+## Good
+```sh
+ROS_SECURITY_ENABLE=true
+ROS_SECURITY_KEYSTORE=/etc/robot/keystore
+```
+
+## References
+- rcl, `security.c`: the values are compared letter by letter
+- https://docs.ros.org/en/rolling/Tutorials/Advanced/Security/The-Keystore.html
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["failed to initialize rcl: error not set"])
+def ros_security_keystore_unset(robot: Robot):
+    for process in robot.ros.processes:
+        enable = process.environment.get("ROS_SECURITY_ENABLE")
+        if enable and enable.text == "true" and process.environment.defines("ROS_SECURITY_KEYSTORE") is False:
+            yield finding(
+                enable.value,
+                f"{process.name} has no ROS_SECURITY_KEYSTORE: with Enforce no node starts, else all run unsecured",
+                advice="set ROS_SECURITY_KEYSTORE to the absolute path of the keystore",
+                related=[note(process.where, f"{process.name} gets the variable")],
+            )

@@ -1,0 +1,42 @@
+"""A keystore is named, but security is not switched on.
+
+## What it finds
+A process whose environment names ROS_SECURITY_KEYSTORE and has no ROS_SECURITY_ENABLE, when all sources are known.
+
+## Why it matters on a robot
+The nodes run unsecured. Everything looks as if security were set up.
+
+## Bad
+```sh
+ROS_SECURITY_KEYSTORE=/etc/robot/keystore
+```
+
+## Good
+```sh
+ROS_SECURITY_ENABLE=true
+ROS_SECURITY_STRATEGY=Enforce
+ROS_SECURITY_KEYSTORE=/etc/robot/keystore
+```
+
+## References
+- rcl, `security.c`: the values are compared letter by letter
+- https://docs.ros.org/en/rolling/Tutorials/Advanced/Security/The-Keystore.html
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", tags=["CWE-1188"])
+def ros_security_keystore_without_enable(robot: Robot):
+    for process in robot.ros.processes:
+        store = process.environment.get("ROS_SECURITY_KEYSTORE")
+        if store and store.text and process.environment.defines("ROS_SECURITY_ENABLE") is False:
+            yield finding(
+                store.value,
+                f"{process.name} names a keystore but does not switch security on: its nodes run unsecured",
+                advice="add ROS_SECURITY_ENABLE=true and ROS_SECURITY_STRATEGY=Enforce",
+                related=[note(process.where, f"{process.name} gets the variable")],
+            )

@@ -1,0 +1,54 @@
+"""Security is on, but permissive.
+
+## What it finds
+A process with ROS_SECURITY_ENABLE=true and ROS_SECURITY_STRATEGY=Permissive, or without a strategy, which means the same. Files for tests and development are left alone.
+
+## Why it matters on a robot
+A node whose credentials are not found runs unsecured and can still join: the robot works, and is open.
+
+## Bad
+```sh
+ROS_SECURITY_ENABLE=true
+ROS_SECURITY_STRATEGY=Permissive
+```
+
+## Good
+```sh
+ROS_SECURITY_ENABLE=true
+ROS_SECURITY_STRATEGY=Enforce
+```
+
+## References
+- rcl, `security.c`: the values are compared letter by letter
+- https://docs.ros.org/en/rolling/Tutorials/Advanced/Security/The-Keystore.html
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning", fix="unsafe", tags=["CWE-1188"])
+def ros_security_permissive(robot: Robot):
+    for process in robot.ros.processes:
+        environment = process.environment
+        enable, strategy = environment.get("ROS_SECURITY_ENABLE"), environment.get("ROS_SECURITY_STRATEGY")
+        if enable is None or enable.text != "true" or robot.ros.is_development(enable.value):
+            continue
+        if strategy is not None and strategy.text == "Permissive":
+            yield finding(
+                strategy.value,
+                f"{process.name} is permissive: nodes without credentials still join",
+                advice="write Enforce",
+                related=[note(process.where, f"{process.name} gets the variable")],
+                fix=fix("write Enforce", (strategy.value, "Enforce"), safe=False),
+            )
+        elif strategy is None and environment.complete:
+            yield finding(
+                enable.value,
+                f"{process.name} has no ROS_SECURITY_STRATEGY, which means permissive: nodes without credentials still join",
+                advice="add ROS_SECURITY_STRATEGY=Enforce",
+                related=[note(process.where, f"{process.name} gets the variable")],
+            )
