@@ -51,6 +51,7 @@ OF_ROOT = ("/var/log/", "/var/lib/", "/var/cache/", "/opt/", "/srv/", "/etc/", "
     "error",
     fix="unsafe",
     symptoms=["Failed to get logging directory", "rcutils_mkdir", "Read-only file system"],
+    aliases=["env/ros-log-dir-unwritable"],
 )
 def protectsystem_log_dir(robot: Robot):
     seen = set()
