@@ -265,8 +265,9 @@ class Launch:
         if SIMULATION.search(file.source.name):
             return True
         expansion = self.expansion(file)
-        packages = {str(literal_text(node.package)) for node in expansion.nodes}
-        packages |= {place(include.file).package for include in expansion.includes if place(include.file)}
+        packages = {str(literal_text(node.package)) for node in expansion.nodes if node.by_default is not False}
+        always = (place(include.file) for include in expansion.includes if not include.conditions)
+        packages |= {target.package for target in always if target is not None}
         return any(SIMULATORS.search(package) for package in packages)
 
     def visited(self, file: LaunchFile) -> Iterator[tuple[Action, LaunchFile]]:
@@ -332,7 +333,8 @@ class Launch:
             return self._only(file for file in self.files if f"/{target}".endswith("/" + file.source.basename))
         owner = self.workspace.packages.get(str(package))
         if owner is None:
-            return None
+            unknown = (file for file in self.files if self.workspace.owner(file.source) is None)
+            return self._only(file for file in unknown if file.source.basename == target)
         return self._only(file for file in self.files_of(owner) if file.source.basename == target)
 
     def _only(self, files: Iterator[LaunchFile]) -> LaunchFile | None:
@@ -347,6 +349,12 @@ class Launch:
         """Every condition in a file, of actions and components."""
         for action in walk_actions(file.actions):
             yield from action.conditions
+
+    def dead_reads(self, file: LaunchFile, name: str) -> int:
+        """How often a launch configuration is bound to a variable that is used nowhere."""
+        text = file.source.text
+        variables = (variable for read, variable in file.bound if read.name == name)
+        return sum(len(re.findall(rf"(?<![\w.'\"]){variable}(?![\w'\"])", text)) == 1 for variable in variables)
 
     def mentions(self, file: LaunchFile, name: str) -> int:
         """How often a name stands in a file's text as a word of its own."""

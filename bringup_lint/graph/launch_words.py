@@ -24,6 +24,7 @@ from bringup_lint.model.launch import EventHandler
 from bringup_lint.model.launch import Group
 from bringup_lint.model.launch import Include
 from bringup_lint.model.launch import LoadComponents
+from bringup_lint.model.launch import Log
 from bringup_lint.model.launch import Node
 from bringup_lint.model.launch import Opaque
 from bringup_lint.model.launch import Other

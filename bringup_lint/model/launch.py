@@ -264,6 +264,8 @@ class LaunchFile:
     """The entry function's name, or the root of the document."""
     reads: list[Argument] = field(default_factory=list)
     """Every launch configuration that the file mentions, also in code that was not followed to the end."""
+    bound: list[tuple[Argument, str]] = field(default_factory=list)
+    """Those of them that Python code only assigns to a variable, with its name."""
     reads_all: bool = False
     """Looks at launch configurations by names that are not known."""
     imports: list[Import] = field(default_factory=list)

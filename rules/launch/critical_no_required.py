@@ -47,14 +47,13 @@ def critical_no_required(robot: Robot):
             role = robot.launch.role(node).role
             if role not in WATCHED_ROLES or not isinstance(node.action, launch.Node) or node.by_default is False:
                 continue
-            if launch.literal_text(node.package) in BY_HAND:
+            if launch.literal_text(node.package) in BY_HAND or launch.literal_text(node.executable) == "spawner":
                 continue
             if "respawn" in node.options or launch.watched(node, expansion) or not (others or units):
                 continue
             yield finding(
                 node.span,
-                f"if {node.label()} dies, launch goes on and nothing notices: the service stays active without its {role}",
+                f"if {node.label()} dies, launch goes on and nothing notices: a service around it stays active without its {role}",
                 advice="set on_exit=Shutdown() and let the unit restart with Restart=always, or set respawn",
                 related=[note(place, "started by this unit") for place in units],
-                severity=None if units or not node.chain else "info",
             )

@@ -2,7 +2,7 @@
 
 ## What it finds
 Executables of workspace packages that neither setup.py (`console_scripts`) nor CMakeLists.txt (`install`, component
-registration) provides.
+registration) provides, and some of public packages that are often guessed wrong.
 
 ## Why it matters on a robot
 launch aborts with "executable 'x' not found on the libexec directory": no node of the whole launch file comes up.
@@ -30,11 +30,23 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
+PUBLIC = {"gazebo_ros": ("spawn_entity.py",)}
+"""All executables of public packages whose programs people guess."""
+
+
 @rule("error", fix="unsafe", symptoms=["not found on the libexec directory"])
 def executable_missing(robot: Robot):
     for node in robot.launch.nodes:
         package = robot.launch.workspace.packages.get(launch.literal_text(node.package) or "")
         executable = launch.literal_text(node.executable)
+        public = PUBLIC.get(launch.literal_text(node.package) or "")
+        if public and executable is not None and executable not in public:
+            yield finding(
+                executable,
+                f"{launch.literal_text(node.package)} has no executable '{executable}': launch aborts",
+                advice="include a launch file of the package instead",
+                severity="warning" if node.by_default is not True else None,
+            )
         if package is None or executable is None or not package.executables_known or executable in package.executables:
             continue
         near = nearest(executable, sorted(package.executables), 3)

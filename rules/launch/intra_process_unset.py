@@ -1,7 +1,7 @@
 """Images are copied although their nodes share a process.
 
 ## What it finds
-Containers with several image or point-cloud components of which none sets `use_intra_process_comms`.
+Containers with several components, images among them, of which none sets `use_intra_process_comms`.
 
 ## Why it matters on a robot
 Composition alone is not zero-copy: every image still goes through the middleware, with its load on CPU and memory.
@@ -32,12 +32,12 @@ IMAGES = ("image_proc", "stereo_image_proc", "depth_image_proc", "usb_cam", "v4l
 @rule("info")
 def intra_process_unset(robot: Robot):
     for _, node in robot.launch.actions(launch.Node):
-        images = [each for each in node.components if launch.literal(each.package) in IMAGES]
+        images = any(launch.literal(each.package) in IMAGES for each in node.components)
         set_ = any("use_intra_process_comms" in str(launch.literal(each)) for one in node.components
                    for value in one.extra_arguments for each in launch.walk(value))
-        if len(images) > 1 and not set_ and not any(one.open for one in node.components):
+        if images and len(node.components) > 1 and not set_ and not any(one.open for one in node.components):
             yield finding(
                 node.span,
-                f"{len(images)} image components share a process and still copy every image",
+                f"{len(node.components)} components share a process and still copy every image",
                 advice="give them extra_arguments=[{'use_intra_process_comms': True}]",
             )

@@ -1,8 +1,8 @@
 """A lifecycle manager does not notice that a node dies, or waits for a bond that never comes.
 
 ## What it finds
-`bond_timeout: 0` on a lifecycle manager of nav2, and managed nodes of other packages that open no bond while `bond_timeout` is
-above 0.
+`bond_timeout: 0` on a lifecycle manager of nav2, managed nodes of other packages that open no bond while `bond_timeout` is
+above 0, and comments that take it for the time of a transition.
 
 ## Why it matters on a robot
 Without a bond a dead node goes unnoticed: the rest of navigation drives on without its map or its controller. With a bond
@@ -38,6 +38,14 @@ def lifecycle_bond(robot: Robot):
             continue
         started = {launch.full_name(node, robot.launch.role(node)): node for node in expansion.nodes}
         for manager in launch.managers(expansion):
+            name = manager.bond_timeout.name
+            comment = name.span.source.line_text(max(name.line - 1, 1)).strip() if name is not None else ""
+            if comment.startswith("#") and "transition" in comment.lower():
+                yield finding(
+                    name,
+                    "bond_timeout is no time for a transition: after this silence a node counts as dead",
+                    advice="correct the comment, and keep 4.0 for nodes of nav2",
+                )
             nodes = [(managed, started[managed.fqn]) for managed in manager.managed or () if managed.fqn in started]
             foreign = [
                 (managed, node)

@@ -37,34 +37,56 @@ from bringup_lint.api import rule
 @rule("error", fix="unsafe", symptoms=["Waiting for service", "Failed to change state for node"])
 def lifecycle_unknown_node(robot: Robot):
     for expansion in robot.launch.entries:
-        if launch.outside(expansion):
+        managers = launch.managers(expansion)
+        if not managers or launch.outside(expansion):
             continue
         started = {launch.full_name(node, robot.launch.role(node)): node for node in expansion.nodes if node.is_node}
+        if len(started) == len(managers):
+            yield from alone(robot, managers)
+            continue
         bare = {name.rpartition("/")[2]: node for name, node in started.items() if name is not None}
         nav2 = launch.lifecycle_names() if expansion.open else ()
-        for manager in launch.managers(expansion):
+        for manager in managers:
             for managed in manager.managed or ():
                 last = managed.fqn.rpartition("/")[2]
                 if managed.fqn in started or last in nav2:
                     continue
-                alone = len(expansion.nodes) == len(launch.managers(expansion))
-                if (alone or None in started or expansion.open) and (last in robot.launch.all_names or alone):
+                unsure = None in started or expansion.open
+                if unsure and (last in robot.launch.all_names or (last not in bare and not nearest(last, bare))):
                     continue
-                if None in started and last not in bare and not nearest(last, bare):
-                    continue
-                near = [last] if last in bare else nearest(last, bare, 3)
-                elsewhere = last in bare
-                yield finding(
-                    managed.name,
-                    f"the manager looks for {managed.fqn}, the node is {launch.full_name(bare[last], robot.launch.role(bare[last]))}"
-                    if elsewhere
-                    else f"no node {managed.fqn} is started: the manager waits for it and brings nothing up",
-                    advice="put the manager into the namespace of its nodes"
-                    if elsewhere
-                    else (f"list '{near[0]}'" if near else "remove it from node_names, or start the node"),
-                    related=[note(bare[name].span, f"node '{name}' is started here") for name in near[:3]]
-                    or [note(manager.node.span, "the manager")],
-                    fix=fix(f"list '{near[0]}'", (managed.name, near[0]), safe=False)
-                    if len(near) == 1 and not elsewhere and managed.name.span.text == managed.name
-                    else None,
-                )
+                yield from described(robot, manager, managed, bare)
+
+
+def alone(robot, managers):
+    """A manager in a launch file of its own: its nodes come from the other files of the tree, if some of them do."""
+    names = robot.launch.all_names
+    if any(launch.outside(expansion) for expansion in robot.launch.expansions):
+        return
+    for manager in managers:
+        listed = {managed.fqn.rpartition("/")[2]: managed for managed in manager.managed or ()}
+        if names.isdisjoint(listed):
+            continue
+        for last, managed in listed.items():
+            if last not in names and last not in launch.lifecycle_names():
+                yield from described(robot, manager, managed, {})
+
+
+def described(robot, manager, managed, bare):
+    last = managed.fqn.rpartition("/")[2]
+    near = [last] if last in bare else nearest(last, bare, 3)
+    if last in bare:
+        is_called = launch.full_name(bare[last], robot.launch.role(bare[last]))
+        message = f"the manager looks for {managed.fqn}, the node is {is_called}"
+        advice = "put the manager into the namespace of its nodes"
+    else:
+        message = f"no node {managed.fqn} is started: the manager waits for it and brings nothing up"
+        advice = f"list '{near[0]}'" if near else "remove it from node_names, or start the node"
+    exact = len(near) == 1 and last not in bare and managed.name.span.text == managed.name
+    yield finding(
+        managed.name,
+        message,
+        advice=advice,
+        related=[note(bare[name].span, f"node '{name}' is started here") for name in near[:3]]
+        or [note(manager.node.span, "the manager")],
+        fix=fix(f"list '{near[0]}'", (managed.name, near[0]), safe=False) if exact else None,
+    )

@@ -1,7 +1,8 @@
 """A remapping never matches.
 
 ## What it finds
-Remappings from an absolute topic (`/image_raw`) on nodes in a namespace that are known to use the relative one.
+Remappings from an absolute topic (`/image_raw`) on nodes that are known to use the relative one: a warning when the node is
+in a namespace, for information when it is not yet.
 
 ## Why it matters on a robot
 In the namespace `/front` the driver publishes `/front/image_raw`. A rule for `/image_raw` does not match it: the driver goes on
@@ -32,15 +33,19 @@ from bringup_lint.api import rule
 def remap_unused(robot: Robot):
     for node in robot.launch.nodes:
         topics = robot.launch.role(node).topics
-        if not topics or node.namespace in (None, "/"):
+        if not topics or node.namespace is None:
             continue
+        own = node.namespace.rstrip("/")
         for src, _ in node.action.remappings:
             source = launch.literal(src)
             if source is None or not source.startswith("/") or source[1:] not in topics:
                 continue
             yield finding(
                 source,
-                f"'{source}' matches only at the root: in {node.namespace} the node keeps using {node.namespace}{source}",
+                f"'{source}' matches only at the root: in {own} the node keeps using {own}{source}"
+                if own
+                else f"'{source}' matches only while the node has no namespace: in one it keeps using its own {source[1:]}",
+                severity=None if own else "info",
                 advice=f"remap '{source[1:]}'",
                 fix=fix(f"remap '{source[1:]}'", (source, source[1:]), safe=False) if source.span.text == source else None,
             )

@@ -1,7 +1,7 @@
 """A fixed delay stands in for an order.
 
 ## What it finds
-`TimerAction` around nodes or includes.
+`TimerAction` around nodes or includes, and timers that announce the success of checks that nobody waits for.
 
 ## Why it matters on a robot
 On a slow boot, with a full disk or a cold camera, the delay is too short and the consumer starts before the driver; on a good
@@ -24,6 +24,7 @@ RegisterEventHandler(OnStateTransition(target_lifecycle_node=driver, goal_state=
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
+from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
@@ -41,6 +42,7 @@ def timer_ordering(robot: Robot):
                 if isinstance(inner, (launch.Node, launch.Include, launch.LoadComponents))
             ]
             if not started:
+                yield from announced(robot, file, action)
                 continue
             period = launch.text_of(robot.launch.resolved(action.period, file))
             if period in ("0", "0.0"):
@@ -53,3 +55,17 @@ def timer_ordering(robot: Robot):
                 else f"{what} is no ordering: on a slow boot it starts before what it waits for",
                 advice="start it from an event handler, or let a lifecycle manager bring it up",
             )
+
+
+def announced(robot, file, timer):
+    """A timer that only says that checks have passed, while nobody looks at their results."""
+    expansion = robot.launch.expansion(file)
+    checks = [node for node in expansion.nodes if node.file is file and launch.check_of(node)]
+    ignored = [node for node in checks if not launch.watched(node, expansion)]
+    if ignored and any(isinstance(inner, launch.Log) for inner in timer.actions):
+        yield finding(
+            timer.span,
+            "this is said after a fixed delay, whatever the checks before it found",
+            advice="say it in an OnProcessExit handler of the checks",
+            related=[note(node.span, "nobody waits for this check") for node in ignored[:5]],
+        )

@@ -27,6 +27,8 @@ LaunchDescription([
 - launch, scope of launch configurations
 """
 
+import re
+
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -39,14 +41,23 @@ def unused_arg(robot: Robot):
         files = {id(each): each for expansion in expansions for each in expansion.files}
         if any(expansion.open for expansion in expansions) or robot.launch.reads_unseen(files.values()):
             continue
-        read = {str(argument.name) for each in files.values() for argument in each.reads}
+        elsewhere = robot.launch.read_in(each for each in files.values() if each is not file)
         for declared in robot.launch.expansion(file).declared:
-            if declared.file is not file or declared.name in read:
+            name = declared.name
+            if declared.file is not file or name in elsewhere:
                 continue
-            if robot.launch.mentions(file, declared.name) > 1:
+            dead = robot.launch.dead_reads(file, name)
+            if sum(argument.name == name for argument in file.reads) > dead or mentioned(robot, file, name) > 1 + dead:
                 continue
             yield finding(
                 declared.action.name.span,
-                f"'{declared.name}' is declared but nothing reads it: setting it has no effect",
+                f"'{name}' is declared but nothing reads it: setting it has no effect",
                 advice="use the argument, or remove the declaration",
             )
+
+
+def mentioned(robot, file, name):
+    """In Python only quoted names count: a variable may be called like the argument."""
+    if file.format != "python":
+        return robot.launch.mentions(file, name)
+    return len(re.findall(rf"""['"]{re.escape(name)}['"]""", file.source.text))

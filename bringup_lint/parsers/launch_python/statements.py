@@ -6,6 +6,7 @@ import ast
 from typing import Any
 
 from bringup_lint.model.launch import Import
+from bringup_lint.model.launch_values import Argument
 from bringup_lint.model.launch_values import Condition
 from bringup_lint.model.launch_values import Unknown
 from bringup_lint.parsers.launch_python import budget
@@ -49,6 +50,8 @@ def _assign(state: State, node: ast.Assign) -> None:
     value = state.evaluate(node.value)
     for target in node.targets:
         assign(state, target, value)
+    if isinstance(value, Argument) and isinstance(node.value, ast.Call) and isinstance(node.targets[0], ast.Name):
+        state.file.bound.append((value, node.targets[0].id))
 
 
 def _annotated(state: State, node: ast.AnnAssign) -> None:
