@@ -19,9 +19,11 @@ from bringup_lint.model.sros2 import Grant
 from bringup_lint.model.sros2 import Permissions
 from bringup_lint.model.sros2 import Remark
 from bringup_lint.model.sros2 import moment
+from bringup_lint.model.shell import Command
 from bringup_lint.parsers import sros2
 from bringup_lint.parsers.certificate import Certificate
 from bringup_lint.parsers.certificate import parse as certificate
+from bringup_lint.parsers.shell import commands
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
@@ -98,6 +100,12 @@ class Sros2:
             if other.name == f"{folder}/cert.pem":
                 return each.common_name
         return None
+
+    def scripts(self, word: str) -> Iterator[tuple[Source, list[Command]]]:
+        """The shell scripts that hold a word, with their commands."""
+        for source in self.robot.of_kind("shell-script"):
+            if word in source.text and source.judged and not source.template:
+                yield source, commands(source.located(0, len(source.text)))
 
     def signed_text(self, source: Source) -> tuple[Source, str] | None:
         """The document inside the signed file beside a document, when both are in the tree."""

@@ -1,0 +1,45 @@
+"""One identity for several processes.
+
+## What it finds
+`ROS_SECURITY_ENCLAVE_OVERRIDE` in a file that several units or services read.
+
+## Why it matters on a robot
+All of them get the same enclave: a compromised camera driver may do whatever the motor controller may.
+
+## Bad
+```ini
+# /etc/default/lawn, read by driver.service and camera.service
+ROS_SECURITY_ENCLAVE_OVERRIDE=/lawn/driver
+```
+
+## Good
+```ini
+ExecStart=ros2 run lawn driver --ros-args --enclave /lawn/driver
+```
+
+## References
+- rcl, security.c; tried with the real rcl of Jazzy
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning", tags=["CWE-250"])
+def ros_security_enclave_override_shared(robot: Robot):
+    readers = {}
+    for process in robot.ros.processes:
+        variable = process.environment.get("ROS_SECURITY_ENCLAVE_OVERRIDE")
+        if variable is not None and variable.value.span.source.judged:
+            key = (id(variable.value.span.source), variable.value.span.start)
+            readers.setdefault(key, (variable, {}))[1][process.name] = process
+    for variable, processes in readers.values():
+        if len(processes) > 1:
+            yield finding(
+                variable.value,
+                f"{' and '.join(list(processes)[:3])} all get the identity {variable.value}: each may do what any of them may",
+                advice="select the enclave per process with --ros-args --enclave",
+                related=[note(process.where, "takes it from here") for process in list(processes.values())[:3]],
+            )

@@ -1,0 +1,36 @@
+"""The key of the certificate authority on the robot.
+
+## What it finds
+In a root file system: a key below `private` of a keystore.
+
+## Why it matters on a robot
+Whoever owns the robot can create identities for the whole fleet.
+
+## Bad
+```text
+/etc/lawn/keystore/private/ca.key.pem
+```
+
+## Good
+```text
+/etc/lawn/keystore/public/ca.cert.pem
+```
+
+## References
+- ROS 2 documentation, "Deployment Guidelines" of security
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("warning", tags=["CWE-522"])
+def ca_key_on_robot(robot: Robot):
+    for source in robot.of_kind("sros2-key"):
+        if robot.tree.complete and "/private/" in f"/{source.name}" and source.judged:
+            yield finding(
+                source,
+                "The key of the certificate authority is on the robot: whoever owns it can create identities for the whole fleet",
+                advice="sign on a separate machine, and deploy public and enclaves only",
+            )

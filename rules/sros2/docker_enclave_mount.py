@@ -1,0 +1,56 @@
+"""One enclave mounted as if it were the keystore.
+
+## What it finds
+A compose service that mounts a folder below `enclaves` at the path of its `ROS_SECURITY_KEYSTORE`.
+
+## Why it matters on a robot
+rcl looks for `KEYSTORE/enclaves/...`, which does not exist there, and the links of the enclave to
+`../../../public` lead nowhere: with Enforce no node starts.
+
+## Bad
+```yaml
+volumes:
+  - ./keystore/enclaves/lawn/driver:/keystore:ro
+environment:
+  ROS_SECURITY_KEYSTORE: /keystore
+```
+
+## Good
+```yaml
+volumes:
+  - ./keystore/public:/keystore/public:ro
+  - ./keystore/enclaves:/keystore/enclaves:ro
+environment:
+  ROS_SECURITY_KEYSTORE: /keystore
+```
+
+## References
+- rcl, security.c; tried with the real rcl of Jazzy
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["SECURITY ERROR: directory"])
+def docker_enclave_mount(robot: Robot):
+    if not robot.of_kind("compose"):
+        return
+    for service in robot.compose.services:
+        variable = service.environment.get("ROS_SECURITY_KEYSTORE")
+        keystore = variable.value.rstrip("/") if variable is not None and variable.value else None
+        if not keystore or "$" in keystore or not service.source.judged:
+            continue
+        for volume in service.volumes:
+            inside = volume.source is not None and re.search(r"/enclaves/[^/]", volume.source)
+            if inside and volume.target is not None and volume.target.rstrip("/") == keystore:
+                yield finding(
+                    volume.where,
+                    f"rcl looks in {keystore}/enclaves, but {keystore} is a single enclave: the directory does not exist, and its links lead nowhere",
+                    advice=f"mount public and enclaves of the keystore below {keystore}, read-only and without private",
+                    related=[note(variable.value, "the keystore is expected here")],
+                )

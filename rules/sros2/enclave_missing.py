@@ -1,0 +1,46 @@
+"""An enclave that the keystore does not have.
+
+## What it finds
+An enclave named by `--enclave` or `ROS_SECURITY_ENCLAVE_OVERRIDE` that none of the tree's keystores holds. Without
+a keystore in the tree nothing can be said.
+
+## Why it matters on a robot
+With Enforce the process ends (`directory does not exist`); with Permissive it runs unsecured.
+
+## Bad
+```sh
+ros2 run lawn driver --ros-args --enclave /lawn/motor
+# keystore/enclaves/lawn/driver
+```
+
+## Good
+```sh
+ros2 run lawn driver --ros-args --enclave /lawn/driver
+# keystore/enclaves/lawn/driver
+```
+
+## References
+- rcl, security.c; tried with the real rcl of Jazzy
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import nearest
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["SECURITY ERROR: directory"])
+def enclave_missing(robot: Robot):
+    keystores = robot.sros2.keystores
+    known = sorted({path for keystore in keystores for path in keystore.enclaves})
+    for name in robot.sros2.selected:
+        if not known or name in known or not re.fullmatch(r"/|(?:/\w+)+", name):
+            continue
+        near = nearest(name, known)
+        yield finding(
+            name,
+            f"Enclave {name} is not in {keystores[0].name}: with Enforce the process ends, with Permissive it runs unsecured",
+            advice=f"write {near[0]}" if near else f"create it (ros2 security create_enclave), or use one of {', '.join(known[:5])}",
+        )

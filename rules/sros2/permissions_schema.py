@@ -1,0 +1,51 @@
+"""Permissions whose elements are missing, unknown or misplaced.
+
+## What it finds
+Elements of a permissions document that the specification does not know or that stand twice, a grant without a
+name, subject or validity, and a validity without its start or end.
+
+## Why it matters on a robot
+The security plugin rejects the document: no node of the enclave starts.
+
+## Bad
+```xml
+<validity>
+  <not_before>2026-01-01T00:00:00</not_before>
+</validity>
+```
+
+## Good
+```xml
+<validity>
+  <not_before>2026-01-01T00:00:00</not_before>
+  <not_after>2027-01-01T00:00:00</not_after>
+</validity>
+```
+
+## References
+- Cyclone DDS 0.10.5 with security, tried with the real library
+- OMG DDS Security 1.1, clause 9.4.1.3
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("error")
+def permissions_schema(robot: Robot):
+    for permissions in robot.sros2.permissions:
+        for remark in permissions.remarks:
+            if remark.code not in ("missing", "unknown", "duplicate", "attribute") or remark.detail in ("default", "topic"):
+                continue
+            if remark.code in ("missing", "attribute"):
+                message, advice = f"{remark.where} lacks {remark.detail}", f"add {remark.detail}"
+            elif remark.code == "unknown":
+                message, advice = f"{remark.detail} is no element of permissions", "delete it"
+            else:
+                message, advice = f"{remark.detail} stands here twice", "delete one of the two"
+            yield finding(
+                remark.where,
+                f"{message}: the document is rejected, no node of the enclave starts",
+                advice=f"{advice}, and sign the document again",
+            )
