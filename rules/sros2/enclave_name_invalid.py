@@ -1,10 +1,12 @@
 """An enclave name that rcl does not accept.
 
 ## What it finds
-A name behind `--enclave`, or in `ROS_SECURITY_ENCLAVE_OVERRIDE`, that is not absolute or not a valid namespace.
+A name behind `--enclave` that is not absolute or not a valid namespace, and a `ROS_SECURITY_ENCLAVE_OVERRIDE`
+without a slash in front.
 
 ## Why it matters on a robot
-The process ends at start: `Enclave name is not valid`.
+With `--enclave` the process ends at start, even with security off: `Enclave name is not valid`. The variable is
+not checked: its first component is cut short, and the enclave is not found.
 
 ## Bad
 ```sh
@@ -30,14 +32,17 @@ from bringup_lint.api import rule
 
 @rule("error", fix="safe", symptoms=["Enclave name is not valid"])
 def enclave_name_invalid(robot: Robot):
+    overrides = {id(setting.value) for setting in robot.ros.of("ROS_SECURITY_ENCLAVE_OVERRIDE")}
     for name in robot.sros2.selected:
-        if re.fullmatch(r"/|(?:/[A-Za-z_][A-Za-z0-9_]*)+", name) or not name:
+        override = id(name) in overrides
+        if not name or re.fullmatch(r"/|(?:/[A-Za-z_][A-Za-z0-9_]*)+", name) or (override and name.startswith("/")):
             continue
         right = f"/{name.strip('/')}"
         valid = re.fullmatch(r"(?:/[A-Za-z_][A-Za-z0-9_]*)+", right)
+        consequence = "rcl looks for another enclave" if override else "the process ends at start"
         yield finding(
             name,
-            f"'{name}' is not a valid enclave name: the process ends at start",
+            f"'{name}' is not a valid enclave name: {consequence}",
             advice=f"write {right}" if valid else "write an absolute name such as /lawn/driver",
             fix=fix(f"write {right}", (name, right)) if valid else None,
         )
