@@ -29,10 +29,14 @@ from bringup_lint.api import rule
 import re
 
 
+ORIGINS = ("Environment=", "EnvironmentFile=", "env_file:")
+"""Who reads the place without a shell."""
+
+
 @rule("error", symptoms=["SECURITY ERROR: directory"])
 def ros_security_keystore_tilde(robot: Robot):
     for setting in robot.ros.settings:
-        if setting.name != "ROS_SECURITY_KEYSTORE" or setting.origin not in ("Environment=", "EnvironmentFile=", "env file", "env_file:"):
+        if setting.name != "ROS_SECURITY_KEYSTORE" or setting.origin not in ORIGINS:
             continue
         if re.match(r"~|\$\{?HOME\b", setting.value):
             yield finding(

@@ -32,10 +32,15 @@ from bringup_lint.api import rule
 def ros_security_keystore_unset(robot: Robot):
     for process in robot.ros.processes:
         enable = process.environment.get("ROS_SECURITY_ENABLE")
-        if enable and enable.text == "true" and process.environment.defines("ROS_SECURITY_KEYSTORE") is False:
+        if enable and enable.text == "true" and _is_unset(robot, process):
             yield finding(
                 enable.value,
                 f"{process.name} has no ROS_SECURITY_KEYSTORE: with Enforce no node starts, else all run unsecured",
                 advice="set ROS_SECURITY_KEYSTORE to the absolute path of the keystore",
                 related=[note(process.where, f"{process.name} gets the variable")],
             )
+
+
+def _is_unset(robot, process):
+    """Neither the process's own environment nor a launch file of the tree sets it."""
+    return process.environment.defines("ROS_SECURITY_KEYSTORE") is False and not robot.sros2.in_launch("ROS_SECURITY_KEYSTORE")

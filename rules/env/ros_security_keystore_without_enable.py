@@ -33,10 +33,15 @@ from bringup_lint.api import rule
 def ros_security_keystore_without_enable(robot: Robot):
     for process in robot.ros.processes:
         store = process.environment.get("ROS_SECURITY_KEYSTORE")
-        if store and store.text and process.environment.defines("ROS_SECURITY_ENABLE") is False:
+        if store and store.text and _is_unset(robot, process):
             yield finding(
                 store.value,
                 f"{process.name} names a keystore but does not switch security on: its nodes run unsecured",
                 advice="add ROS_SECURITY_ENABLE=true and ROS_SECURITY_STRATEGY=Enforce",
                 related=[note(process.where, f"{process.name} gets the variable")],
             )
+
+
+def _is_unset(robot, process):
+    """Neither the process's own environment nor a launch file of the tree sets it."""
+    return process.environment.defines("ROS_SECURITY_ENABLE") is False and not robot.sros2.in_launch("ROS_SECURITY_ENABLE")
