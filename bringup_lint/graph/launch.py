@@ -15,6 +15,8 @@ from bringup_lint.facts.node_roles import HARDWARE
 from bringup_lint.facts.node_roles import Role
 from bringup_lint.facts.node_roles import packages
 from bringup_lint.facts.node_roles import role_of
+from bringup_lint.graph.graph import Edge
+from bringup_lint.graph.launch_edges import launch_edges
 from bringup_lint.graph.launch_expand import Expander
 from bringup_lint.graph.launch_expand import Expansion
 from bringup_lint.graph.launch_expand import Included
@@ -296,6 +298,11 @@ class Launch:
                     seen.add(str(depend))
                     todo.append(self.workspace.packages[str(depend)])
         return False
+
+    @property
+    def edges(self) -> Iterator[Edge]:
+        """What launch files add to the robot's graph."""
+        return launch_edges(self)
 
     @cached_property
     def commands(self) -> list[LaunchCommand]:
