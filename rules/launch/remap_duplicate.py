@@ -31,7 +31,7 @@ from bringup_lint.api import rule
 def remap_duplicate(robot: Robot):
     for node in robot.launch.nodes:
         first = {}
-        for src, dst in node.action.remappings if node.is_node and node.executable or node.plugin else ():
+        for src, dst in getattr(node.action, "remappings", ()):
             source, target = launch.literal(src), launch.literal(dst)
             if source is None:
                 continue
