@@ -27,7 +27,7 @@ LAYERS = (
     {"source", "spelling", "templates", "toml"},
 )
 LEVEL = {name: level for level, names in enumerate(LAYERS) for name in names}
-HEAVY = ("networkx", "libcst", "lxml", "yaml", "rich", "pathspec", "click", "jsonschema")
+HEAVY = ("networkx", "yaml", "pathspec", "click", "jsonschema", "lxml")
 
 
 def modules() -> list[Path]:
