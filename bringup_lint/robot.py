@@ -19,30 +19,30 @@ from bringup_lint.source import Problem
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
-    from bringup_lint.graph.ros_environment import RosEnvironment
     from bringup_lint.discover.tree import Tree
-    from bringup_lint.graph.accounts import Accounts
-    from bringup_lint.graph.daemons import Daemon
-    from bringup_lint.graph.device_access import ClosedDevice
-    from bringup_lint.graph.sshd import Sshd
-    from bringup_lint.graph.watchdog import Watchdog
-    from bringup_lint.graph.devices import Devices
-    from bringup_lint.graph.can import Can
     from bringup_lint.graph.compose import Compose
-    from bringup_lint.graph.dds import Dds
-    from bringup_lint.graph.env_files import UsedEnvFile
-    from bringup_lint.graph.fstab import NeededPath
-    from bringup_lint.graph.host import Jail
-    from bringup_lint.graph.launch import Launch
-    from bringup_lint.graph.params import Params
-    from bringup_lint.graph.ros_logs import RosLogs
-    from bringup_lint.graph.ros_secrets import Indirect
-    from bringup_lint.graph.secrets import Secret
-    from bringup_lint.graph.sros2 import Sros2
-    from bringup_lint.graph.sysctl import Sysctl
-    from bringup_lint.graph.notify import Notify
-    from bringup_lint.graph.udev import Udev
-    from bringup_lint.graph.units import Units
+    from bringup_lint.graph.dds.dds import Dds
+    from bringup_lint.graph.environment.env_files import UsedEnvFile
+    from bringup_lint.graph.environment.ros import RosEnvironment
+    from bringup_lint.graph.host.accounts import Accounts
+    from bringup_lint.graph.host.can import Can
+    from bringup_lint.graph.host.daemons import Daemon
+    from bringup_lint.graph.host.device_access import ClosedDevice
+    from bringup_lint.graph.host.devices import Devices
+    from bringup_lint.graph.host.files import Jail
+    from bringup_lint.graph.host.fstab import NeededPath
+    from bringup_lint.graph.host.logs import RosLogs
+    from bringup_lint.graph.host.sshd import Sshd
+    from bringup_lint.graph.host.sysctl import Sysctl
+    from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.params.params import Params
+    from bringup_lint.graph.secrets.in_clear import Secret
+    from bringup_lint.graph.secrets.ros import Indirect
+    from bringup_lint.graph.sros2.sros2 import Sros2
+    from bringup_lint.graph.systemd.notify import Notify
+    from bringup_lint.graph.systemd.units import Units
+    from bringup_lint.graph.systemd.watchdog import Watchdog
+    from bringup_lint.graph.udev.udev import Udev
     from bringup_lint.model.dockerfile import Dockerfile
     from bringup_lint.model.env_file import EnvFile
     from bringup_lint.model.firewall import Firewall
@@ -135,131 +135,131 @@ class Robot:
     @cached_property
     def secrets(self) -> list[Secret]:
         """Secrets that stand in clear text in units, environment files, compose files and Dockerfiles."""
-        from bringup_lint.graph.secrets import secrets
+        from bringup_lint.graph.secrets.in_clear import secrets
 
         return list(secrets(self))
 
     @cached_property
     def exposed_secrets(self) -> list[Indirect]:
         """Parameters that hand a secret to a node."""
-        from bringup_lint.graph.secrets import exposed
+        from bringup_lint.graph.secrets.in_clear import exposed
 
         return list(exposed(self))
 
     @cached_property
     def units(self) -> Units:
-        from bringup_lint.graph.unit_loading import load_units
+        from bringup_lint.graph.systemd.unit_loading import load_units
 
         return load_units(self)
 
     @cached_property
     def env_files(self) -> list[UsedEnvFile]:
-        from bringup_lint.graph.env_files import used_env_files
+        from bringup_lint.graph.environment.env_files import used_env_files
 
         return used_env_files(self)
 
     @cached_property
     def netplan(self) -> Netplan:
-        from bringup_lint.graph.netplan import load_netplan
+        from bringup_lint.graph.netplan.netplan import load_netplan
 
         return load_netplan(self)
 
     @cached_property
     def sysctl(self) -> Sysctl:
-        from bringup_lint.graph.sysctl import load_sysctl
+        from bringup_lint.graph.host.sysctl import load_sysctl
 
         return load_sysctl(self)
 
     @cached_property
     def dds(self) -> Dds:
-        from bringup_lint.graph.dds import load_dds
+        from bringup_lint.graph.dds.dds import load_dds
 
         return load_dds(self)
 
     @cached_property
     def udev(self) -> Udev:
-        from bringup_lint.graph.udev import load_udev
+        from bringup_lint.graph.udev.udev import load_udev
 
         return load_udev(self)
 
     @cached_property
     def devices(self) -> Devices:
-        from bringup_lint.graph.devices import load_devices
+        from bringup_lint.graph.host.devices import load_devices
 
         return load_devices(self)
 
     @cached_property
     def closed_devices(self) -> list[ClosedDevice]:
         """The devices that services name and that their users may not open."""
-        from bringup_lint.graph.device_access import closed_devices
+        from bringup_lint.graph.host.device_access import closed_devices
 
         return list(closed_devices(self)) if self.tree.complete and self.of_kind("udev-rules") else []
 
     @cached_property
     def waiting_for_network(self) -> list[tuple[str, Located]]:
         """Units that are ordered after network-online.target, with the word that says so."""
-        from bringup_lint.graph.network_online import waiting_for_network
+        from bringup_lint.graph.systemd.network_online import waiting_for_network
 
         return waiting_for_network(self.units)
 
     @cached_property
     def notify(self) -> Notify:
-        from bringup_lint.graph.notify import Notify
+        from bringup_lint.graph.systemd.notify import Notify
 
         return Notify(self)
 
     @cached_property
     def launch(self) -> Launch:
-        from bringup_lint.graph.launch import load_launch
+        from bringup_lint.graph.launch.launch import load_launch
 
         return load_launch(self)
 
     @cached_property
     def params(self) -> Params:
-        from bringup_lint.graph.params import load_params
+        from bringup_lint.graph.params.params import load_params
 
         return load_params(self)
 
     @cached_property
     def accounts(self) -> Accounts:
-        from bringup_lint.graph.accounts import load_accounts
+        from bringup_lint.graph.host.accounts import load_accounts
 
         return load_accounts(self)
 
     @cached_property
     def journald(self) -> list[Daemon]:
-        from bringup_lint.graph.daemons import load_daemons
+        from bringup_lint.graph.host.daemons import load_daemons
 
         return load_daemons(self, "journald")
 
     @cached_property
     def system_conf(self) -> list[Daemon]:
-        from bringup_lint.graph.daemons import load_daemons
+        from bringup_lint.graph.host.daemons import load_daemons
 
         return load_daemons(self, "system")
 
     @cached_property
     def logind(self) -> list[Daemon]:
-        from bringup_lint.graph.daemons import load_daemons
+        from bringup_lint.graph.host.daemons import load_daemons
 
         return load_daemons(self, "logind")
 
     @cached_property
     def sshd(self) -> list[Sshd]:
-        from bringup_lint.graph.sshd import load_sshd
+        from bringup_lint.graph.host.sshd import load_sshd
 
         return load_sshd(self)
 
     @cached_property
     def watchdog(self) -> Watchdog:
-        from bringup_lint.graph.watchdog import Watchdog
+        from bringup_lint.graph.systemd.watchdog import Watchdog
 
         return Watchdog(self)
 
     @cached_property
     def logs(self) -> RosLogs:
         """What units and ROS write, and the logrotate files that rotate it."""
-        from bringup_lint.graph.ros_logs import RosLogs
+        from bringup_lint.graph.host.logs import RosLogs
 
         return RosLogs(self)
 
@@ -277,21 +277,21 @@ class Robot:
 
     @cached_property
     def firewalls(self) -> list[Firewall]:
-        from bringup_lint.graph.firewall import load_firewalls
+        from bringup_lint.graph.host.firewall import load_firewalls
 
         return load_firewalls(self)
 
     @cached_property
     def ssh_forwards(self) -> list[tuple[Source, int, Located]]:
         """The ports that scripts forward over SSH, with the word that says so."""
-        from bringup_lint.graph.firewall import ssh_forwards
+        from bringup_lint.graph.host.firewall import ssh_forwards
 
         return list(ssh_forwards(self))
 
     @cached_property
     def dds_domain(self) -> tuple[int, Located] | None:
         """The DDS domain that the tree sets, when all its files agree on one."""
-        from bringup_lint.graph.firewall import dds_domain
+        from bringup_lint.graph.host.firewall import dds_domain
 
         return dds_domain(self)
 
@@ -304,59 +304,59 @@ class Robot:
     @staticmethod
     def mount_options(filesystem: str) -> list[str]:
         """The mount options of a file system; empty when they are not known."""
-        from bringup_lint.graph.fstab import mount_options
+        from bringup_lint.graph.host.fstab import mount_options
 
         return mount_options(filesystem)
 
     @property
     def lost_directories(self) -> list[NeededPath]:
         """Directories that units need on a tmpfs and that nothing makes at boot."""
-        from bringup_lint.graph.fstab import lost_directories
+        from bringup_lint.graph.host.fstab import lost_directories
 
         return list(lost_directories(self))
 
     @property
     def read_only_writes(self) -> list[NeededPath]:
         """Paths that units write to on a read-only root."""
-        from bringup_lint.graph.fstab import read_only_writes
+        from bringup_lint.graph.host.fstab import read_only_writes
 
         return list(read_only_writes(self))
 
     @cached_property
     def jails(self) -> list[Jail]:
-        from bringup_lint.graph.host import parse_jail
+        from bringup_lint.graph.host.files import parse_jail
 
         return self.parsed(parse_jail, self.of_kind("fail2ban-jail"))
 
     @cached_property
     def sshd_sources(self) -> list[Source]:
-        from bringup_lint.graph.host import sshd_sources
+        from bringup_lint.graph.host.files import sshd_sources
 
         return sshd_sources(self)
 
     @cached_property
     def installations(self) -> list[tuple[Source, Command]]:
         """The commands of scripts and Dockerfiles that install packages with apt."""
-        from bringup_lint.graph.host import installations
+        from bringup_lint.graph.host.files import installations
 
         return list(installations(self))
 
     @cached_property
     def can(self) -> Can:
-        from bringup_lint.graph.can import Can
+        from bringup_lint.graph.host.can import Can
 
         return Can(self)
 
     @cached_property
     def ros(self) -> RosEnvironment:
         """The variables of ROS 2, wherever they are set, and the environment of every process that runs it."""
-        from bringup_lint.graph.ros_environment import RosEnvironment
+        from bringup_lint.graph.environment.ros import RosEnvironment
 
         return RosEnvironment(self)
 
     @cached_property
     def sros2(self) -> Sros2:
         """Keystores, enclaves, governance and permissions documents, and the processes that use them."""
-        from bringup_lint.graph.sros2 import load_sros2
+        from bringup_lint.graph.sros2.sros2 import load_sros2
 
         return load_sros2(self)

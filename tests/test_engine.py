@@ -83,7 +83,7 @@ def test_failing_rule_is_reported_and_the_others_run(tree: Path) -> None:
 
 
 def test_failing_parser_is_reported_and_the_other_files_are_checked(tree: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    from bringup_lint.graph import unit_loading
+    from bringup_lint.graph.systemd import unit_loading
     from bringup_lint.parsers import unit
 
     def parse(source):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from bringup_lint.graph.units import Units
+from bringup_lint.graph.systemd.units import Units
 from tests.test_units import load
 from tests.test_units import only
 

@@ -8,11 +8,11 @@ from pathlib import Path
 import pytest
 
 from bringup_lint.discover.walk import discover
-from bringup_lint.graph.launch import Launch
-from bringup_lint.graph.launch_started import exclusive
-from bringup_lint.graph.launch_started import namespace
-from bringup_lint.graph.python_expression import NotEvaluated
-from bringup_lint.graph.python_expression import evaluate
+from bringup_lint.graph.launch.launch import Launch
+from bringup_lint.graph.launch.python_expression import NotEvaluated
+from bringup_lint.graph.launch.python_expression import evaluate
+from bringup_lint.graph.launch.started import exclusive
+from bringup_lint.graph.launch.started import namespace
 from bringup_lint.graph.workspace import Place
 from bringup_lint.model.launch_values import Literal
 from bringup_lint.robot import Robot

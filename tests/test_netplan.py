@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import settings
 from hypothesis import strategies as st
 
-from bringup_lint.graph.netplan import assemble
+from bringup_lint.graph.netplan.netplan import assemble
 from bringup_lint.model.netplan import Netplan
 from bringup_lint.parsers.netplan import parse
 from bringup_lint.source import Source

@@ -10,7 +10,7 @@ from hypothesis import settings
 from hypothesis import strategies as st
 
 from bringup_lint.discover.walk import discover
-from bringup_lint.graph.restart import RestartPolicy
+from bringup_lint.graph.systemd.restart import RestartPolicy
 from bringup_lint.robot import Robot
 
 STARTS = 400

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from bringup_lint.discover.walk import discover
-from bringup_lint.graph.sandbox import Sandbox
+from bringup_lint.graph.systemd.sandbox import Sandbox
 from bringup_lint.robot import Robot
 
 

@@ -9,11 +9,11 @@ from hypothesis import given
 from hypothesis import settings
 from hypothesis import strategies as st
 
-from bringup_lint.graph.udev import Udev
-from bringup_lint.graph.udev import effective
-from bringup_lint.graph.udev_overlap import may_both_fire
-from bringup_lint.graph.udev_patterns import matches
-from bringup_lint.graph.udev_patterns import may_overlap
+from bringup_lint.graph.udev.overlap import may_both_fire
+from bringup_lint.graph.udev.patterns import matches
+from bringup_lint.graph.udev.patterns import may_overlap
+from bringup_lint.graph.udev.udev import Udev
+from bringup_lint.graph.udev.udev import effective
 from bringup_lint.parsers.udev import parse
 from bringup_lint.source import Source
 

@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from bringup_lint.discover.walk import discover
-from bringup_lint.graph.unit import Unit
-from bringup_lint.graph.units import Units
+from bringup_lint.graph.systemd.unit import Unit
+from bringup_lint.graph.systemd.units import Units
 from bringup_lint.robot import Robot
 
 SERVICE = "[Service]\nExecStart=/bin/true\n"

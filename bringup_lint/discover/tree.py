@@ -14,9 +14,9 @@ from bringup_lint.discover.reading import decode
 from bringup_lint.discover.reading import read_bytes
 from bringup_lint.discover.roots import overlay_path
 from bringup_lint.discover.roots import resolve_inside
-from bringup_lint.templates import template_language
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
+from bringup_lint.templates import template_language
 
 
 @dataclass(eq=False)

@@ -25,13 +25,12 @@ EnvironmentFile=/etc/robot/ros.env
 - https://github.com/ros2/ros2cli/issues/1009
 """
 
+import re
+
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
-
-
-import re
 
 BRIDGE = re.compile(r"bridge|domain", re.I)
 

@@ -20,13 +20,12 @@ CYCLONEDDS_URI=file:///etc/robot/cyclonedds.xml
 - Cyclone DDS manual, "Configuration"; each form tried with 0.10.5 and 11.0.1
 """
 
+import re
+
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
-
-
-import re
 
 
 @rule("error", fix="safe", symptoms=["can't open configuration file", "failed to create domain"])

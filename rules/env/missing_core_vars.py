@@ -27,7 +27,6 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
-
 CORE = ("ROS_DOMAIN_ID", "RMW_IMPLEMENTATION")
 
 

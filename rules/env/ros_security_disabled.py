@@ -30,7 +30,6 @@ from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
 
-
 NO = ("false", "0", "no", "off")
 
 

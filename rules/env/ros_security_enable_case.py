@@ -26,7 +26,6 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
 
-
 NO = ("", "false", "0", "no", "off")
 
 

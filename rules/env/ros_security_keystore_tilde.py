@@ -21,13 +21,11 @@ ROS_SECURITY_KEYSTORE=/etc/robot/keystore
 - https://docs.ros.org/en/rolling/Tutorials/Advanced/Security/The-Keystore.html
 """
 
+import re
+
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
-
-
-import re
-
 
 ORIGINS = ("Environment=", "EnvironmentFile=", "env_file:")
 """Who reads the place without a shell."""

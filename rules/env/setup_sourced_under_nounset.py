@@ -24,14 +24,13 @@ set -u
 - ament_package, `prefix_level/setup.sh`: reads AMENT_TRACE_SETUP_FILES
 """
 
+import re
+
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api import shell_commands
-
-
-import re
 
 SETUP = re.compile(r"(?:^|/)(?:local_)?setup\.(?:bash|sh)$")
 

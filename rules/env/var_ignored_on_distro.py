@@ -26,7 +26,6 @@ from bringup_lint.api import at_least
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
-
 SINCE = {
     "ROS_AUTOMATIC_DISCOVERY_RANGE": ("iron", "use ROS_LOCALHOST_ONLY"),
     "ROS_STATIC_PEERS": ("iron", "name the peers in the DDS configuration"),

@@ -29,7 +29,6 @@ from bringup_lint.api import nearest
 from bringup_lint.api import note
 from bringup_lint.api import rule
 
-
 PUBLIC = {"gazebo_ros": ("spawn_entity.py",)}
 """All executables of public packages whose programs people guess."""
 

@@ -34,7 +34,6 @@ from bringup_lint.api import nearest
 from bringup_lint.api import note
 from bringup_lint.api import rule
 
-
 OWN = ("ros_namespace", "ros_remaps", "global_params")
 """launch_ros keeps these among the launch configurations."""
 

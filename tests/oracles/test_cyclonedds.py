@@ -10,8 +10,8 @@ import pytest
 
 from bringup_lint.discover.kinds import kind_of
 from bringup_lint.facts import table
-from bringup_lint.graph.cyclonedds_discovery import PEER
-from bringup_lint.graph.cyclonedds_discovery import bad_addresses
+from bringup_lint.graph.dds.cyclonedds_discovery import PEER
+from bringup_lint.graph.dds.cyclonedds_discovery import bad_addresses
 from bringup_lint.model.cyclonedds import Domain
 from bringup_lint.parsers.cyclonedds import parse
 from bringup_lint.parsers.cyclonedds_uri import split_uri

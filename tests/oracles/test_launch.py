@@ -14,8 +14,8 @@ from pathlib import Path
 import pytest
 
 from bringup_lint.discover.walk import discover
-from bringup_lint.graph.launch_resolve import text_of
-from bringup_lint.graph.launch_started import Started
+from bringup_lint.graph.launch.resolve import text_of
+from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.workspace import place
 from bringup_lint.model.launch import EventHandler
 from bringup_lint.model.launch_values import DictValue

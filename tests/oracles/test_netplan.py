@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import pytest
 
-from bringup_lint.graph.netplan import merge
+from bringup_lint.graph.netplan.netplan import merge
 from bringup_lint.model.netplan import NetplanFile
 from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.parsers.netplan import parse

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from bringup_lint.discover.walk import discover
-from bringup_lint.graph.dependencies import PULLING
+from bringup_lint.graph.systemd.dependencies import PULLING
 from bringup_lint.graph.graph import Node
 from bringup_lint.robot import Robot
 from tests.oracles.verify import systemd_version

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from bringup_lint.graph.sshd import effective
+from bringup_lint.graph.host.sshd import effective
 from bringup_lint.parsers.sshd import keywords
 from bringup_lint.parsers.sshd import parse
 from bringup_lint.source import Source

@@ -12,10 +12,10 @@ from pathlib import Path
 
 import pytest
 
-from bringup_lint.graph.udev import effective
-from bringup_lint.graph.udev_conditions import Condition
-from bringup_lint.graph.udev_overlap import may_both_fire
-from bringup_lint.graph.udev_rule import UdevRule
+from bringup_lint.graph.udev.udev import effective
+from bringup_lint.graph.udev.conditions import Condition
+from bringup_lint.graph.udev.overlap import may_both_fire
+from bringup_lint.graph.udev.rule import UdevRule
 from bringup_lint.model.udev import PARENT_KEYS
 from bringup_lint.parsers.udev import parse
 from bringup_lint.source import Source

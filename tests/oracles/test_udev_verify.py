@@ -11,8 +11,8 @@ from pathlib import Path
 
 import pytest
 
-from bringup_lint.graph.udev_conditions import contradict
-from bringup_lint.graph.udev_conditions import own_conditions
+from bringup_lint.graph.udev.conditions import contradict
+from bringup_lint.graph.udev.conditions import own_conditions
 from bringup_lint.model.udev import Rule
 from bringup_lint.model.udev import RulesFile
 from bringup_lint.parsers.udev import parse

@@ -1,0 +1,115 @@
+"""CAN interfaces: the files that configure them and the units that use them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from collections.abc import Iterator
+from dataclasses import dataclass
+from fnmatch import fnmatch
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from bringup_lint.graph.systemd.unit import Unit
+from bringup_lint.model.unit import UnitFile
+from bringup_lint.parsers.unit import parse
+from bringup_lint.source import Located
+from bringup_lint.source import Span
+
+if TYPE_CHECKING:
+    from bringup_lint.robot import Robot
+
+_CAN = re.compile(r"(?<![\w/.-])can\d+(?![\w/.-])")
+_USE = re.compile(
+    r"(?:socket)?can_?(?:interface|device|port|channel|bus|name)\w*[\"']?[ \t]*"
+    r"(?::=|[:=])[ \t]*[\"']?(?P<name>can\d+)\b",
+    re.I,
+)
+_SETS = re.compile(
+    r"\bip\s+link\s+(?:set|add)\b[^\n]*\bcan\d*\b|\bbitrate\b|\bcan[-_]?(?:up|setup|config)\b", re.I
+)
+_READERS = ("env-file", "launch-python", "launch-xml", "launch-yaml", "parameters", "compose", "shell-script")
+
+
+@dataclass(eq=False)
+class CanFile:
+    """A .network file with a [CAN] section."""
+
+    file: UnitFile
+
+    @property
+    def header(self) -> Span:
+        return next(section.header for section in self.file.sections if section.name == "CAN")
+
+    def values(self, section: str, key: str) -> list[Located]:
+        return [each.value for each in self.file.assignments if each.section == section and each.key == key]
+
+    @property
+    def matches(self) -> list[Located]:
+        """The conditions of [Match]."""
+        return [each.value for each in self.file.assignments if each.section == "Match" and each.value]
+
+    @property
+    def has_bit_rate(self) -> bool:
+        return bool(self.values("CAN", "BitRate"))
+
+    def is_of(self, name: str) -> bool:
+        names = [word for value in self.values("Match", "Name") for word in value.split()]
+        return not names or any(fnmatch(name, pattern) for pattern in names)
+
+
+@dataclass(eq=False)
+class Can:
+    robot: Robot
+
+    @cached_property
+    def files(self) -> list[CanFile]:
+        sources = [source for source in self.robot.of_kind("networkd") if source.name.endswith(".network")]
+        models = self.robot.parsed(parse, [source for source in sources if not source.template])
+        return [CanFile(file) for file in models if any(section.name == "CAN" for section in file.sections)]
+
+    @cached_property
+    def users(self) -> list[tuple[Unit, str, Located]]:
+        """The services that name a CAN interface, with the word that does; those that set one up are none."""
+        found = {}
+        for unit in self.robot.units.services:
+            if _SETS.search("\n".join(_text(unit))):
+                continue
+            for value in [*unit.values("ExecStart", unit.section), *unit.values("Environment", unit.section)]:
+                for match in _CAN.finditer(value):
+                    found.setdefault((id(unit), match[0]), (unit, match[0], value.part(*match.span())))
+        return list(found.values())
+
+    def sets_up(self, unit: Unit, name: str, after: Iterable[str]) -> bool:
+        """Whether a unit that this one waits for sets up the interface."""
+        units = (other for word in after for other in self.robot.units.candidates(str(word), unit.manager))
+        return any(name in line and _SETS.search(line) for other in units for line in _text(other))
+
+    @property
+    def unconfigured(self) -> Iterator[tuple[str, Located]]:
+        """The interfaces that are used and not configured; only a whole root file system can tell."""
+        if not self.robot.tree.complete or any(_SETS.search(text) for text in self._scripts()):
+            return
+        seen = set()
+        for name, place in self._used():
+            if name not in seen and not any(file.is_of(name) and file.has_bit_rate for file in self.files):
+                seen.add(name)
+                yield name, place
+
+    def _scripts(self) -> Iterator[str]:
+        yield from (source.text for source in self.robot.of_kind("shell-script"))
+        yield from ("\n".join(_text(unit)) for unit in self.robot.units.judged)
+
+    def _used(self) -> Iterator[tuple[str, Located]]:
+        for unit, name, place in self.users:
+            if unit.judged:
+                yield name, place
+        for source in self.robot.of_kind(*_READERS):
+            for match in _USE.finditer(source.text) if source.judged else ():
+                yield match["name"], source.located(*match.span("name"))
+
+
+def _text(unit: Unit) -> Iterator[str]:
+    """The lines of a unit that run something."""
+    for key in ("ExecStartPre", "ExecStart", "ExecStartPost"):
+        yield from map(str, unit.values(key, unit.section))

@@ -1,0 +1,410 @@
+"""The launch layer: all launch files of the tree, what each leads to, and the nodes that really start."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterable
+from collections.abc import Iterator
+from functools import cached_property
+from typing import TYPE_CHECKING
+from typing import NamedTuple
+
+from bringup_lint.facts import launch_api
+from bringup_lint.facts.node_roles import HARDWARE
+from bringup_lint.facts.node_roles import Role
+from bringup_lint.facts.node_roles import packages
+from bringup_lint.facts.node_roles import role_of
+from bringup_lint.graph.graph import Edge
+from bringup_lint.graph.launch.edges import launch_edges
+from bringup_lint.graph.launch.expand import Expander
+from bringup_lint.graph.launch.expand import Expansion
+from bringup_lint.graph.launch.expand import Included
+from bringup_lint.graph.launch.lifecycle import full_name
+from bringup_lint.graph.launch.lifecycle import managers
+from bringup_lint.graph.launch.references import Reference
+from bringup_lint.graph.launch.references import references
+from bringup_lint.graph.launch.resolve import Resolver
+from bringup_lint.graph.launch.resolve import text_of
+from bringup_lint.graph.launch.scope import Scope
+from bringup_lint.graph.launch.started import Started
+from bringup_lint.graph.launch.started import literal_text
+from bringup_lint.graph.workspace import Found
+from bringup_lint.graph.workspace import Package
+from bringup_lint.graph.workspace import Place
+from bringup_lint.graph.workspace import Workspace
+from bringup_lint.graph.workspace import load_workspace
+from bringup_lint.graph.workspace import place
+from bringup_lint.model.launch import Action
+from bringup_lint.model.launch import Include
+from bringup_lint.model.launch import LaunchFile
+from bringup_lint.model.launch import walk_actions
+from bringup_lint.model.launch_values import Condition
+from bringup_lint.model.launch_values import ParameterFile
+from bringup_lint.model.launch_values import Value
+from bringup_lint.model.launch_values import walk
+from bringup_lint.source import Located
+from bringup_lint.source import Source
+
+if TYPE_CHECKING:
+    from bringup_lint.robot import Robot
+
+KINDS = ("launch-python", "launch-xml", "launch-yaml")
+SIMULATION = re.compile(
+    r"(?:^|[/_.-])(?:sim|simulation|simulator|simulated|gazebo|gz|ign|ignition|webots|isaac\w*|mujoco|loopback|tests?|demos?"
+    r"|examples?|tutorials?|display|view\w*|rviz\w*|rosbag\w*|replay|mock|fake)(?:$|[/_.-])"
+)
+"""Paths of launch files that are not for a robot."""
+SIMULATORS = re.compile(
+    r"(?:^|_)(?:sim|simulation|simulator|gazebo|gz|ign|ignition|webots|isaac\w*|mujoco|airsim|carla|awsim|stage)(?:$|_)"
+)
+"""Packages of simulators."""
+PUBLIC = ("nav2_", "ros2_", "ros_", "rclcpp_", "tf2_", "launch_", "image_", "joint_", "moveit_", "rviz", "controller_")
+"""How packages of ROS itself begin."""
+_LAUNCH_FILE = re.compile(r"[\w.-]+\.launch(?:\.(?:py|xml|ya?ml))?|[\w.-]+_launch\.py")
+EXPANSIONS = 2_000
+"""Entries that are expanded in one run."""
+
+
+class LaunchCommand(NamedTuple):
+    """``ros2 launch package target name:=value ...`` in a unit."""
+
+    package: Located | None
+    target: Located
+    arguments: list[tuple[Located, Located]]
+    file: LaunchFile | None
+    """The launch file, when it is in the tree."""
+
+
+class Launch:
+    """``files`` are the tree's launch files of ROS 2; ``expansions`` has one item for every entry."""
+
+    def __init__(self, robot: Robot, files: list[LaunchFile]) -> None:
+        self.robot = robot
+        self.files = files
+        self._by_path = {os.path.abspath(file.source.name): file for file in files}
+
+    @cached_property
+    def workspace(self) -> Workspace:
+        return load_workspace(self.robot)
+
+    @property
+    def judged(self) -> list[LaunchFile]:
+        """Those that findings may be about: not context, not templates, nothing in packages of ROS 1."""
+        return self._judged
+
+    @cached_property
+    def _judged(self) -> list[LaunchFile]:
+        files = [file for file in self.files if file.source.judged and not file.source.template]
+        owners = [self.workspace.owner(file.source) for file in files]
+        return [file for file, owner in zip(files, owners) if owner is None or not owner.manifest.is_ros1]
+
+    def reads_unseen(self, files: Iterable[LaunchFile]) -> bool:
+        """Whether files may read launch configurations by names that are not in them: by computed names, or in parameter
+        files with substitutions."""
+        return any(id(file) in self._unseen for file in files)
+
+    @cached_property
+    def _unseen(self) -> frozenset[int]:
+        return frozenset(id(file) for file in self.files if file.reads_all or _substitutes(file))
+
+    def place(self, value: Value) -> Place | None:
+        """A resolved value as a path, in terms of the package or folder it stands on."""
+        return place(value)
+
+    def find(self, value: Value) -> Found | None:
+        """The file that a resolved value names; None when the tree cannot tell."""
+        return self.workspace.find(place(value))
+
+    def locate(self, value: Value) -> LaunchFile | None:
+        """The launch file that a resolved value names, if it is in the tree."""
+        found = self.find(value)
+        if found is None or found.file is None:
+            return None
+        return self._by_path.get(found.file) or self._by_path.get(os.path.realpath(found.file))
+
+    @cached_property
+    def _mentions(self) -> dict[str, set[int]]:
+        found: dict[str, set[int]] = {}
+        for file in self.files:
+            for name in _LAUNCH_FILE.findall(file.source.text):
+                found.setdefault(name, set()).add(id(file))
+        return found
+
+    def is_named_elsewhere(self, file: LaunchFile) -> bool:
+        """Whether another launch file speaks of a file of this name, so that it may include it in a way that is not known."""
+        return bool(self._mentions.get(file.source.basename, set()) - {id(file)})
+
+    @cached_property
+    def included(self) -> set[int]:
+        """Files (by ``id``) that another file of the tree includes by a name that is known without running."""
+        found = set()
+        resolver = Resolver(Scope())
+        for file in self.files:
+            for action in walk_actions(file.actions):
+                if isinstance(action, Include):
+                    target = self.locate(resolver.value(action.file))
+                    if target is not None and target is not file:
+                        found.add(id(target))
+        return found
+
+    @cached_property
+    def _all(self) -> dict[int, Expansion]:
+        return {id(file): self.expand(file) for file in self.files[:EXPANSIONS]}
+
+    @property
+    def expansions(self) -> Iterator[Expansion]:
+        """Every launch file as an entry of its own, started without arguments."""
+        return iter(self._all.values())
+
+    @property
+    def entries(self) -> Iterator[Expansion]:
+        """Only the files that no other file includes."""
+        return (self._all[id(file)] for file in self.files[:EXPANSIONS] if id(file) not in self.included)
+
+    def leading_to(self, file: LaunchFile) -> Iterator[Expansion]:
+        """The expansions in which a file is read."""
+        return iter(self._leading.get(id(file), ()))
+
+    @cached_property
+    def _leading(self) -> dict[int, list[Expansion]]:
+        found: dict[int, list[Expansion]] = {}
+        for expansion in self.expansions:
+            for file in expansion.files:
+                found.setdefault(id(file), []).append(expansion)
+        return found
+
+    def expansion(self, file: LaunchFile) -> Expansion:
+        return self._all.get(id(file)) or self.expand(file)
+
+    def expand(self, file: LaunchFile, arguments: dict[str, Value] | None = None) -> Expansion:
+        """What a file leads to when it is launched with these arguments."""
+        return Expander(file, self.locate).run(arguments or {})
+
+    @property
+    def nodes(self) -> Iterator[Started]:
+        """Every node of every file once, as its own file starts it when it is launched directly."""
+        for expansion in self.expansions:
+            yield from (node for node in expansion.nodes if node.file is expansion.entry)
+
+    @cached_property
+    def ros1(self) -> list[LaunchFile]:
+        """Files in the syntax of ROS 1, read as if they were of ROS 2."""
+        from bringup_lint.parsers.launch_xml import parse
+
+        return self.robot.parsed(parse, self.robot.of_kind("launch-ros1"))
+
+    def references(self, file: LaunchFile) -> Iterator[Reference]:
+        """The files that a launch file names through a package or beside itself, when launched without arguments."""
+        return references(self.expansion(file), file, self.find)
+
+    def files_of(self, package: Package) -> list[LaunchFile]:
+        """The launch files that lie in a package."""
+        return [file for file in self.files if self.workspace.owner(file.source) is package]
+
+    def yaml_names(self, package: Package) -> list[str]:
+        """The names of the YAML files that a package installs, or of all that it holds."""
+        names = set()
+        for folder, _, files in os.walk(package.folder):
+            names.update(name for name in files if name.endswith((".yaml", ".yml")))
+            if len(names) > 1000 or folder.count("/") - package.folder.count("/") > 8:
+                break
+        return sorted(names)
+
+    def read_in(self, files: Iterable[LaunchFile]) -> set[str]:
+        """The launch configurations that files read."""
+        return set().union(*(self._reads[id(file)] for file in files))
+
+    @cached_property
+    def _reads(self) -> dict[int, frozenset[str]]:
+        return {id(file): frozenset(str(argument.name) for argument in file.reads) for file in self.files}
+
+    def read_elsewhere(self, name: str, file: LaunchFile, inner: list[LaunchFile]) -> bool:
+        """Whether a configuration that leaks out of an include is read by another file that runs together with it."""
+        inside = {id(file), *map(id, inner)}
+        readers = (each for each in self.files if id(each) not in inside and name in self._reads[id(each)])
+        together = {id(each) for expansion in self.leading_to(file) for each in expansion.files}
+        return any(id(each) in together for each in readers)
+
+    def unknown_before(self, expansion: Expansion, include: Included) -> bool:
+        """Whether something before an include may set arguments unseen: an include that is not in the tree."""
+        for other in expansion.includes:
+            if other is include:
+                return False
+            if other.target is None:
+                return True
+        return False
+
+    @cached_property
+    def all_names(self) -> frozenset[str]:
+        """The bare names of all nodes that any launch file of the tree starts."""
+        found = set()
+        for expansion in self.expansions:
+            for node in expansion.nodes:
+                name = full_name(node, self.role(node))
+                if name is not None:
+                    found.add(name.rpartition("/")[2])
+        return frozenset(found)
+
+    @cached_property
+    def managed_names(self) -> frozenset[str] | None:
+        """The bare names of all nodes that any lifecycle manager of the tree lists; None when a list is not known."""
+        found = set()
+        for expansion in self.expansions:
+            for manager in managers(expansion):
+                if manager.managed is None:
+                    return None
+                found.update(managed.fqn.rpartition("/")[2] for managed in manager.managed)
+        return frozenset(found)
+
+    def role(self, node: Started) -> Role:
+        """What is known about a node's program."""
+        program = literal_text(node.plugin) or literal_text(node.executable)
+        return role_of(literal_text(node.package), program, self.robot.target.ros)
+
+    def simulated(self, file: LaunchFile) -> bool:
+        """Whether a launch file is for a simulator, a test or a look at a model: by its path, or by what it starts."""
+        if SIMULATION.search(file.source.name):
+            return True
+        expansion = self.expansion(file)
+        packages = {str(literal_text(node.package)) for node in expansion.nodes if node.by_default is not False}
+        always = (place(include.file) for include in expansion.includes if not include.conditions)
+        packages |= {target.package for target in always if target is not None}
+        return any(SIMULATORS.search(package) for package in packages)
+
+    def visited(self, file: LaunchFile) -> Iterator[tuple[Action, LaunchFile]]:
+        """The actions of a file itself, as it is launched without arguments."""
+        return (pair for pair in self.expansion(file).actions if pair[1] is file)
+
+    def resolved(self, value: Value | None, file: LaunchFile) -> Value | None:
+        """A value when its file is launched without arguments."""
+        return Resolver(Scope(self.expansion(file).arguments)).optional(value)
+
+    def is_known_package(self, name: str) -> bool:
+        """Whether a package is a public one that the tables know, so that its name is no misspelling."""
+        return name in packages() or name.startswith(PUBLIC)
+
+    def comes_with(self, owner: Package, name: str) -> bool:
+        """Whether a package is there when another one's dependencies are, as far as this can be told: through packages
+        of the workspace, or because a package of the same family is depended on."""
+        todo, seen = [owner], set()
+        family = name.partition("_")[0]
+        while todo:
+            package = todo.pop()
+            for _, depend in package.manifest.depends:
+                if depend == name or (depend.partition("_")[0] == family and depend not in self.workspace.packages):
+                    return True
+                if depend in self.workspace.packages and depend not in seen:
+                    seen.add(str(depend))
+                    todo.append(self.workspace.packages[str(depend)])
+        return False
+
+    @property
+    def edges(self) -> Iterator[Edge]:
+        """What launch files add to the robot's graph."""
+        return launch_edges(self)
+
+    @cached_property
+    def commands(self) -> list[LaunchCommand]:
+        """The ``ros2 launch`` commands of systemd units."""
+        found: list[LaunchCommand] = []
+        if not self.robot.of_kind("systemd-unit", "systemd-dropin"):
+            return found
+        for unit in self.robot.units.judged:
+            for process in self.robot.units.processes(unit):
+                for _, ros in process.launches:
+                    if ros.target is not None:
+                        passed = [(word, word.find(":=")) for word in ros.arguments]
+                        arguments = [(word.part(0, at), word.part(at + 2, len(word))) for word, at in passed if at > 0]
+                        file = self.named(ros.package, ros.target)
+                        found.append(LaunchCommand(ros.package, ros.target, arguments, file))
+        return found
+
+    @cached_property
+    def _units(self) -> dict[int, list[Located]]:
+        found: dict[int, list[Located]] = {}
+        for command in self.commands:
+            if command.file is not None:
+                found.setdefault(id(command.file), []).append(command.target)
+        return found
+
+    def units_of(self, file: LaunchFile) -> list[Located]:
+        """The words of systemd units that launch a file."""
+        return self._units.get(id(file), [])
+
+    def named(self, package: str | None, target: str | None) -> LaunchFile | None:
+        """The file that ``ros2 launch package target`` starts; a path when there is no package."""
+        if not target:
+            return None
+        if package is None:
+            return self._only(file for file in self.files if f"/{target}".endswith("/" + file.source.basename))
+        owner = self.workspace.packages.get(str(package))
+        if owner is None:
+            unknown = (file for file in self.files if self.workspace.owner(file.source) is None)
+            return self._only(file for file in unknown if file.source.basename == target)
+        return self._only(file for file in self.files_of(owner) if file.source.basename == target)
+
+    def _only(self, files: Iterator[LaunchFile]) -> LaunchFile | None:
+        found = list(files)
+        return found[0] if len(found) == 1 else None
+
+    def drives(self, file: LaunchFile) -> bool:
+        """Whether hardware is started by a file."""
+        return any(self.role(node).role in HARDWARE for node in self.expansion(file).nodes)
+
+    def conditions(self, file: LaunchFile) -> Iterator[Condition]:
+        """Every condition in a file, of actions and components."""
+        for action in walk_actions(file.actions):
+            yield from action.conditions
+
+    def dead_reads(self, file: LaunchFile, name: str) -> int:
+        """How often a launch configuration is bound to a variable that is used nowhere."""
+        text = file.source.text
+        variables = (variable for read, variable in file.bound if read.name == name)
+        return sum(len(re.findall(rf"(?<![\w.'\"]){variable}(?![\w'\"])", text)) == 1 for variable in variables)
+
+    def mentions(self, file: LaunchFile, name: str) -> int:
+        """How often a name stands in a file's text as a word of its own."""
+        return len(re.findall(rf"(?<![\w]){re.escape(name)}(?![\w])", file.source.text))
+
+    def text(self, value: Value, file: LaunchFile) -> str | None:
+        """A value as text when the file is launched without arguments; None when that is not known."""
+        return text_of(Resolver(Scope(self.expansion(file).arguments)).value(value))
+
+    def names_of(self, module: str) -> frozenset[str] | None:
+        """The public names of a module of launch or launch_ros; None when the module is not one of theirs."""
+        return launch_api.names(module, self.robot.target.ros)
+
+    def actions(self, kind: type[Action]) -> Iterator[tuple[LaunchFile, Action]]:
+        """All actions of a kind in the judged files, with their file."""
+        for file in self.judged:
+            for action in walk_actions(file.actions):
+                if isinstance(action, kind):
+                    yield file, action
+
+
+def _substitutes(file: LaunchFile) -> bool:
+    for action in walk_actions(file.actions):
+        for source in getattr(action, "parameters", ()):
+            if any(isinstance(each, ParameterFile) and each.allow_substs is not None for each in walk(source)):
+                return True
+    return False
+
+
+def load_launch(robot: Robot) -> Launch:
+    return Launch(robot, list(_files(robot, robot.of_kind(*KINDS))))
+
+
+def _files(robot: Robot, sources: Iterable[Source]) -> Iterator[LaunchFile]:
+    for source in sources:
+        yield from robot.parsed(_parser(source.kind), [source])
+
+
+def _parser(kind: str):
+    if kind == "launch-python":
+        from bringup_lint.parsers.launch_python import parse
+    elif kind == "launch-xml":
+        from bringup_lint.parsers.launch_xml import parse
+    else:
+        from bringup_lint.parsers.launch_yaml import parse
+    return parse

@@ -1,0 +1,83 @@
+"""The files that a launch file names: includes, parameter files, and paths in parameters and arguments."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from bringup_lint.graph.launch.expand import Expansion
+from bringup_lint.graph.launch.started import Started
+from bringup_lint.graph.workspace import Found
+from bringup_lint.model.launch import LaunchFile
+from bringup_lint.model.launch_values import Concat
+from bringup_lint.model.launch_values import DerivedFile
+from bringup_lint.model.launch_values import ParameterFile
+from bringup_lint.model.launch_values import PathJoin
+from bringup_lint.model.launch_values import Value
+from bringup_lint.model.launch_values import children
+from bringup_lint.model.launch_values import text
+from bringup_lint.source import Span
+
+
+class Reference(NamedTuple):
+    kind: str
+    """``include``, ``parameters`` or ``path``."""
+    value: Value
+    span: Span
+    name: str
+    """The file's own name."""
+    found: Found
+    optional: bool
+    """Under a condition that is open, or off by default."""
+    aborts: bool = False
+    """launch itself opens the file."""
+
+
+Find = Callable[[Value], "Found | None"]
+
+
+def references(expansion: Expansion, file: LaunchFile, find: Find) -> Iterator[Reference]:
+    for include in expansion.includes:
+        found = find(include.file) if include.source is file else None
+        if found is not None:
+            yield Reference("include", include.file, include.action.file.span, _name(include.file), found, bool(include.conditions))
+    for node in expansion.nodes:
+        if node.file is file:
+            yield from _of_node(node, find)
+
+
+def _of_node(node: Started, find: Find) -> Iterator[Reference]:
+    optional = node.by_default is not True
+    for source in node.parameters:
+        aborts = isinstance(source, DerivedFile) or (isinstance(source, ParameterFile) and source.allow_substs is not None)
+        value = _base(source)
+        found = find(value)
+        if found is not None:
+            yield Reference("parameters", value, value.span, _name(value), found, optional, aborts)
+        else:
+            yield from _paths(value, find, optional)
+    for value in node.arguments:
+        yield from _paths(value, find, optional)
+
+
+def _base(source: Value) -> Value:
+    while isinstance(source, (ParameterFile, DerivedFile)):
+        source = source.file if isinstance(source, ParameterFile) else source.base
+    return source
+
+
+def _paths(value: Value, find: Find, optional: bool) -> Iterator[Reference]:
+    """Every path inside a value that stands on a package or on this file."""
+    if isinstance(value, (PathJoin, Concat)):
+        found = find(value)
+        if found is not None:
+            yield Reference("path", value, value.span, _name(value), found, optional)
+            return
+    for inner in children(value):
+        yield from _paths(inner, find, optional)
+
+
+def _name(value: Value) -> str:
+    last = value.parts[-1] if isinstance(value, (PathJoin, Concat)) else value
+    return (text(last) or "").rpartition("/")[2]

@@ -1,0 +1,53 @@
+"""Who notices when a process of a launch file ends."""
+
+from __future__ import annotations
+
+import re
+
+from bringup_lint.graph.launch.expand import Expansion
+from bringup_lint.graph.launch.resolve import text_of
+from bringup_lint.graph.launch.resolve import truth
+from bringup_lint.graph.launch.started import Started
+from bringup_lint.model.launch import Process
+
+_CHECK_WORD = re.compile(
+    r"(?:^|[/_.-])(?:check|checks|verify|validate|validation|preflight|pre_flight|self_?test|diagnose|wait_for)(?:$|[/_.-])"
+)
+_SHELL_TEST = re.compile(r"(?:^|[;&|(]\s*|\bif\s+|\s)(?:test\s+-|\[\s+-|\[\[\s)")
+_SHELLS = ("bash", "sh", "dash", "zsh")
+
+
+def respawns(node: Started) -> bool | None:
+    """Whether launch starts the process again; None when that is not known."""
+    value = node.options.get("respawn")
+    return False if value is None else truth(value)
+
+
+def watched(node: Started, expansion: Expansion) -> bool:
+    """Whether somebody reacts to the end of the process: an exit action or an event handler for it, or for any."""
+    action = node.action
+    if isinstance(action, Process) and (action.on_exit or action.open):
+        return True
+    for handler, _ in expansion.handlers:
+        if handler.event in ("OnProcessExit", "OnExecutionComplete", "OnShutdown", "", "EventHandler"):
+            if handler.target is None or handler.target == action.key:
+                return True
+    return False
+
+
+def check_of(node: Started) -> str | None:
+    """What a process checks, when it is a check: ``test -e /dev/x``, a script called check or verify."""
+    if not isinstance(node.action, Process) or node.is_node:
+        return None
+    words = [text_of(word) or "" for word in node.arguments]
+    if len(words) == 1:
+        words = words[0].split()
+    if not words:
+        return None
+    program = words[0].rpartition("/")[2]
+    if program in ("test", "["):
+        return " ".join(words)
+    if program in _SHELLS and len(words) > 2 and words[1] in ("-c", "-ec", "-lc"):
+        return words[2] if _SHELL_TEST.search(words[2]) and "||" not in words[2] else None
+    script = words[1].rpartition("/")[2] if program in (*_SHELLS, "python3", "python") and len(words) > 1 else program
+    return script if _CHECK_WORD.search(script) else None

@@ -1,0 +1,57 @@
+"""The words of the launch model that rules use: ``from bringup_lint.api import launch``."""
+
+from __future__ import annotations
+
+from bringup_lint.facts.node_roles import lifecycle_names
+from bringup_lint.graph.launch.lifecycle import Manager
+from bringup_lint.graph.launch.lifecycle import full_name
+from bringup_lint.graph.launch.lifecycle import managers
+from bringup_lint.graph.launch.lifecycle import outside
+from bringup_lint.graph.launch.lifecycle import setting
+from bringup_lint.graph.launch.lifecycle import transitions_elsewhere
+from bringup_lint.graph.launch.resolve import text_of
+from bringup_lint.graph.launch.resolve import truth
+from bringup_lint.graph.launch.started import Started
+from bringup_lint.graph.launch.started import exclusive
+from bringup_lint.graph.launch.started import literal_text
+from bringup_lint.graph.launch.supervision import check_of
+from bringup_lint.graph.launch.supervision import respawns
+from bringup_lint.graph.launch.supervision import watched
+from bringup_lint.model.launch import ComposableNode
+from bringup_lint.model.launch import DeclareArgument
+from bringup_lint.model.launch import Emit
+from bringup_lint.model.launch import EventHandler
+from bringup_lint.model.launch import Group
+from bringup_lint.model.launch import Include
+from bringup_lint.model.launch import LoadComponents
+from bringup_lint.model.launch import Log
+from bringup_lint.model.launch import Node
+from bringup_lint.model.launch import Opaque
+from bringup_lint.model.launch import Other
+from bringup_lint.model.launch import Process
+from bringup_lint.model.launch import SetEnv
+from bringup_lint.model.launch import SetParameter
+from bringup_lint.model.launch import Timer
+from bringup_lint.model.launch import walk_actions
+from bringup_lint.model.launch_values import Argument
+from bringup_lint.model.launch_values import Choice
+from bringup_lint.model.launch_values import Command
+from bringup_lint.model.launch_values import Concat
+from bringup_lint.model.launch_values import DerivedFile
+from bringup_lint.model.launch_values import DictValue
+from bringup_lint.model.launch_values import Env
+from bringup_lint.model.launch_values import FileDir
+from bringup_lint.model.launch_values import ListValue
+from bringup_lint.model.launch_values import Literal
+from bringup_lint.model.launch_values import Operation
+from bringup_lint.model.launch_values import PackageShare
+from bringup_lint.model.launch_values import ParameterFile
+from bringup_lint.model.launch_values import PathJoin
+from bringup_lint.model.launch_values import TypedValue
+from bringup_lint.model.launch_values import Unknown
+from bringup_lint.model.launch_values import literal
+from bringup_lint.model.launch_values import same
+from bringup_lint.model.launch_values import understood
+from bringup_lint.model.launch_values import walk
+
+__all__ = [name for name in dir() if not name.startswith("_") and name != "annotations"]

@@ -1,0 +1,232 @@
+"""The parameter layer: all parameter files of the tree, and who loads them."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from bringup_lint.graph.launch.resolve import text_of
+from bringup_lint.graph.params import values as param_values
+from bringup_lint.graph.params.values import Item
+from bringup_lint.model.params import Parameter
+from bringup_lint.model.params import ParameterFile
+from bringup_lint.model.params import Value
+from bringup_lint.model.params import matches
+from bringup_lint.parsers.params import parse
+from bringup_lint.source import Located
+from bringup_lint.source import Problem
+from bringup_lint.source import Span
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.params.declared import Declared
+    from bringup_lint.graph.params.loads import Load
+    from bringup_lint.graph.params.matching import Mismatch
+    from bringup_lint.graph.params.time import Simulated
+    from bringup_lint.robot import Robot
+
+_UNTYPED = ("ardent", "bouncy", "crystal", "dashing", "eloquent", "foxy")
+"""Distributions in which a declared parameter may take any type."""
+
+
+class Params:
+    """``files`` are the YAML files that hold ``ros__parameters``."""
+
+    def __init__(self, robot: Robot, files: list[ParameterFile]) -> None:
+        self.robot = robot
+        self.files = files
+
+    @cached_property
+    def judged(self) -> list[ParameterFile]:
+        """Those that findings may be about: really parameter files, neither context nor templates."""
+        certain = (file for file in self.files if file.is_certain or self.reader(file) == "rcl")
+        return [file for file in (*certain, *self.plain) if file.source.judged and not file.source.template]
+
+    @cached_property
+    def plain(self) -> list[ParameterFile]:
+        """Files without any ``ros__parameters`` that a node is given all the same."""
+        sources = (self.robot.tree.read(path, "params") for path in sorted(self._unclaimed))
+        return self.robot.parsed(parse, (source for source in sources if source is not None))
+
+    @cached_property
+    def _unclaimed(self) -> dict[str, list[Load]]:
+        """Other YAML files of the tree that rcl gets from a launch file, with who gets them."""
+        found: dict[str, list[Load]] = {}
+        known = {os.path.abspath(source.name) for source in self.robot.sources}
+        for load in self._all_loads:
+            path = os.path.normpath(load.path)
+            odd = load.how not in ("rcl", "substituted") or not path.endswith((".yaml", ".yml")) or path in known
+            if not odd and load.certain and path in self.robot.tree.named(os.path.basename(path)):
+                found.setdefault(path, []).append(load)
+        return found
+
+    def problems(self, *codes: str) -> Iterator[tuple[ParameterFile, Problem]]:
+        """What makes rcl refuse a judged file."""
+        for file in self.judged:
+            for problem in file.problems:
+                if problem.code in codes:
+                    yield file, problem
+
+    @property
+    def parameters(self) -> Iterator[tuple[ParameterFile, Parameter]]:
+        """Every value of the judged files, in the order of the text."""
+        for file in self.judged:
+            for parameter in file.parameters:
+                yield file, parameter
+
+    def at(self, file: ParameterFile, where: Located | Span) -> Parameter | None:
+        """The parameter whose value stands at a place."""
+        span = where.span if isinstance(where, Located) else where
+        return next((each for each in file.parameters if each.span == span), None)
+
+    def items(self, parameter: Parameter) -> list[Item]:
+        return param_values.items(parameter)
+
+    def holds_maps(self, parameter: Parameter) -> bool:
+        return param_values.holds_maps(parameter)
+
+    def is_flattened(self, parameter: Parameter) -> bool:
+        return param_values.is_flattened(parameter)
+
+    @property
+    def duplicates(self) -> Iterator[tuple[ParameterFile, Parameter, Parameter]]:
+        for file in self.judged:
+            for first, second in param_values.duplicates(file):
+                yield file, first, second
+
+    def winner(self, file: ParameterFile, parameter: Parameter) -> Value | None:
+        return param_values.winner(file, parameter)
+
+    def taken_back(self, file: ParameterFile) -> Iterator[tuple[Parameter, Parameter]]:
+        return param_values.taken_back(file)
+
+    def indenting_tabs(self, file: ParameterFile) -> Iterator[Span]:
+        return param_values.indenting_tabs(file)
+
+    def tab_width(self, file: ParameterFile) -> int | None:
+        return param_values.tab_width(file)
+
+    def declared(self, parameter: Parameter) -> Declared | None:
+        """How the workspace declares a parameter: what all nodes that may get it agree on, None when that is not known."""
+        file = self._by_source.get(id(parameter.span.source))
+        if file is None or self.robot.target.ros in _UNTYPED:
+            return None
+        found = None
+        for load in self.effective(file, parameter):
+            each = self._declared_by(text_of(load.node.package) if load.node.package is not None else None).get(parameter.name)
+            if each is None or (found is not None and found.type != each.type):
+                return None
+            found = each
+        return found
+
+    def declared_type(self, parameter: Parameter) -> str | None:
+        """The type that the workspace's sources declare for a parameter; None when it is not known."""
+        found = self.declared(parameter)
+        return found.type if found else None
+
+    @cached_property
+    def typed(self) -> list[tuple[Parameter, Declared]]:
+        """The values whose type the workspace declares, with the declaration."""
+        pairs = ((parameter, self.declared(parameter)) for _, parameter in self.parameters)
+        return [(parameter, found) for parameter, found in pairs if found is not None]
+
+    def is_never_read(self, parameter: Parameter) -> bool:
+        """Whether the sources of every node that gets a value are in the workspace, and none of them names it."""
+        from bringup_lint.graph.params.declared import mentions
+
+        file = self._by_source.get(id(parameter.span.source))
+        loads = self.loads(file) if file else []
+        names = {text_of(load.node.package) if load.node.package is not None else None for load in loads}
+        packages = [self.robot.launch.workspace.packages.get(name or "") for name in names]
+        word = str(parameter.key).rpartition(".")[2]
+        return bool(packages) and all(each and not mentions(self.robot, each, word) for each in packages)
+
+    @cached_property
+    def _by_source(self) -> dict[int, ParameterFile]:
+        return {id(file.source): file for file in self.files}
+
+    def _declared_by(self, name: str | None) -> dict[str, Declared]:
+        if name not in self._declarations:
+            from bringup_lint.graph.params.declared import declared_in
+
+            package = self.robot.launch.workspace.packages.get(name) if name else None
+            self._declarations[name] = declared_in(self.robot, package) if package else {}
+        return self._declarations[name]
+
+    @cached_property
+    def _declarations(self) -> dict[str | None, dict[str, Declared]]:
+        return {}
+
+    @cached_property
+    def _all_loads(self) -> list[Load]:
+        if not self.robot.of_kind("launch-python", "launch-xml", "launch-yaml"):
+            return []
+        from bringup_lint.graph.params.loads import loads_in
+
+        launch = self.robot.launch
+        return [load for expansion in launch.expansions for load in loads_in(launch, expansion)]
+
+    @cached_property
+    def _loads(self) -> dict[int, list[Load]]:
+        paths = {}
+        for file in self.files:
+            path = os.path.abspath(file.source.name)
+            for name in (path, os.path.realpath(path), file.source.robot_path):
+                if name:
+                    paths.setdefault(name, file)
+        found: dict[int, list[Load]] = {}
+        real: dict[str, str] = {}
+        for load in self._all_loads if paths else ():
+            if load.path not in real:
+                real[load.path] = os.path.realpath(load.path)
+            file = paths.get(load.path) or paths.get(real[load.path])
+            if file is not None:
+                found.setdefault(id(file), []).append(load)
+        return found
+
+    @cached_property
+    def unreached(self) -> list[Mismatch]:
+        """Nodes that get nothing of a file which has a block that is nearly theirs."""
+        from bringup_lint.graph.params.matching import unreached
+
+        return list(unreached(self))
+
+    @cached_property
+    def unused(self) -> list[Mismatch]:
+        """Blocks that reach no node, and are nearly the name of one."""
+        from bringup_lint.graph.params.matching import unused
+
+        return list(unused(self))
+
+    @cached_property
+    def simulated(self) -> list[Simulated]:
+        """Nodes of a robot's bring-up that wait for the time of a simulation."""
+        from bringup_lint.graph.params.time import simulated
+
+        return list(simulated(self))
+
+    def loads(self, file: ParameterFile) -> list[Load]:
+        """The nodes of the tree's launch files that are given a file."""
+        return self._loads.get(id(file)) or self._unclaimed.get(os.path.abspath(file.source.name), [])
+
+    def effective(self, file: ParameterFile, parameter: Parameter) -> list[Load]:
+        """The loads by which a value may reach a node: its block may be for the node, and nothing later sets it again."""
+        from bringup_lint.graph.params.loads import is_replaced
+
+        return [
+            load
+            for load in self.loads(file)
+            if (load.node.fqn is None or matches(parameter.block.name, load.node.fqn)) and not is_replaced(load, parameter.name)
+        ]
+
+    def reader(self, file: ParameterFile) -> str:
+        """``rcl`` when at least one node gets the file as it is, ``pyyaml`` when all get it through PyYAML, else empty."""
+        ways = {load.how for load in self.loads(file)}
+        if ways & {"rcl", "substituted"}:
+            return "rcl"
+        return "pyyaml" if ways else ""
+
+
+def load_params(robot: Robot) -> Params:
+    return Params(robot, robot.parsed(parse, robot.of_kind("params")))

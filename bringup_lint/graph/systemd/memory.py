@@ -1,0 +1,42 @@
+"""Memory limits of a unit, comparable with each other. systemd.resource-control(5)."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+from typing import NamedTuple
+
+from bringup_lint.graph.systemd.settings import setting
+from bringup_lint.parsers.systemd_values import parse_share
+from bringup_lint.parsers.systemd_values import parse_size
+from bringup_lint.source import Located
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.systemd.unit import Unit
+
+
+class Memory(NamedTuple):
+    at: Located
+    amount: float
+    """``math.inf`` for no limit."""
+    unit: str
+    """``B``, or ``%`` of the memory of the machine."""
+
+
+def memory(unit: Unit, key: str) -> Memory | None:
+    """A memory limit; None when it is unset, switched off or not known."""
+    found = setting(unit, _amount, (key, unit.section))
+    if found.at is None or found.value is None:
+        return None
+    amount, measure = found.value
+    return None if amount == math.inf else Memory(found.at, amount, measure)
+
+
+def _amount(text: str) -> tuple[float, str] | None:
+    if text == "infinity":
+        return math.inf, "B"
+    share = parse_share(text)
+    if share is not None:
+        return share, "%"
+    size = parse_size(text)
+    return (float(size), "B") if size else None
