@@ -25,6 +25,7 @@ from bringup_lint.source import Span
 __all__ = ["Edit", "Finding", "Located", "Robot", "Source", "Span", "finding", "fix", "note", "rule"]
 
 _WORDS = {
+    "all_respawn": "bringup_lint.graph.launch.of_units",
     "at_least": "bringup_lint.graph.ros_distros",
     "commands_of": "bringup_lint.parsers.dockerfile",
     "daemons": "bringup_lint.graph.host.daemons",
@@ -48,7 +49,6 @@ _WORDS = {
     "move_lines": "bringup_lint.graph.systemd.unit_edits",
     "nearest": "bringup_lint.spelling",
     "paths": "bringup_lint.graph.systemd.sandbox",
-    "respawns": "bringup_lint.graph.launch.supervision",
     "ros_values": "bringup_lint.parsers.ros_values",
     "runs_as_root": "bringup_lint.model.dockerfile",
     "sandbox": "bringup_lint.graph.systemd.sandbox",

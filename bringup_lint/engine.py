@@ -79,7 +79,7 @@ def run(robot: Robot, registry: Registry, config: Config, *, ignores: bool = Tru
     severities = {selection.known(name): Severity[value.upper()] for name, value in config.severity.items()}
     outcome = Outcome()
     findings: list[Finding] = []
-    for rule_id in registry.ids_reading(robot.kinds):
+    for rule_id in registry.ids_for(robot):
         if selection.runs(rule_id):
             outcome.rules[rule_id] = registry.get(rule_id)
             findings += _run_rule(outcome.rules[rule_id], robot, outcome)

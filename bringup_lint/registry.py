@@ -1,23 +1,26 @@
 """Finds the rule files and loads them by path.
 
 Rules live in ``rules/<family>/<rule_name>.py``: in a wheel below this package, in a checkout beside it. A rule's id is its
-path. A family's files are loaded only when the tree holds something that the family reads (``family.toml``).
+path. A family's files are loaded only when the tree holds something that concerns the family (``family.toml``).
 """
 
 from __future__ import annotations
 
 import importlib.machinery
 import importlib.util
+import re
 from collections.abc import Iterable
 from collections.abc import Iterator
 from dataclasses import dataclass
 from dataclasses import field
+from functools import cache
 from functools import cached_property
 from pathlib import Path
 
 from bringup_lint.api import Check
 from bringup_lint.api import Metadata
 from bringup_lint.finding import Severity
+from bringup_lint.robot import Robot
 from bringup_lint.toml import read_toml
 
 HEADINGS = ("What it finds", "Why it matters on a robot", "Bad", "Good", "References")
@@ -67,12 +70,19 @@ class Family:
     description: str
     reads: frozenset[str]
     path: Path
+    mentions: re.Pattern[str] | None = None
+    """What a file of any kind says when it concerns the family."""
     joins: dict[str, frozenset[str]] = field(default_factory=dict)
     """Rule file -> kinds of other families that give this rule something to say."""
 
-    def has_something_for(self, path: Path, kinds: frozenset[str]) -> bool:
-        """Whether a rule of the family can say something about a tree that holds these kinds."""
-        return not self.reads or bool((self.reads | self.joins.get(path.stem, frozenset())) & kinds)
+    def rules_for(self, robot: Robot) -> Iterator[Path]:
+        """The rule files that can say something about the robot."""
+        concerned = bool(self.reads & robot.kinds) or not (self.reads or self.mentions)
+        if not concerned and self.mentions:
+            concerned = robot.mentions(self.mentions)
+        for path in self.rule_paths():
+            if concerned or self.joins.get(path.stem, frozenset()) & robot.kinds:
+                yield path
 
     def rule_paths(self) -> list[Path]:
         return sorted(path for path in self.path.glob("*.py") if not path.name.startswith("_"))
@@ -81,6 +91,7 @@ class Family:
         return f"{self.name}/{path.stem.replace('_', '-')}"
 
 
+@cache
 def builtin_folder() -> Path:
     package = Path(__file__).resolve().parent
     packaged = package / "rules"
@@ -110,6 +121,7 @@ def _family(path: Path) -> Family:
         data.get("description", ""),
         frozenset(data.get("reads", ())),
         path,
+        re.compile(data["mentions"]) if "mentions" in data else None,
         {stem: frozenset(kinds) for stem, kinds in data.get("joins", {}).items()},
     )
 
@@ -159,15 +171,9 @@ class Registry:
         path = self.paths.get(rule_id)
         return load(path, rule_id) if path else None
 
-    def ids_reading(self, kinds: Iterable[str]) -> list[str]:
-        """The rules that can say something about a tree that holds these kinds (``family.toml``: reads, joins)."""
-        kinds = frozenset(kinds)
-        return [
-            family.rule_id(path)
-            for family in self.families
-            for path in family.rule_paths()
-            if family.has_something_for(path, kinds)
-        ]
+    def ids_for(self, robot: Robot) -> list[str]:
+        """The rules that can say something about a robot (``family.toml``: reads, mentions, joins)."""
+        return [family.rule_id(path) for family in self.families for path in family.rules_for(robot)]
 
     def all(self) -> Iterator[Rule]:
         for rule_id, path in self.paths.items():

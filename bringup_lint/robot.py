@@ -52,10 +52,6 @@ if TYPE_CHECKING:
 
 Model = TypeVar("Model")
 
-_CONFIGURED = {
-    "cyclonedds": re.compile(r"CYCLONEDDS_URI[\"']?\s*[:=][^\n]*<"),
-    "fastdds": re.compile(r"RMW_IMPLEMENTATION[\"']?\s*[:=]\s*[\"']?rmw_fastrtps_"),
-}
 _ROS_KINDS = (
     "launch-python",
     "launch-xml",
@@ -105,11 +101,13 @@ class Robot:
         return models
 
     @property
-    def kinds(self) -> Iterable[str]:
-        """The kinds of file in the tree. A middleware that an environment configures counts as if it had a file."""
-        judged = [source.text for source in self.sources if source.judged]
-        configured = {kind for kind, pattern in _CONFIGURED.items() if any(map(pattern.search, judged))}
-        return self._by_kind.keys() | configured
+    def kinds(self) -> frozenset[str]:
+        """The kinds of file in the tree."""
+        return frozenset(self._by_kind)
+
+    def mentions(self, pattern: re.Pattern[str]) -> bool:
+        """Whether the text of a judged file matches."""
+        return any(pattern.search(source.text) for source in self.sources if source.judged)
 
     @property
     def problems(self) -> list[Problem]:

@@ -30,11 +30,11 @@ launch file.
 """
 
 from bringup_lint.api import Robot
+from bringup_lint.api import all_respawn
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import launched
 from bringup_lint.api import note
-from bringup_lint.api import respawns
 from bringup_lint.api import rule
 
 FAILURES = ("on-failure", "on-abnormal", "on-abort")
@@ -53,7 +53,7 @@ def restart_on_failure_ros_launch(robot: Robot):
         if not programs or not (service.main.kind == "launch" or last):
             continue
         expansion = launched(programs[-1], robot)
-        if expansion is not None and expansion.nodes and all(respawns(node) for node in expansion.nodes):
+        if expansion is not None and all_respawn(expansion):
             continue
         yield finding(
             policy.restart_at,

@@ -126,6 +126,8 @@ class Devices:
 
     def untagged(self, unit: str) -> list[Link]:
         """The links behind a ``.device`` name when none of their devices becomes a device unit."""
+        if not self.robot.of_kind("udev-rules"):
+            return []
         links = [link for link in self.robot.udev.links_to(device_path(unit) or "") if link.is_fixed]
         return links if links and not any(self._is_device_unit(link) for link in links) else []
 
@@ -137,7 +139,7 @@ class Devices:
 
     def meant_by(self, unit: str) -> Meant | None:
         """The link that a ``.device`` name was to stand for, when its dashes make it mean another path."""
-        path = device_path(unit)
+        path = device_path(unit) if self.robot.of_kind("udev-rules") else None
         if path is None or "/" not in path or self.robot.udev.links_to(path):
             return None
         for link in self.robot.udev.links:
@@ -148,7 +150,9 @@ class Devices:
     @property
     def without_rules(self) -> Iterator[DeviceUse]:
         """Uses of a link in a folder of one's own, in a tree without any udev rule."""
-        for use in self.uses if not self.robot.udev.rules else ():
+        if self.robot.of_kind("udev-rules") and self.robot.udev.rules:
+            return
+        for use in self.uses:
             parts = use.path.split("/")
             if len(parts) > 3 and parts[2] not in _OF_KERNEL:
                 yield use

@@ -24,6 +24,13 @@ def launched(ros: Ros, robot: Robot) -> Expansion | None:
     return None
 
 
+def all_respawn(expansion: Expansion) -> bool:
+    """Whether launch itself starts every process again that ends."""
+    from bringup_lint.graph.launch.supervision import respawns
+
+    return bool(expansion.nodes) and all(respawns(node) for node in expansion.nodes)
+
+
 def devices_of(unit: Unit, robot: Robot):
     """Device paths (``graph.devices.DeviceUse``) in the unit, its scripts and its launch files."""
     sources = {id(file.source) for file in unit.files}

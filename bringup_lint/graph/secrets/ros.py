@@ -50,10 +50,12 @@ def named_values(robot: Robot) -> Iterator[Named]:
 
 def launch_words(robot: Robot) -> Iterator[tuple[Located, ...]]:
     """The arguments of every node and process, as far as they are literal."""
+    if not robot.of_kind(*LAUNCH):
+        return
     from bringup_lint.model.launch import Node
     from bringup_lint.model.launch import Process
 
-    for file in robot.launch.judged if robot.of_kind(*LAUNCH) else ():
+    for file in robot.launch.judged:
         for action in _walk(file.actions):
             if isinstance(action, Process):
                 values = action.arguments if isinstance(action, Node) else action.cmd
@@ -62,6 +64,8 @@ def launch_words(robot: Robot) -> Iterator[tuple[Located, ...]]:
 
 def indirect(robot: Robot) -> Iterator[Indirect]:
     """Parameters that are filled from the environment or from arguments."""
+    if not robot.of_kind("params", *LAUNCH):
+        return
     from bringup_lint.model.launch import ComposableNode
     from bringup_lint.model.launch import Node
     from bringup_lint.model.launch import SetParameter
