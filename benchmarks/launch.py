@@ -87,7 +87,9 @@ def main(folders: list[str]) -> None:
         theirs = best(lambda files=files, peer=peer: peer([text for _, text in files]))
         speed = size / ours / 1e6
         aim = "no aim" if name == "lxml" else "aim 3"
-        print(f"{kind}: {len(files)} files, {size / 1e3:.0f} kB, {speed:.2f} MB/s, {ours / theirs:.2f} x {name} ({aim})")
+        print(
+            f"{kind}: {len(files)} files, {size / 1e3:.0f} kB, {speed:.2f} MB/s, {ours / theirs:.2f} x {name} ({aim})"
+        )
 
 
 if __name__ == "__main__":

@@ -52,8 +52,16 @@ def start_up(folder: Path) -> Iterator[tuple[str, Comparison, str]]:
     console = installed("bringup-lint") or OURS
     yamllint = installed("yamllint")
     if yamllint:
-        yield "--version / yamllint --version", compare((*console, "--version"), (*yamllint, "--version"), folder), "0.8"
-        yield "one unit / yamllint on one file", compare((*console, "robot.service"), (*yamllint, "net.yaml"), folder), "1"
+        yield (
+            "--version / yamllint --version",
+            compare((*console, "--version"), (*yamllint, "--version"), folder),
+            "0.8",
+        )
+        yield (
+            "one unit / yamllint on one file",
+            compare((*console, "robot.service"), (*yamllint, "net.yaml"), folder),
+            "1",
+        )
     systemdlint = installed("systemdlint")
     if systemdlint:
         ours = (*console, "robot.service")

@@ -34,7 +34,9 @@ class Option(NamedTuple):
 OPTIONS = {
     "select": Option("strings", "Rules or families to run; all when empty."),
     "ignore": Option("strings", "Rules or families to leave out."),
-    "exclude": Option("strings", "Files and folders to skip, as gitignore patterns relative to the configuration file."),
+    "exclude": Option(
+        "strings", "Files and folders to skip, as gitignore patterns relative to the configuration file."
+    ),
     "min-severity": Option("severity", "The lowest severity that is shown."),
     "fail-on": Option("severity", "The lowest severity that makes the exit code 1."),
     "severity": Option("severities", "Rules with another severity than their own: a table of rule id to severity."),

@@ -89,7 +89,9 @@ def run(robot: Robot, registry: Registry, config: Config, *, ignores: bool = Tru
         comments = ignores_in(robot.sources, lambda name, rule_id: _means(name, outcome.rules.get(rule_id), rule_id))
         findings = [comments.apply(found) for found in findings]
         findings += [
-            found for found in comments.complaints(lambda name: _counts(name, outcome, selection)) if found.rule in outcome.rules
+            found
+            for found in comments.complaints(lambda name: _counts(name, outcome, selection))
+            if found.rule in outcome.rules
         ]
     lowest = Severity[config.min_severity.upper()]
     for found in _unique(sorted((_graded(found, outcome, severities) for found in findings), key=_order)):

@@ -16,9 +16,7 @@ ROOT = "/home/robot/mower"
 def test_what_is_written_is_known() -> None:
     known = baseline.read(baseline.written(FINDINGS, ROOT))
     sifted = baseline.sift(FINDINGS, known, ROOT)
-    assert [finding.rule for finding in sifted.new] == ["systemd/restart-unlimited"], (
-        "suppressed ones are not kept"
-    )
+    assert [finding.rule for finding in sifted.new] == ["systemd/restart-unlimited"], "suppressed ones are not kept"
     assert sifted.gone == 0
 
 

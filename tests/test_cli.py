@@ -34,7 +34,9 @@ def only_lint(*arguments: str, cwd: Path):
 
 
 def test_version() -> None:
-    run = subprocess.run([sys.executable, "-m", "bringup_lint", "--version"], capture_output=True, text=True, cwd=PROJECT)
+    run = subprocess.run(
+        [sys.executable, "-m", "bringup_lint", "--version"], capture_output=True, text=True, cwd=PROJECT
+    )
     assert (run.returncode, run.stdout) == (0, f"bringup-lint {__version__}\n")
 
 
@@ -120,7 +122,10 @@ def test_stdin(clean: Path) -> None:
 
 def test_stdin_of_unknown_kind_says_so(clean: Path) -> None:
     run = subprocess.run(
-        [sys.executable, "-m", "bringup_lint", "--stdin-filename", "notes.xyz"], input=b"x", capture_output=True, cwd=PROJECT
+        [sys.executable, "-m", "bringup_lint", "--stdin-filename", "notes.xyz"],
+        input=b"x",
+        capture_output=True,
+        cwd=PROJECT,
     )
     assert b"lint/unknown-kind" in run.stdout
 

@@ -134,9 +134,7 @@ BODY = st.dictionaries(
 @settings(max_examples=100, deadline=None)
 @given(BODY, BODY)
 def test_no_text_raises(one, other):
-    bodies = [
-        "{" + ", ".join(f"{key}: {value}" for key, value in body.items()) + "}" for body in (one, other)
-    ]
+    bodies = ["{" + ", ".join(f"{key}: {value}" for key, value in body.items()) + "}" for body in (one, other)]
     one, other = bodies
     for service in read(f"services: {{a: {one}, b: {other}}}").services:
         for name in READ:

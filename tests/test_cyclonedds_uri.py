@@ -14,10 +14,7 @@ from bringup_lint.source import Source
 
 def parts(text):
     source = Source("robot.env", text)
-    return [
-        (str(part.text), part.inline, part.text.span.start)
-        for part in split_uri(source.located(0, len(text)))
-    ]
+    return [(str(part.text), part.inline, part.text.span.start) for part in split_uri(source.located(0, len(text)))]
 
 
 @pytest.mark.parametrize(

@@ -135,9 +135,7 @@ def test_robots_of_the_corpus(corpus: Path) -> None:
     found = []
     for folder in sorted(corpus.iterdir()):
         if folder.is_dir() and not folder.name.startswith(("eProsima", "eclipse")):
-            run = lint(
-                "--select", "cyclonedds", "--select", "fastdds", "--output-format", "concise", ".", cwd=folder
-            )
+            run = lint("--select", "cyclonedds", "--select", "fastdds", "--output-format", "concise", ".", cwd=folder)
             found += [f"{folder.name}/{line}" for line in run.stdout.splitlines() if line]
     assert len(found) == 1
     assert "config/cyclonedds.xml:43:" in found[0] and "socket-buffer-exceeds-sysctl" in found[0]

@@ -25,9 +25,7 @@ EXAMPLE = re.compile(
     r"\n```\w+\n(?P<output>.*?)```\n",
     re.DOTALL,
 )
-PICTURE = re.compile(
-    r"<!-- picture (?P<name>\S+)(?: in (?P<folder>\S+))?: bringup-lint (?P<arguments>.*?) -->\n"
-)
+PICTURE = re.compile(r"<!-- picture (?P<name>\S+)(?: in (?P<folder>\S+))?: bringup-lint (?P<arguments>.*?) -->\n")
 LINK = re.compile(r"\]\((?!https?:|#|mailto:)([^)#\s]+)")
 
 

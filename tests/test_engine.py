@@ -82,7 +82,9 @@ def test_failing_rule_is_reported_and_the_others_run(tree: Path) -> None:
     assert "[site/no-legacy]" in run.stdout
 
 
-def test_failing_parser_is_reported_and_the_other_files_are_checked(tree: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_failing_parser_is_reported_and_the_other_files_are_checked(
+    tree: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     from bringup_lint.graph.systemd import unit_loading
     from bringup_lint.parsers import unit
 
@@ -93,7 +95,7 @@ def test_failing_parser_is_reported_and_the_other_files_are_checked(tree: Path, 
 
     monkeypatch.setattr(unit_loading, "parse", parse)
     (tree / "broken.service").write_text("[Service]\nExecStart=/bin/true\n")
-    own_rule(tree, body='yield finding(word, str([unit.name for unit in robot.units.judged]))')
+    own_rule(tree, body="yield finding(word, str([unit.name for unit in robot.units.judged]))")
     run = lint("--rules", "own", "--select", "site", "--output-format", "concise", ".", cwd=tree)
     assert run.code == 3
     assert "reading broken.service failed: IndexError" in run.stdout

@@ -15,9 +15,7 @@ def service(unit: str = "", install: str = "", own: str = "") -> str:
 
 def orders(units: Units, before: str, after: str) -> list[str]:
     return [
-        edge.why
-        for edge in units.graph.edges("orders")
-        if edge.source.name == before and edge.target.name == after
+        edge.why for edge in units.graph.edges("orders") if edge.source.name == before and edge.target.name == after
     ]
 
 
@@ -165,9 +163,7 @@ def test_masked_unit_breaks_the_cycle(tmp_path, monkeypatch):
 
 def test_waits_through_others_but_not_through_packages(tmp_path, monkeypatch):
     files = {
-        "a.service": service(
-            "Wants=network-online.target\nAfter=network-online.target", "WantedBy=multi-user.target"
-        ),
+        "a.service": service("Wants=network-online.target\nAfter=network-online.target", "WantedBy=multi-user.target"),
         "b.service": service("Requires=a.service\nAfter=a.service"),
         "c.service": service("After=multi-user.target"),
         "d.service": service("After=docker.service\nRequires=docker.service"),
@@ -194,7 +190,5 @@ def test_links_of_a_root_file_system_decide_what_is_enabled(tmp_path, monkeypatc
         "etc/systemd/system/multi-user.target.wants/a.service": "-> ../a.service",
     }
     units = load(tmp_path, files, monkeypatch, root=True)
-    pulled = {
-        edge.target.name for edge in units.graph.edges("wants") if edge.source.name == "multi-user.target"
-    }
+    pulled = {edge.target.name for edge in units.graph.edges("wants") if edge.source.name == "multi-user.target"}
     assert {"a.service"} == pulled & {"a.service", "b.service"}

@@ -41,9 +41,7 @@ PIECES += (
     "\r\n",
     "é",
 )
-TEXTS = strategies.lists(strategies.sampled_from(PIECES) | strategies.text(max_size=4), max_size=40).map(
-    "".join
-)
+TEXTS = strategies.lists(strategies.sampled_from(PIECES) | strategies.text(max_size=4), max_size=40).map("".join)
 
 
 def inside(value: object, source: Source) -> bool:
@@ -69,9 +67,7 @@ def test_sshd_reads_any_text(text: str) -> None:
     source = Source("sshd_config", text)
     file = sshd.parse(source)
     assert all(inside(problem.where, source) for problem in file.problems)
-    assert all(
-        inside(word, source) for option in file.options for word in (option.keyword, *option.arguments)
-    )
+    assert all(inside(word, source) for option in file.options for word in (option.keyword, *option.arguments))
 
 
 @pytest.mark.parametrize("parse", [logrotate.parse, sshd.parse])

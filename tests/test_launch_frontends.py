@@ -70,7 +70,7 @@ def test_arguments_of_substitutions_have_places() -> None:
 
 
 def test_nested_quotes() -> None:
-    found = value("$(eval '\"$(var mode)\" == \"real\"')")
+    found = value('$(eval \'"$(var mode)" == "real"\')')
     assert isinstance(found, Operation)
     (expression,) = found.operands
     assert isinstance(expression, Concat)
@@ -112,7 +112,7 @@ def test_xml_node() -> None:
 
 
 def test_yaml_node() -> None:
-    text = "launch:\n- node:\n    pkg: demo\n    exec: talker\n    name: \"chat\"\n    param:\n    - {name: a, value: [1, 2]}\n"
+    text = 'launch:\n- node:\n    pkg: demo\n    exec: talker\n    name: "chat"\n    param:\n    - {name: a, value: [1, 2]}\n'
     file = launch_yaml.parse(Source("x.launch.yaml", text))
     (node,) = file.actions
     assert literal(node.name).span.text == "chat"
@@ -120,13 +120,17 @@ def test_yaml_node() -> None:
     assert [item.value for item in node.parameters[0].items[0][1].items] == [1, 2]
 
 
-@pytest.mark.parametrize("text", ["", "<launch>", "<launch><node/></launch>", "<robot/>", "<launch><a><b/></a></launch>"])
+@pytest.mark.parametrize(
+    "text", ["", "<launch>", "<launch><node/></launch>", "<robot/>", "<launch><a><b/></a></launch>"]
+)
 def test_odd_xml_is_read(text: str) -> None:
     check_spans(launch_xml.parse(Source("x.launch.xml", text)))
 
 
 TAGS = st.sampled_from("node arg group include let param remap timer executable env launch set_env".split())
-PIECES = st.sampled_from(["$(var ", "$(", ")", "'", '"', "\\", " ", "x", "$", "eval ", "find-pkg-share ", "é", "&amp;", "/"])
+PIECES = st.sampled_from(
+    ["$(var ", "$(", ")", "'", '"', "\\", " ", "x", "$", "eval ", "find-pkg-share ", "é", "&amp;", "/"]
+)
 TEXTS = st.lists(PIECES, max_size=14).map("".join)
 
 

@@ -318,10 +318,15 @@ def check_spans(file: LaunchFile) -> None:
 
 
 WORDS = st.sampled_from(
-    """LaunchDescription Node LaunchConfiguration GroupAction OpaqueFunction 'x' f'{x}' x y ld [ ] ( ) { } , : = + . * ** if else
+    [
+        "\n",
+        "\n    ",
+        "\n        ",
+        " ",
+        *"""LaunchDescription Node LaunchConfiguration GroupAction OpaqueFunction 'x' f'{x}' x y ld [ ] ( ) { } , : = + . * ** if else
     for in not and or lambda def return generate_launch_description os.path.join 'é' add_action append while try except
-    context perform [0] == items() 1 2.5 None True""".split()
-    + ["\n", "\n    ", "\n        ", " "]
+    context perform [0] == items() 1 2.5 None True""".split(),
+    ]
 )
 
 
@@ -338,7 +343,9 @@ def test_no_text_makes_it_raise(text: str) -> None:
     check_spans(parse(Source("robot.launch.py", text)))
 
 
-NAMES = st.text(st.characters(codec="utf-8", exclude_characters="'\\\r\n", exclude_categories=("Cc", "Cs")), max_size=12)
+NAMES = st.text(
+    st.characters(codec="utf-8", exclude_characters="'\\\r\n", exclude_categories=("Cc", "Cs")), max_size=12
+)
 
 
 @settings(max_examples=60, deadline=None)

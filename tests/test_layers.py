@@ -31,7 +31,9 @@ HEAVY = ("networkx", "yaml", "pathspec", "click", "jsonschema", "lxml")
 
 
 def modules() -> list[Path]:
-    return sorted(path for path in PACKAGE.rglob("*.py") if path != PACKAGE / "__init__.py" and "rules" not in path.parts)
+    return sorted(
+        path for path in PACKAGE.rglob("*.py") if path != PACKAGE / "__init__.py" and "rules" not in path.parts
+    )
 
 
 def layer_of(path: Path) -> str:

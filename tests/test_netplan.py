@@ -203,7 +203,5 @@ def test_netplans_own_examples_are_clean():
 @pytest.mark.skipif(not CORPUS, reason="BRINGUP_LINT_CORPUS names no folder")
 def test_the_labelled_password_is_found():
     robot = Path(CORPUS) / "turtlebot__turtlebot4_setup"
-    run = lint(
-        "--select", "netplan", "--output-format", "concise", "--min-severity", "warning", ".", cwd=robot
-    )
+    run = lint("--select", "netplan", "--output-format", "concise", "--min-severity", "warning", ".", cwd=robot)
     assert [line.partition(":")[2].partition(":")[0] for line in run.stdout.splitlines()] == ["10"]

@@ -19,7 +19,9 @@ RULES = set(Registry.of().paths)
 
 
 def run(*command: str | Path, cwd: Path, **env: str) -> subprocess.CompletedProcess[str]:
-    clean = {key: value for key, value in os.environ.items() if not key.startswith(("PYTHONPATH", "GIT_", "PRE_COMMIT"))}
+    clean = {
+        key: value for key, value in os.environ.items() if not key.startswith(("PYTHONPATH", "GIT_", "PRE_COMMIT"))
+    }
     return subprocess.run(
         [str(part) for part in command], capture_output=True, text=True, cwd=cwd, env={**clean, **env}, timeout=600
     )
@@ -35,7 +37,9 @@ def checked(*command: str | Path, cwd: Path, **env: str) -> str:
 def repository(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The project as a git repository with everything committed, as a hook or pip would clone it."""
     folder = tmp_path_factory.mktemp("clone") / "bringup-lint"
-    unwanted = shutil.ignore_patterns(".git", ".venv", "__pycache__", ".hypothesis", "*.egg-info", "node_modules", "fixtures")
+    unwanted = shutil.ignore_patterns(
+        ".git", ".venv", "__pycache__", ".hypothesis", "*.egg-info", "node_modules", "fixtures"
+    )
     shutil.copytree(PROJECT, folder, ignore=unwanted, symlinks=True)
     git(folder, "init", "-q")
     git(folder, "add", "-A")

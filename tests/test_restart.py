@@ -16,9 +16,7 @@ from bringup_lint.robot import Robot
 STARTS = 400
 
 
-def policy(
-    delay: float, interval: float, burst: int, steps: int = 0, longest: float | None = None
-) -> RestartPolicy:
+def policy(delay: float, interval: float, burst: int, steps: int = 0, longest: float | None = None) -> RestartPolicy:
     longest = delay if longest is None else longest
     return RestartPolicy("always", None, delay, None, steps, longest, interval, None, burst, None)
 

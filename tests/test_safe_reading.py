@@ -35,9 +35,10 @@ def got_through(run) -> bool:
 def test_fifo_is_skipped_on_the_way_and_reported_by_name(tree: Path) -> None:
     os.mkfifo(tree / "pipe.service")
     assert got_through(concise(cwd=tree))
-    assert "pipe.service:1:1: error[lint/unreadable] Not checked: not a regular file but a FIFO" in concise(
-        "pipe.service", cwd=tree
-    ).stdout
+    assert (
+        "pipe.service:1:1: error[lint/unreadable] Not checked: not a regular file but a FIFO"
+        in concise("pipe.service", cwd=tree).stdout
+    )
 
 
 def test_link_to_a_fifo_does_not_block(tree: Path) -> None:

@@ -11,7 +11,31 @@ from bringup_lint.parsers.shell import commands
 from bringup_lint.source import Source
 
 TOKENS = st.sampled_from(
-    ["ros2", "launch", "'a b'", '"$X"', "$(", "${", ")", "}", "`", "'", '"', "\\", "\n", ";", "&&", "|", "&", "<<E", "E", "#", " ", "if", "fi"]
+    [
+        "ros2",
+        "launch",
+        "'a b'",
+        '"$X"',
+        "$(",
+        "${",
+        ")",
+        "}",
+        "`",
+        "'",
+        '"',
+        "\\",
+        "\n",
+        ";",
+        "&&",
+        "|",
+        "&",
+        "<<E",
+        "E",
+        "#",
+        " ",
+        "if",
+        "fi",
+    ]
 )
 
 
@@ -57,7 +81,11 @@ def test_words_know_their_places() -> None:
 
 
 @settings(deadline=None)
-@given(st.one_of(st.text(max_size=200), st.lists(TOKENS, max_size=40).map(" ".join), st.lists(TOKENS, max_size=40).map("".join)))
+@given(
+    st.one_of(
+        st.text(max_size=200), st.lists(TOKENS, max_size=40).map(" ".join), st.lists(TOKENS, max_size=40).map("".join)
+    )
+)
 def test_never_raises_and_every_span_lies_in_the_text(text: str) -> None:
     for command in commands(Source("x.sh", text).located(0, len(text))):
         for word in (*command.words, *command.assignments):

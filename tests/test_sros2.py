@@ -50,7 +50,12 @@ def test_certificate() -> None:
 
 
 def test_other_xml_is_not_claimed() -> None:
-    for text in ("<launch/>", "<dds><profiles/></dds>", "<permissions><grant/></permissions>", "text <dds><permissions/></dds>"):
+    for text in (
+        "<launch/>",
+        "<dds><profiles/></dds>",
+        "<permissions><grant/></permissions>",
+        "text <dds><permissions/></dds>",
+    ):
         assert not kind_of("config/permissions.xml", lambda text=text: text).startswith("sros2")
     assert kind_of("config/permissions.xml", lambda: PERMISSIONS) == "sros2-permissions"
 

@@ -20,8 +20,7 @@ from bringup_lint.source import Source
 
 def udev(*files: tuple[str, str]) -> Udev:
     return effective(
-        parse(Source(path.lstrip("/"), text, robot_path=path if path.startswith("/") else None))
-        for path, text in files
+        parse(Source(path.lstrip("/"), text, robot_path=path if path.startswith("/") else None)) for path, text in files
     )
 
 

@@ -10,9 +10,29 @@ from bringup_lint.parsers.unit import parse
 from bringup_lint.source import Source
 
 LINES = st.sampled_from(
-    ["[Unit]", "[Service]", "[", "[x", "Key=value", "Key=a \\", "  b \\", "# c", "; c", "", "  ", "\\", "=", "a", "K = v ", "\ufeff", "\0"]
+    [
+        "[Unit]",
+        "[Service]",
+        "[",
+        "[x",
+        "Key=value",
+        "Key=a \\",
+        "  b \\",
+        "# c",
+        "; c",
+        "",
+        "  ",
+        "\\",
+        "=",
+        "a",
+        "K = v ",
+        "\ufeff",
+        "\0",
+    ]
 )
-TEXT = st.one_of(st.text(max_size=200), st.lists(LINES, max_size=20).map("\n".join), st.lists(LINES, max_size=20).map("\r\n".join))
+TEXT = st.one_of(
+    st.text(max_size=200), st.lists(LINES, max_size=20).map("\n".join), st.lists(LINES, max_size=20).map("\r\n".join)
+)
 
 
 def unit(text: str, name: str = "robot.service"):
@@ -63,11 +83,16 @@ def test_lines_before_the_first_section() -> None:
 
 def test_words_know_their_lines() -> None:
     (assignment,) = unit("[S]\nA=one \\\n# no\n  two\n").assignments
-    assert [(word, word.span.line, word.span.column) for word in assignment.value.words()] == [("one", 2, 3), ("two", 4, 3)]
+    assert [(word, word.span.line, word.span.column) for word in assignment.value.words()] == [
+        ("one", 2, 3),
+        ("two", 4, 3),
+    ]
 
 
 def test_placeholders_make_a_value_opaque() -> None:
-    file = parse(Source("robot.service.in", "[Service]\nUser=@USER@\nGroup=robot\n", "systemd-unit", template="configure"))
+    file = parse(
+        Source("robot.service.in", "[Service]\nUser=@USER@\nGroup=robot\n", "systemd-unit", template="configure")
+    )
     assert file.name == "robot.service"
     assert [assignment.opaque for assignment in file.assignments] == [True, False]
 

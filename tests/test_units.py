@@ -14,9 +14,7 @@ from bringup_lint.robot import Robot
 SERVICE = "[Service]\nExecStart=/bin/true\n"
 
 
-def load(
-    folder: Path, files: dict[str, str], monkeypatch: pytest.MonkeyPatch, *, root: bool = False
-) -> Units:
+def load(folder: Path, files: dict[str, str], monkeypatch: pytest.MonkeyPatch, *, root: bool = False) -> Units:
     """The units of a tree; ``-> target`` as content makes a link."""
     if root:
         files = {
@@ -213,9 +211,7 @@ def test_service_kept_as_conf_is_a_service(tmp_path, monkeypatch):
 
 
 def test_new_line_goes_to_the_end_of_the_section_or_makes_it(tmp_path, monkeypatch):
-    units = load(
-        tmp_path, {"a.service": "[Unit]\nAfter=b.service\n\n[Service]\nExecStart=/bin/true"}, monkeypatch
-    )
+    units = load(tmp_path, {"a.service": "[Unit]\nAfter=b.service\n\n[Service]\nExecStart=/bin/true"}, monkeypatch)
     unit = only(units, "a.service")
     span, text = unit.new_line("Unit", "Wants=b.service")
     assert (span.line, text) == (3, "Wants=b.service\n")

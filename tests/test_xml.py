@@ -23,9 +23,7 @@ def codes(text):
 
 
 def test_tree_with_places():
-    document = read(
-        '<?xml version="1.0"?>\n<a x="1">\n  <b y=\'&lt;&#65;z\'>te&amp;xt<!-- c -->more</b><c/>\n</a>\n'
-    )
+    document = read('<?xml version="1.0"?>\n<a x="1">\n  <b y=\'&lt;&#65;z\'>te&amp;xt<!-- c -->more</b><c/>\n</a>\n')
     a = document.root
     b, c = a.children
     assert document.problems == []

@@ -64,7 +64,9 @@ def _names(ctx: click.Context, param: click.Parameter, value: tuple[str, ...]) -
 @click.option("--exclude", multiple=True, help="Skip what matches this gitignore pattern.")
 @click.option("--stdin-filename", help="Check standard input as the file of this name.")
 @click.option("--baseline", type=click.Path(dir_okay=False, path_type=Path), help="Leave out what this file holds.")
-@click.option("--write-baseline", type=click.Path(dir_okay=False, path_type=Path), help="Write the findings to a baseline.")
+@click.option(
+    "--write-baseline", type=click.Path(dir_okay=False, path_type=Path), help="Write the findings to a baseline."
+)
 @click.option("--fix", is_flag=True, help="Apply the safe fixes.")
 @click.option("--unsafe-fixes", is_flag=True, help="With --fix: apply the unsafe fixes too.")
 @click.option("--colour/--no-colour", "--color/--no-color", default=None, help="Force or forbid colour.")

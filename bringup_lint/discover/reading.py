@@ -43,7 +43,9 @@ def read_bytes(path: str, limit: int = SIZE_LIMIT) -> tuple[bytes, os.stat_resul
         if not stat.S_ISREG(status.st_mode):
             raise Unreadable(f"not a regular file but {describe(status.st_mode)}")
         if status.st_size > limit:
-            raise Unreadable(f"{status.st_size / 1024 / 1024:.0f} MiB is more than the {limit // 1024 // 1024} MiB limit")
+            raise Unreadable(
+                f"{status.st_size / 1024 / 1024:.0f} MiB is more than the {limit // 1024 // 1024} MiB limit"
+            )
         with os.fdopen(descriptor, "rb", closefd=False) as file:
             return file.read(limit), status
     except OSError as error:
@@ -70,7 +72,9 @@ def describe(mode: int) -> str:
 def decode(data: bytes) -> tuple[str, str]:
     """The text and what was wrong with its encoding (empty when nothing). Undecodable bytes become U+FFFD."""
     if data.startswith((b"\xff\xfe", b"\xfe\xff")):
-        return data.decode("utf-16", errors="replace"), "is UTF-16, which none of its readers understands; save it as UTF-8"
+        return data.decode(
+            "utf-16", errors="replace"
+        ), "is UTF-16, which none of its readers understands; save it as UTF-8"
     if b"\0" in data:
         return "", "holds NUL bytes: it is binary or damaged"
     try:

@@ -31,9 +31,7 @@ PASSED_OVER = frozenset(
 )
 """Folders of a root file system that hold programs, data and state; the vendor's configuration there is context."""
 
-_OVERLAY = re.compile(
-    r"(?:^|/)((?:etc|usr/lib|usr/local|lib/systemd|lib/udev|run/systemd|opt|home|root|var/lib)/.*)"
-)
+_OVERLAY = re.compile(r"(?:^|/)((?:etc|usr/lib|usr/local|lib/systemd|lib/udev|run/systemd|opt|home|root|var/lib)/.*)")
 
 
 def is_root(folder: Path) -> bool:

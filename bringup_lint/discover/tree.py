@@ -135,14 +135,8 @@ class Tree:
         return True if self.find(robot_path) is not None else None
 
     @property
-    def paths(self) -> Iterator[str]:
-        """All walked paths, also of files that no kind claims."""
-        for paths in self._paths.values():
-            yield from paths
-
-    @property
     def paths(self) -> list[str]:
-        """All walked paths, as the file system names them."""
+        """All walked paths, as the file system names them, also of files that no kind claims."""
         return sorted(path for known in self._paths.values() for path in known)
 
     def under(self, folder: str) -> list[str]:

@@ -73,7 +73,9 @@ def _context_folders(root: Path) -> list[str]:
     """/etc and the vendor's folders; what lies behind a link (``/lib`` on a merged /usr) has another name there."""
     base = os.path.realpath(root)
     plain = [
-        folder for folder in VENDOR_FOLDERS if os.path.realpath(os.path.join(root, folder)) == os.path.join(base, folder)
+        folder
+        for folder in VENDOR_FOLDERS
+        if os.path.realpath(os.path.join(root, folder)) == os.path.join(base, folder)
     ]
     return [os.path.join(root, folder) for folder in ("etc", *plain)]
 
@@ -197,7 +199,9 @@ def repository_of(path: str) -> str | None:
     return next((str(folder) for folder in Path(path).parents if (folder / ".git").exists()), None)
 
 
-def _read_context(tree: Tree, walked: set[str], folders: Iterable[str], excluded: Excluded = lambda path: False) -> None:
+def _read_context(
+    tree: Tree, walked: set[str], folders: Iterable[str], excluded: Excluded = lambda path: False
+) -> None:
     """Read what is needed to judge the rest, without judging it."""
     for folder in folders:
         for path in walk(folder, excluded):

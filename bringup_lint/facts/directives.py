@@ -51,9 +51,7 @@ class Legacy(NamedTuple):
 @cache
 def sections() -> dict[str, dict[str, Directive]]:
     """Section to key to directive. ``Target`` and ``Device`` exist but have no keys."""
-    found: dict[str, dict[str, Directive]] = {
-        name: {} for name in ("Unit", "Install", *SECTION_OF_TYPE.values())
-    }
+    found: dict[str, dict[str, Directive]] = {name: {} for name in ("Unit", "Install", *SECTION_OF_TYPE.values())}
     for section, key, kind, since in facts.rows("systemd_directives")[1]:
         found[section][key] = Directive(section, key, kind, int(since))
     return found

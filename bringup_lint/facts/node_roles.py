@@ -47,7 +47,9 @@ def role_of(package: str | None, program: str | None, distribution: str | None) 
     if row["managed"].startswith("yes from ") and distribution in RANK:
         managed = RANK.index(distribution) >= RANK.index(row["managed"].split()[2].rstrip(","))
     words = (entry.split() for entry in row["topics_qos"].split(";"))
-    topics = frozenset(word[1] for word in words if len(word) > 1 and word[0] in ("pub", "sub") and word[1][0] not in "/~")
+    topics = frozenset(
+        word[1] for word in words if len(word) > 1 and word[0] in ("pub", "sub") and word[1][0] not in "/~"
+    )
     return Role(row["role"], managed, topics - ABSOLUTE)
 
 

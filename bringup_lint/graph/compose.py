@@ -38,9 +38,7 @@ class Compose:
     @property
     def whole_services(self) -> Iterator[Service]:
         """The services that say what they run: only of these can something be missing."""
-        return (
-            service for service in self.services if service.is_whole and not self.extends_elsewhere(service)
-        )
+        return (service for service in self.services if service.is_whole and not self.extends_elsewhere(service))
 
     @staticmethod
     def extends_elsewhere(service: Service) -> bool:

@@ -98,9 +98,7 @@ class Dockerfile:
         return self.stages[-1] if self.stages else None
 
     def stage(self, name: str) -> Stage | None:
-        return next(
-            (stage for stage in self.stages if stage.name and stage.name.lower() == name.lower()), None
-        )
+        return next((stage for stage in self.stages if stage.name and stage.name.lower() == name.lower()), None)
 
     @cached_property
     def instructions(self) -> list[Instruction]:

@@ -48,9 +48,7 @@ class Stanza:
 
     def get(self, *names: str) -> Directive | None:
         """The last directive with one of the names, of the stanza or the file's global ones."""
-        return self.own(*names) or next(
-            (each for each in reversed(self.defaults) if each.name in names), None
-        )
+        return self.own(*names) or next((each for each in reversed(self.defaults) if each.name in names), None)
 
 
 @dataclass(slots=True)

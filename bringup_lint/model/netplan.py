@@ -283,9 +283,7 @@ class Interface:
     def match(self) -> Match | None:
         if not any(True for _ in self.entries("match")):
             return None
-        return Match(
-            self.value("match", "name"), self.value("match", "macaddress"), self.value("match", "driver")
-        )
+        return Match(self.value("match", "name"), self.value("match", "macaddress"), self.value("match", "driver"))
 
     @property
     def set_name(self) -> Located | None:

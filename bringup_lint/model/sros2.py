@@ -15,9 +15,7 @@ from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 
-_DATE_TIME = re.compile(
-    r"(\d{4})-(\d\d)-(\d\d)T(\d\d):(\d\d):(\d\d)(?:\.\d+)?(?:Z|[+-]\d\d:\d\d)?", re.ASCII
-)
+_DATE_TIME = re.compile(r"(\d{4})-(\d\d)-(\d\d)T(\d\d):(\d\d):(\d\d)(?:\.\d+)?(?:Z|[+-]\d\d:\d\d)?", re.ASCII)
 
 
 class Remark(NamedTuple):
@@ -141,4 +139,3 @@ def moment(text: str | None) -> datetime | None:
         return datetime(*(int(part) for part in match.groups()), tzinfo=timezone.utc)
     except ValueError:
         return None
-

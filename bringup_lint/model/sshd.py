@@ -32,9 +32,7 @@ class Option(NamedTuple):
     @property
     def value(self) -> Located:
         """The first argument; empty when there is none."""
-        return (
-            self.arguments[0] if self.arguments else self.keyword.part(len(self.keyword), len(self.keyword))
-        )
+        return self.arguments[0] if self.arguments else self.keyword.part(len(self.keyword), len(self.keyword))
 
     @property
     def everywhere(self) -> bool:

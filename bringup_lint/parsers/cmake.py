@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import re
 from collections.abc import Iterator
 from typing import NamedTuple
@@ -185,7 +186,7 @@ class Reader:
 
     def do_rclcpp_components_register_node(self, command: Command) -> None:
         words = command.arguments
-        for key, value in zip(words, words[1:]):
+        for key, value in itertools.pairwise(words):
             if key == "PLUGIN":
                 self.plugin(value)
             elif key == "EXECUTABLE":
@@ -250,7 +251,7 @@ class Reader:
             self.build.installs_known = False
 
     def files(self, kind: str, destination: str, sources: list[Located], options: list[Located]) -> None:
-        renamed = [after for before, after in zip(options, options[1:]) if before == "RENAME"]
+        renamed = [after for before, after in itertools.pairwise(options) if before == "RENAME"]
         for source in sources:
             self.install(destination, source, False, bool(renamed))
         if destination.startswith("lib/") and kind in ("PROGRAMS", "FILES"):

@@ -89,9 +89,7 @@ def read(
         if problem.code == "duplicate-attribute":
             configuration.remarks.append(Remark("duplicate", problem.where, True, problem.detail))
         elif fatal or problem.code == "doctype":
-            configuration.remarks.append(
-                Remark("xml", problem.where, fatal, f"{problem.code}: {problem.detail}")
-            )
+            configuration.remarks.append(Remark("xml", problem.where, fatal, f"{problem.code}: {problem.detail}"))
     if inline and document.root is not None and "</>" in document.root.span.text:
         # the shorthand end tag of inline XML is not read
         configuration.remarks.clear()
@@ -109,9 +107,7 @@ def _refused_by_its_xml_reader(document: Document, configuration: Configuration)
     """What is well-formed XML, and yet not for this library."""
     if document.source.text.startswith("\ufeff"):
         mark = document.source.span(0, 1)
-        configuration.remarks.append(
-            Remark("xml", mark, True, "byte-order-mark: it stands before the first <")
-        )
+        configuration.remarks.append(Remark("xml", mark, True, "byte-order-mark: it stands before the first <"))
     for instruction in document.instructions:
         inside = [each for each in document.elements if each.span.start < instruction.start < each.span.end]
         if inside and inside[-1].text:
@@ -124,9 +120,7 @@ def _has_subset(document: Document) -> bool:
 
 
 class _Reader:
-    def __init__(
-        self, configuration: Configuration, environment: Mapping[str, str] | None, features: frozenset[str]
-    ):
+    def __init__(self, configuration: Configuration, environment: Mapping[str, str] | None, features: frozenset[str]):
         self.configuration = configuration
         self.environment = environment
         self.features = features
@@ -135,9 +129,7 @@ class _Reader:
         self.domain = Domain(None)
         self.counts: dict[tuple[str, int], int] = {}
 
-    def remark(
-        self, code: str, where: Located | Span, fatal: bool, detail: str = "", item: Item | None = None
-    ) -> None:
+    def remark(self, code: str, where: Located | Span, fatal: bool, detail: str = "", item: Item | None = None) -> None:
         self.domain.remarks.append(Remark(code, where, fatal, detail, item))
 
     def document(self, root: Element) -> None:
@@ -153,9 +145,7 @@ class _Reader:
             self.configuration.remarks.append(Remark("root", root.name, True, root.name))
             for child in root.find_all("Domain"):
                 self.block(child, root)
-        if self.domain.element is None and (
-            self.domain.settings or self.domain.remarks or self.domain.elements
-        ):
+        if self.domain.element is None and (self.domain.settings or self.domain.remarks or self.domain.elements):
             self.configuration.domains.append(self.domain)
 
     def block(self, element: Element, parent: Element | None) -> None:
@@ -238,9 +228,7 @@ class _Reader:
                     self.unknown("unknown-attribute", attribute.name, found.item, item)
                 continue
             self.named(attribute.name, found.item, found.how)
-            self.value(
-                attribute.name, attribute.value, found.item, element, owner if not item.many else element
-            )
+            self.value(attribute.name, attribute.value, found.item, element, owner if not item.many else element)
 
     def text(self, element: Element, item: Item, owner: Element) -> None:
         text = element.text

@@ -54,9 +54,7 @@ def interfaces_twice(domains: list[Domain]) -> None:
         names = seen if domain.applies_to_any else set()
         for setting in domain.all(f"{INTERFACE}@name"):
             if setting.effective and setting.effective in names:
-                domain.remarks.append(
-                    Remark("interface-twice", setting.value, True, setting.effective, setting.item)
-                )
+                domain.remarks.append(Remark("interface-twice", setting.value, True, setting.effective, setting.item))
             names.add(setting.effective or "")
 
 
@@ -89,9 +87,7 @@ def _watermarks(domain: Domain) -> Iterator[Remark]:
     initial = _size(domain, "WhcHighInit", 30 << 10)
     if low is None or high is None or initial is None or (high >= low and low <= initial <= high):
         return
-    written = [
-        each for each in domain.settings if "/Watermarks/Whc" in each.path and each.item.type == "memsize"
-    ]
+    written = [each for each in domain.settings if "/Watermarks/Whc" in each.path and each.item.type == "memsize"]
     detail = f"WhcLow {low} B, WhcHighInit {initial} B, WhcHigh {high} B"
     yield Remark("watermarks", written[-1].value, True, detail, written[-1].item)
 
@@ -120,10 +116,7 @@ def _transport(domain: Domain) -> Iterator[Remark]:
     expected = wanted.get(transport, ("false", "false"))
     if transport in ("default", "") or chosen is None:
         return
-    if any(
-        value in ("true", "false") and value != want
-        for value, want in zip((tcp, ipv6), expected, strict=True)
-    ):
+    if any(value in ("true", "false") and value != want for value, want in zip((tcp, ipv6), expected, strict=True)):
         if transport in ("raweth", "none") and "true" not in (tcp, ipv6):
             return
         yield Remark("transport", chosen.value, True, f"TCP/Enable {tcp}, UseIPv6 {ipv6}", chosen.item)

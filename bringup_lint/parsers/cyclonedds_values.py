@@ -81,9 +81,7 @@ def _word(item: Item, text: str, version: str) -> Complaint | None:
 
 
 def _list(item: Item, text: str, version: str) -> Complaint | None:
-    alone = [
-        word for part in item.allowed.split(" | ") if not part.startswith("comma") for word in part.split("|")
-    ]
+    alone = [word for part in item.allowed.split(" | ") if not part.startswith("comma") for word in part.split("|")]
     listed = words(item)
     if text.lower() in alone or "addresses" in listed or not text:
         return None
@@ -145,9 +143,7 @@ def _duration(item: Item, text: str, version: str) -> Complaint | None:
 
 
 def _bandwidth(item: Item, text: str, version: str) -> Complaint | None:
-    units = {
-        f"{prefix}{unit}": factor for prefix, factor in _BITS.items() for unit in ("b/s", "bps", "B/s", "Bps")
-    }
+    units = {f"{prefix}{unit}": factor for prefix, factor in _BITS.items() for unit in ("b/s", "bps", "B/s", "Bps")}
     units |= {f"Ki{unit}": 1 << 10 for unit in ("b/s", "bps", "B/s", "Bps")}
     if text.startswith("inf"):
         rest = text[3:].strip(" ")
@@ -205,11 +201,7 @@ def _within(number: _Number | Complaint, low: int, high: int, bare: str, version
 def _string(item: Item, text: str, version: str) -> Complaint | None:
     if item.path == "CycloneDDS/Domain@Id":
         good = re.fullmatch(r"(?i:any)|[ \t\n\v\f\r]*\+?[0-9]+", text)
-        return (
-            None
-            if good and (not text[-1:].isdigit() or int(text) < (1 << 32) - 1)
-            else Complaint("value", text)
-        )
+        return None if good and (not text[-1:].isdigit() or int(text) < (1 << 32) - 1) else Complaint("value", text)
     if item.path == "CycloneDDS/Domain/Threads/Thread@Name":
         return None if text in THREADS else Complaint("value", text)
     return None

@@ -153,9 +153,7 @@ def _instruction(file: Dockerfile, whole: Located) -> Instruction | None:
     match = _KEYWORD.match(whole)
     name = match[1].upper() if match else ""
     if match is None or name not in NAMES:
-        file.problems.append(
-            Problem("unknown-instruction", whole.part(0, min(len(whole), 40)).strip_located())
-        )
+        file.problems.append(Problem("unknown-instruction", whole.part(0, min(len(whole), 40)).strip_located()))
         return None
     keyword, at = whole.part(match.start(1), match.end(1)), match.end()
     if name == "ONBUILD":

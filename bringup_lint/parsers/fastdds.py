@@ -183,9 +183,7 @@ class _Reader:
         for child in element.children:
             known = shape.children.get(str(child.name))
             if known is None:
-                passed = item.passes_over and not (
-                    item.name.endswith("List") and child is element.children[0]
-                )
+                passed = item.passes_over and not (item.name.endswith("List") and child is element.children[0])
                 if not passed:
                     self.remark("unknown-element", child.name, True, child.name, item.path)
                 continue
@@ -228,9 +226,7 @@ class _Reader:
     def attributes(self, element: Element, item: Item, shape: Item) -> None:
         known = {**item.attributes, **shape.attributes}
         for attribute in element.attributes:
-            if attribute.name not in known and (
-                item.name in STRICT_ATTRIBUTES or shape.path in STRICT_ATTRIBUTES
-            ):
+            if attribute.name not in known and (item.name in STRICT_ATTRIBUTES or shape.path in STRICT_ATTRIBUTES):
                 self.remark("unknown-attribute", attribute.name, True, attribute.name, item.path)
         for needed in item.attributes.values():
             value = element.get(needed.name)

@@ -65,11 +65,7 @@ def _number(item: Item, text: str) -> Complaint | None:
     match = _NUMBER.match(text)
     if match is None:
         return Complaint("number", True)
-    value = (
-        int(match[2][:30], 0)
-        if not match[2].startswith("0") or "x" in match[2].lower()
-        else int(match[2][:30])
-    )
+    value = int(match[2][:30], 0) if not match[2].startswith("0") or "x" in match[2].lower() else int(match[2][:30])
     if match[1] == "-":
         value = -value
     if item.check in ("uint8", "uint16", "natural") and match[1] == "-":
@@ -106,9 +102,7 @@ def _octets(item: Item, text: str) -> Complaint | None:
 
 
 def _guid(item: Item, text: str) -> Complaint | None:
-    return (
-        None if _GUID.fullmatch(text.strip()) else Complaint("value", True, "twelve octets such as 44.53.00")
-    )
+    return None if _GUID.fullmatch(text.strip()) else Complaint("value", True, "twelve octets such as 44.53.00")
 
 
 _CHECKS = {

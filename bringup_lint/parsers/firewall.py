@@ -167,9 +167,7 @@ def _nftables(firewall: Firewall) -> None:
     if chain is None:
         return
     firewall.first_input = source.span(chain.start(), chain.end())
-    firewall.drops = chain["policy"] == "drop" or bool(
-        re.search(r"^\s*(?:counter\s+)?(?:drop|reject)\b", text, re.M)
-    )
+    firewall.drops = chain["policy"] == "drop" or bool(re.search(r"^\s*(?:counter\s+)?(?:drop|reject)\b", text, re.M))
     firewall.opens_all = bool(_NFT_WHOLE.search(text))
     for match in _NFT_UDP.finditer(text):
         group = "set" if match["set"] is not None else "one"

@@ -135,9 +135,7 @@ class _Reader:
             return
         name, start = self.script or (word, self.at)
         body_end = max(self.text.rfind("\n", 0, self.at) + 1, start)
-        script = Script(
-            name, self.source.located(start, body_end), self.source.span(name.span.start, self.at)
-        )
+        script = Script(name, self.source.located(start, body_end), self.source.span(name.span.start, self.at))
         if self.stanza:
             self.stanza.scripts.append(script)
         self.script = None

@@ -108,12 +108,8 @@ CHECKS: dict[str, Callable[[str], str | None]] = {
     "member": lambda text: None,
     "bool": _expect(lambda text: boolean(text) is not None, "is no boolean: true or false"),
     "uint": _expect(lambda text: unsigned(text) is not None, "is no number"),
-    "byte": _expect(
-        lambda text: (unsigned(text) or 0) <= 255 and unsigned(text) is not None, "is not in 0..255"
-    ),
-    "priority": _expect(
-        lambda text: (unsigned(text) or 0) <= 63 and unsigned(text) is not None, "is not in 0..63"
-    ),
+    "byte": _expect(lambda text: (unsigned(text) or 0) <= 255 and unsigned(text) is not None, "is not in 0..255"),
+    "priority": _expect(lambda text: (unsigned(text) or 0) <= 63 and unsigned(text) is not None, "is not in 0..63"),
     "macaddress": _expect(lambda text: bool(MAC.match(text)), "is no MAC address XX:XX:XX:XX:XX:XX"),
     "name": _expect(lambda text: bool(NAME.match(text)), "is no interface name"),
     "driver": _expect(lambda text: " " not in text, "holds a blank; several drivers are a sequence"),

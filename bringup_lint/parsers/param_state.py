@@ -123,7 +123,9 @@ class State:
         )
 
     def restore(self, saved: Saved) -> None:
-        self.in_parameters, self.depth, self.is_key, self.in_list, self.new_map, self.node, self.parameter, *rest = saved
+        self.in_parameters, self.depth, self.is_key, self.in_list, self.new_map, self.node, self.parameter, *rest = (
+            saved
+        )
         (self.names.text, self.names.count), (self.prefixes.text, self.prefixes.count) = rest
 
     @property

@@ -38,7 +38,9 @@ FORMAT_TOKENS_SINCE = {"short_file_name": "kilted"}
 ULONG_MAX = 2**64 - 1
 """As a domain, it means the default."""
 
-_STRTOUL = re.compile(r"[ \t\n\v\f\r]*(?P<sign>[+-]?)(?:0[xX](?P<hex>[0-9a-fA-F]+)|0(?P<octal>[0-7]*)|(?P<decimal>[1-9][0-9]*))")
+_STRTOUL = re.compile(
+    r"[ \t\n\v\f\r]*(?P<sign>[+-]?)(?:0[xX](?P<hex>[0-9a-fA-F]+)|0(?P<octal>[0-7]*)|(?P<decimal>[1-9][0-9]*))"
+)
 
 
 class DomainId(NamedTuple):

@@ -96,7 +96,9 @@ def _install(build: Build, destination: str, files: Any) -> None:
     if isinstance(files, Operation) and files.name == "glob":
         patterns = [files.operands[0]]
     elif isinstance(files, Sequence) and not files.open:
-        patterns = [item.operands[0] if isinstance(item, Operation) and item.operands else item for _, item in files.items]
+        patterns = [
+            item.operands[0] if isinstance(item, Operation) and item.operands else item for _, item in files.items
+        ]
     else:
         build.installs_known = False
         return

@@ -64,7 +64,6 @@ def commands(script: Located) -> list[Command]:
     return found
 
 
-
 def shell_commands(source: Source) -> list[Command]:
     """The simple commands of a whole script file."""
     return commands(source.located(0, len(source.text)))

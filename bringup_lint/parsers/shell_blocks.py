@@ -124,9 +124,7 @@ class _Reader:
             else:
                 items = [token.text.part(0, 0)] if token.text else []
         self.list(frozenset({"do"}), depth + 1)
-        return Block(
-            "for", name=name, items=tuple(items), bodies=(self.list(frozenset({"done"}), depth + 1),)
-        )
+        return Block("for", name=name, items=tuple(items), bodies=(self.list(frozenset({"done"}), depth + 1),))
 
     def branches(self, depth: int) -> Block:
         self.at += 1

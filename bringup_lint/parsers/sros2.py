@@ -85,7 +85,9 @@ def _document(source: Source) -> Document:
 
 def _remarks(document: Document, file: str) -> list[Remark]:
     remarks = [
-        Remark("xml", problem.where, f"{problem.code.replace('-', ' ')}{f', {problem.detail}' if problem.detail else ''}")
+        Remark(
+            "xml", problem.where, f"{problem.code.replace('-', ' ')}{f', {problem.detail}' if problem.detail else ''}"
+        )
         for problem in document.problems
         if not (problem.code == "late-declaration" and is_signed(document.source))
     ]

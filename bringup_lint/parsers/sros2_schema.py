@@ -41,7 +41,9 @@ def schema(file: str) -> Item:
             continue
         above, _, name = path.rpartition("/")
         order = int(row["order"] or 0)
-        item = Item(name, order, required, row["max_occurs"] == "1", row["type"], tuple(row["allowed"].split("|")), {}, {})
+        item = Item(
+            name, order, required, row["max_occurs"] == "1", row["type"], tuple(row["allowed"].split("|")), {}, {}
+        )
         items[path] = item
         if above:
             items[above].children[name] = item

@@ -16,9 +16,7 @@ _REKEY = re.compile(r"\d+(?:\.\d+)?[kKmMgGtTbB]?")
 _STARTUPS = re.compile(r"([+-]?\d+)(?::([+-]?\d+):([+-]?\d+))?")
 _NETBLOCK = re.compile(r"([+-]?\d+)(?::([+-]?\d+))?")
 _PORT = re.compile(r"\d{1,5}")
-_LEVELS = frozenset(
-    ["SILENT", "QUIET", "FATAL", "ERROR", "INFO", "VERBOSE", "DEBUG", "DEBUG1", "DEBUG2", "DEBUG3"]
-)
+_LEVELS = frozenset(["SILENT", "QUIET", "FATAL", "ERROR", "INFO", "VERBOSE", "DEBUG", "DEBUG1", "DEBUG2", "DEBUG3"])
 _FACILITIES = frozenset(
     [
         "DAEMON",
@@ -85,13 +83,9 @@ def judge(kind: str, words: Words) -> Verdict:
         return _one(words, lambda word: word.lower() in choices, " or ".join(_listed(choices)))
     if kind.startswith("words:"):
         choices = kind[6:].split(",")
-        return len(words), "" if all(word.lower() in choices for word in words) else " or ".join(
-            _listed(choices)
-        )
+        return len(words), "" if all(word.lower() in choices for word in words) else " or ".join(_listed(choices))
     if kind in ("cipher", "mac", "kex", "keys"):
-        return _one(
-            words, lambda word: _are_algorithms(kind, word), f"a list of {_NAMES[kind]} that OpenSSH knows"
-        )
+        return _one(words, lambda word: _are_algorithms(kind, word), f"a list of {_NAMES[kind]} that OpenSSH knows")
     return _KINDS[kind](words)
 
 
@@ -209,17 +203,13 @@ _KINDS: dict[str, Callable[[Words], Verdict]] = {
     "flag": lambda words: _one(words, lambda word: word.lower() in ("yes", "no"), "yes or no"),
     "one": lambda words: _one(words, lambda word: True, "a value"),
     "time": lambda words: _one(words, _time, "a time such as 30, 5m or 1h"),
-    "time-or-none": lambda words: _one(
-        words, lambda word: word.lower() == "none" or _time(word), "a time or none"
-    ),
+    "time-or-none": lambda words: _one(words, lambda word: word.lower() == "none" or _time(word), "a time or none"),
     "int": lambda words: _one(words, _integer, "a whole number"),
     "number-or-none": lambda words: _one(
         words, lambda word: word == "none" or _integer(word), "a whole number or none"
     ),
     "port": lambda words: _one(words, _port, "a port from 1 to 65535"),
-    "loglevel": lambda words: _one(
-        words, lambda word: word.upper() in _LEVELS, "a level such as INFO or VERBOSE"
-    ),
+    "loglevel": lambda words: _one(words, lambda word: word.upper() in _LEVELS, "a level such as INFO or VERBOSE"),
     "facility": lambda words: _one(
         words, lambda word: word.upper() in _FACILITIES, "a facility such as AUTH or LOCAL0"
     ),

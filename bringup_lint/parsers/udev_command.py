@@ -46,9 +46,7 @@ class Command:
         if self.runs_shell:
             return []
         found = [word for word in self.words[1:] if _OPERATOR.fullmatch(word)]
-        return found or [
-            word.part(len(word) - 1, len(word)) for word in self.words[:-1] if word.endswith(";")
-        ]
+        return found or [word.part(len(word) - 1, len(word)) for word in self.words[:-1] if word.endswith(";")]
 
     @property
     def text(self) -> Located:

@@ -44,9 +44,7 @@ def logical_lines(source: Source) -> Iterator[LogicalLine]:
     if pieces:
         line = _joined(source, pieces)
         last = pieces[-1][1]
-        yield LogicalLine(
-            line, Problem("end-of-file-in-rule", source.span(last, min(last + 1, len(source.text))))
-        )
+        yield LogicalLine(line, Problem("end-of-file-in-rule", source.span(last, min(last + 1, len(source.text)))))
 
 
 def _physical_lines(text: str) -> Iterator[tuple[int, int]]:

@@ -114,9 +114,7 @@ def _unescaped(value: Located, escaped: bool) -> Located:
     for found in pattern.finditer(value):
         character = _meaning(found[1]) if escaped else '"'
         if not character:
-            raise _Unreadable(
-                Problem("bad-escape", value.part(found.start(), min(found.end() + 1, len(value))))
-            )
+            raise _Unreadable(Problem("bad-escape", value.part(found.start(), min(found.end() + 1, len(value)))))
         if found.start() > at:
             pieces.append((length, value.origin(at)))
             texts.append(value[at : found.start()])

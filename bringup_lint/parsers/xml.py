@@ -206,9 +206,7 @@ class _Reader:
         span = self.source.span(start, self.at)
         if self.text.startswith("<!DOCTYPE", start) and not self.open and self.document.root is None:
             self.document.doctype = span
-            self.report(
-                "doctype", start, min(self.at, start + 9), "entities and external parts are never loaded"
-            )
+            self.report("doctype", start, min(self.at, start + 9), "entities and external parts are never loaded")
         else:
             self.report("bad-tag", start, min(self.at, start + 2), "not markup that may stand here")
 
@@ -252,9 +250,7 @@ class _Reader:
                 self.report("undeclared-prefix", name.span.start, name.span.end, name.partition(":")[0])
         for each in tag.attributes:
             if each.name.startswith("xmlns:") and not each.value:
-                self.report(
-                    "bad-attribute", each.name.span.start, each.value.span.end, "a prefix needs a namespace"
-                )
+                self.report("bad-attribute", each.name.span.start, each.value.span.end, "a prefix needs a namespace")
 
     def qualified(self, name: Located) -> bool:
         prefix, _, local = name.partition(":")

@@ -13,9 +13,7 @@ Report = Callable[[str, int, int, str], None]
 """Takes a problem: code, start and end offset, detail."""
 
 PREDEFINED = {"lt": "<", "gt": ">", "amp": "&", "apos": "'", "quot": '"'}
-_REFERENCE = re.compile(
-    r"&(?:#(?P<decimal>[0-9]+);|#x(?P<hex>[0-9a-fA-F]+);|(?P<name>[^\s&;<>\"'#=,]{1,80});)?"
-)
+_REFERENCE = re.compile(r"&(?:#(?P<decimal>[0-9]+);|#x(?P<hex>[0-9a-fA-F]+);|(?P<name>[^\s&;<>\"'#=,]{1,80});)?")
 FORBIDDEN = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 

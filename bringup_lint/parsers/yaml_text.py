@@ -17,9 +17,7 @@ ESCAPE_LENGTH = {"x": 4, "u": 6, "U": 10}
 Pieces = list[tuple[int, int]]
 
 
-def content(
-    source: Source, start: int, end: int, value: str, style: str, named: bool
-) -> tuple[Located, Span]:
+def content(source: Source, start: int, end: int, value: str, style: str, named: bool) -> tuple[Located, Span]:
     """The located value and the whole span of a scalar that libyaml saw between two offsets.
 
     ``named`` tells that an anchor or a tag stands before it, which the whole span leaves out.

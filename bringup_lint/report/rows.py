@@ -77,9 +77,7 @@ def underlined(marks: list[Underline], room: int, paint: Paint) -> Iterator[str]
             if mark.start < at or (row and mark.start == at and mark.style == row[-1].style):
                 continue
             width = max(mark.end - mark.start, 1)
-            drawn += " " * (mark.start - at) + paint(
-                mark.style, ("-" if mark.style == "mark" else "^") * width
-            )
+            drawn += " " * (mark.start - at) + paint(mark.style, ("-" if mark.style == "mark" else "^") * width)
             at = mark.start + width
             row.append(mark)
         yield from _labelled(drawn, at, row[-1], room, paint)

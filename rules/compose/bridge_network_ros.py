@@ -37,9 +37,7 @@ def bridge_network_ros(robot: Robot):
     for file in robot.compose.files:
         if file.source.template:
             continue
-        yield from _apart(
-            robot, [service for service in file.services if service.is_ros and service.is_whole]
-        )
+        yield from _apart(robot, [service for service in file.services if service.is_ros and service.is_whole])
         for service in file.services:
             if service.is_on_host_network and service.key("ports") is not None:
                 yield finding(

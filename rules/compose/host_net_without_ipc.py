@@ -42,11 +42,7 @@ TRANSPORTS = (
 def host_net_without_ipc(robot: Robot):
     for file in robot.compose.files:
         services = [s for s in file.services if s.is_ros and s.is_whole and s.is_on_host_network]
-        if (
-            len(services) < 2
-            or file.source.template
-            or not all(_is_fast_dds(robot, service) for service in services)
-        ):
+        if len(services) < 2 or file.source.template or not all(_is_fast_dds(robot, service) for service in services):
             continue
         apart = [service for service in services if not _shares_memory(service)]
         for service in apart:

@@ -49,9 +49,7 @@ def read_only_no_log_tmpfs(robot: Robot):
         if any("$" in path for path in [*writable, *([place[1]] if place else [])]):
             continue
         if place is None:
-            lost = not any(
-                path.endswith("/.ros") or path == "/root" or path.startswith("/home/") for path in writable
-            )
+            lost = not any(path.endswith("/.ros") or path == "/root" or path.startswith("/home/") for path in writable)
             where = "~/.ros/log"
         else:
             lost = not any(f"{place[1]}/".startswith(path.rstrip("/") + "/") for path in writable)

@@ -32,12 +32,7 @@ from bringup_lint.api import rule
 @rule("info")
 def restart_missing(robot: Robot):
     for service in robot.compose.whole_services:
-        if (
-            service.is_ros
-            and not service.restarts
-            and service.restart is None
-            and service.get("profiles") is None
-        ):
+        if service.is_ros and not service.restarts and service.restart is None and service.get("profiles") is None:
             yield finding(
                 service.name,
                 f"Nothing restarts '{service.name}' after a crash or a reboot",

@@ -48,9 +48,7 @@ def root_user(robot: Robot):
             certain = known is not None
             yield finding(
                 service.name,
-                f"Service '{service.name}' runs as root"
-                if certain
-                else f"Service '{service.name}' names no user",
+                f"Service '{service.name}' runs as root" if certain else f"Service '{service.name}' names no user",
                 advice='add user: "1000:1000", or USER to the Dockerfile',
                 severity=None if certain else "info",
             )

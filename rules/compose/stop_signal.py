@@ -36,11 +36,7 @@ from bringup_lint.api import rule
 def stop_signal(robot: Robot):
     for service in robot.compose.whole_services:
         launch = service.launches
-        if (
-            launch is None
-            or launch.span.start < service.body.span.start
-            or service.scalar("stop_signal") is not None
-        ):
+        if launch is None or launch.span.start < service.body.span.start or service.scalar("stop_signal") is not None:
             continue
         stage = robot.compose.stage(service)
         signal = stage.last("STOPSIGNAL") if stage else None

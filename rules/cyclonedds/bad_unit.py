@@ -53,9 +53,7 @@ def bad_unit(robot: Robot):
         change = None
         if guess and unit and value[:end].endswith(unit):
             change = fix(f"write {guess}", (value.part(end - len(unit), end), guess), safe=bool(right))
-        message = (
-            f"'{value}': unrecognised unit '{unit}'" if unit else f"{remark.item.name} '{value}' needs a unit"
-        )
+        message = f"'{value}': unrecognised unit '{unit}'" if unit else f"{remark.item.name} '{value}' needs a unit"
         yield finding(
             value,
             f"{message}: no participant can be created, no node starts",

@@ -34,8 +34,7 @@ def duplicate_element(robot: Robot):
         first = robot.dds.first_of(configuration, remark)
         yield finding(
             remark.where,
-            f"{remark.detail} is given twice (only 1 instance allowed): no participant can be created, no "
-            "node starts",
+            f"{remark.detail} is given twice (only 1 instance allowed): no participant can be created, no node starts",
             advice="keep one of the two",
             related=[note(first, "the first one")] if first else (),
         )

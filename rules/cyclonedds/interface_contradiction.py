@@ -42,7 +42,6 @@ def interface_contradiction(robot: Robot):
     for _, remark in robot.dds.remarks("autodetermined"):
         yield finding(
             remark.where,
-            f"An interface with autodetermine must not have the {remark.item.name} '{remark.where}': no "
-            "node starts",
+            f"An interface with autodetermine must not have the {remark.item.name} '{remark.where}': no node starts",
             advice=f"delete autodetermine, or the {remark.item.name}",
         )

@@ -43,9 +43,7 @@ def interface_not_in_netplan(robot: Robot):
         for setting in names:
             name = setting.effective
             required = domain.of(setting.owner, "presence_required")
-            optional = (
-                required is not None and (required.effective or "false").lower() == "false" and len(names) > 1
-            )
+            optional = required is not None and (required.effective or "false").lower() == "false" and len(names) > 1
             if not known or optional or robot.dds.device(plan, name) or robot.dds.may_exist(plan, name):
                 continue
             predictable = name.startswith(("en", "wl", "eth0")) and any(each.is_physical for each in known)

@@ -41,8 +41,7 @@ def max_auto_participant_index(robot: Robot):
                 port = 7400 + 10 + 2 * int(text)
                 yield finding(
                     setting.value,
-                    f"Index {text} means port {port} + 250 x domain, which belongs to the next domain (from "
-                    "7650)",
+                    f"Index {text} means port {port} + 250 x domain, which belongs to the next domain (from 7650)",
                     advice="stay at or below 119",
                     severity="info",
                 )
@@ -52,15 +51,12 @@ def max_auto_participant_index(robot: Robot):
         count = sum(selection.processes for selection in readers)
         if index is None or (index.effective or "").lower() != "auto" or not readers:
             continue
-        highest = (
-            int(limit.effective) if limit and (limit.effective or "").isdigit() else 9 if not limit else None
-        )
+        highest = int(limit.effective) if limit and (limit.effective or "").isdigit() else 9 if not limit else None
         if highest is None or (limit is None and not robot.dds.old_discovery) or count <= highest + 1:
             continue
         yield finding(
             limit.value if limit else index.value,
-            f"Only {highest + 1} participants fit, and at least {count} processes start: the rest die at "
-            "once",
+            f"Only {highest + 1} participants fit, and at least {count} processes start: the rest die at once",
             advice=f"write MaxAutoParticipantIndex {max(30, count + 10)}, the same on all hosts",
             related=[note(each.where, f"{each.who}: {each.processes}") for each in readers],
         )

@@ -49,8 +49,7 @@ def no_multicast_participantindex_none(robot: Robot):
             continue
         where = index.value if index else off.value
         message = (
-            "Unicast discovery cannot find ports that are random: without multicast and with "
-            "ParticipantIndex none "
+            "Unicast discovery cannot find ports that are random: without multicast and with ParticipantIndex none "
         )
         yield finding(
             where,

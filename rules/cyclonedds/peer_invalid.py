@@ -34,9 +34,7 @@ def peer_invalid(robot: Robot):
     for _configuration, domain in robot.dds.domains:
         for peer in domain.all("Discovery/Peers/Peer@Address"):
             for part, why in robot.dds.bad_addresses(peer):
-                effect = (
-                    "every process aborts" if aborts else "the peer is dropped, its nodes are not discovered"
-                )
+                effect = "every process aborts" if aborts else "the peer is dropped, its nodes are not discovered"
                 yield finding(
                     part,
                     f"Peer '{part}' {why}: {effect}",

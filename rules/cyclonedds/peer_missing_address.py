@@ -35,15 +35,11 @@ def peer_missing_address(robot: Robot):
             address = domain.of(element, "Address")
             if address is not None and address.effective == "":
                 message = "The peer's address is empty: nobody is contacted"
-                yield finding(
-                    element.name, message, advice="write the address, or delete the peer", severity="warning"
-                )
+                yield finding(element.name, message, advice="write the address, or delete the peer", severity="warning")
             elif address is None or element.text:
                 change = None
                 if address is None and robot.dds.is_address(element.text) and not element.children:
-                    change = fix(
-                        "make it an attribute", (element.span, f'<{element.name} Address="{element.text}"/>')
-                    )
+                    change = fix("make it an attribute", (element.span, f'<{element.name} Address="{element.text}"/>'))
                 yield finding(
                     element.name,
                     "A Peer needs the attribute Address, and takes no text: no participant can be created, "

@@ -34,21 +34,13 @@ def peer_outside_subnet(robot: Robot):
         plan = robot.dds.plan_of(configuration)
         for peer in robot.dds.peers(domain) if plan and plan.interfaces else ():
             address = robot.dds.address_of(peer)
-            if (
-                address is None
-                or address.is_loopback
-                or address.is_multicast
-                or robot.dds.routed(plan, address)
-            ):
+            if address is None or address.is_loopback or address.is_multicast or robot.dds.routed(plan, address):
                 continue
-            subnets = [
-                (each, network) for each in plan.interfaces.values() for network in robot.dds.networks(each)
-            ]
+            subnets = [(each, network) for each in plan.interfaces.values() for network in robot.dds.networks(each)]
             if subnets:
                 yield finding(
                     peer,
-                    f"Peer {address} lies in no subnet of this robot and no route covers it: it will not be "
-                    "discovered",
+                    f"Peer {address} lies in no subnet of this robot and no route covers it: it will not be discovered",
                     advice="correct the address, or add a route",
                     related=[note(each.name, f"has {network}") for each, network in subnets[:3]],
                 )

@@ -39,12 +39,7 @@ def peer_self_missing(robot: Robot):
     for configuration, domain in robot.dds.domains:
         off = robot.dds.multicast_off(domain)
         peers = domain.all("Discovery/Peers/Peer@Address")
-        if (
-            off is None
-            or not peers
-            or domain.all("Discovery/Peers@AddLocalhost")
-            or robot.dds.contacts_itself(domain)
-        ):
+        if off is None or not peers or domain.all("Discovery/Peers@AddLocalhost") or robot.dds.contacts_itself(domain):
             continue
         own = robot.dds.own_addresses(configuration)
         if own & {str(address) for address in robot.dds.peer_addresses(domain)}:
@@ -53,8 +48,7 @@ def peer_self_missing(robot: Robot):
         inserted = Span(first.span.source, first.span.start, first.span.start)
         yield finding(
             first.name,
-            "The robot itself is not among its peers, and multicast is off: its own nodes do not see each "
-            "other",
+            "The robot itself is not among its peers, and multicast is off: its own nodes do not see each other",
             advice='add <Peer Address="localhost"/>',
             related=[note(off.value, "multicast is off")],
             severity=None if own else "info",

@@ -52,6 +52,4 @@ def settings_contradict(robot: Robot):
     }
     for _, remark in robot.dds.remarks(*words):
         what, advice = words[remark.code]
-        yield finding(
-            remark.where, f"{what[0].upper()}{what[1:]} ({remark.detail}): no node starts", advice=advice
-        )
+        yield finding(remark.where, f"{what[0].upper()}{what[1:]} ({remark.detail}): no node starts", advice=advice)

@@ -44,11 +44,7 @@ def socket_buffer_exceeds_sysctl(robot: Robot):
         for setting, limit_name in robot.dds.least_buffers(domain):
             wanted = robot.dds.size_of(setting)
             limit = robot.sysctl.get(limit_name)
-            if (
-                wanted is None
-                or not robot.sysctl.certain
-                or (limit is not None and not limit.value.isdigit())
-            ):
+            if wanted is None or not robot.sysctl.certain or (limit is not None and not limit.value.isdigit()):
                 continue
             granted = int(limit.value) if limit else 212992
             if wanted <= 2 * granted:
@@ -57,8 +53,7 @@ def socket_buffer_exceeds_sysctl(robot: Robot):
             has = f"this robot has {granted}" if known else f"no file of this tree raises it from {granted}"
             yield finding(
                 setting.value,
-                f"At least {setting.value} needs {limit_name} >= {(wanted + 1) // 2}, but {has}: no node "
-                "starts",
+                f"At least {setting.value} needs {limit_name} >= {(wanted + 1) // 2}, but {has}: no node starts",
                 advice=f"set {limit_name} = {wanted} in /etc/sysctl.d, or ask with max instead of min",
                 related=[note(limit.value, "the limit")] if limit else (),
                 severity=None if known else "warning",

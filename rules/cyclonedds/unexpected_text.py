@@ -38,7 +38,5 @@ def unexpected_text(robot: Robot):
         yield finding(
             remark.where,
             f"{remark.item.name} takes {takes}, no text: no participant can be created, no node starts",
-            advice=f'write the value as {attributes[0]}="..."'
-            if len(attributes) in (1, 2)
-            else "remove the text",
+            advice=f'write the value as {attributes[0]}="..."' if len(attributes) in (1, 2) else "remove the text",
         )

@@ -36,8 +36,7 @@ def unknown_attribute(robot: Robot):
         library = robot.dds.cyclonedds
         yield finding(
             remark.where,
-            f"'{remark.where}' is an unknown attribute for {library}: no participant can be created, no "
-            "node starts",
+            f"'{remark.where}' is an unknown attribute for {library}: no participant can be created, no node starts",
             advice=f"write {meant.name}" if meant else "delete the attribute",
             fix=fix(f"rename to {meant.name}", (remark.where, meant.name), safe=False) if meant else None,
         )

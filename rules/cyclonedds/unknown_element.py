@@ -40,14 +40,10 @@ def unknown_element(robot: Robot):
         if robot.dds.accepted_by(configuration, remark) and remark.code != "build":
             continue
         library = robot.dds.cyclonedds
-        message = (
-            f"'{remark.where}' is an unknown element for {library}: no participant can be created, no node "
-            "starts"
-        )
+        message = f"'{remark.where}' is an unknown element for {library}: no participant can be created, no node starts"
         if remark.code == "build":
             message = (
-                f"'{remark.where}' exists only in builds with {remark.detail}; ROS packages have none: no "
-                "node starts"
+                f"'{remark.where}' exists only in builds with {remark.detail}; ROS packages have none: no node starts"
             )
         meant = robot.dds.spelling(configuration, remark)
         place = robot.dds.place(configuration, remark)
@@ -57,8 +53,6 @@ def unknown_element(robot: Robot):
         elif place:
             advice = f"move it into {place}"
         change = (
-            fix(f"rename to {meant.name}", *robot.dds.renamed(remark.where, meant.name), safe=False)
-            if meant
-            else None
+            fix(f"rename to {meant.name}", *robot.dds.renamed(remark.where, meant.name), safe=False) if meant else None
         )
         yield finding(remark.where, message, advice=advice, fix=change)

@@ -41,13 +41,10 @@ def wrong_root(robot: Robot):
         closing = Span(end.source, end.end - len(root.name) - 1, end.end - 1)
         change = None
         if closing.text == root.name and root.name.lower() not in ("general", "discovery", "domain"):
-            change = fix(
-                "rename the root element", (start, "CycloneDDS"), (closing, "CycloneDDS"), safe=False
-            )
+            change = fix("rename the root element", (start, "CycloneDDS"), (closing, "CycloneDDS"), safe=False)
         yield finding(
             root.name,
-            f"The root element '{root.name}' is unknown to Cyclone DDS: no participant can be created, no "
-            "node starts",
+            f"The root element '{root.name}' is unknown to Cyclone DDS: no participant can be created, no node starts",
             advice="make CycloneDDS the outermost element, with Domain inside",
             fix=change,
         )

@@ -36,7 +36,5 @@ def xml_not_wellformed(robot: Robot):
             continue
         problem, _, detail = remark.detail.partition(": ")
         words = problem.replace("-", " ") + (f", {detail}" if detail else "")
-        message = (
-            f"Cyclone DDS cannot parse the file ({words}): no participant can be created, no node starts"
-        )
+        message = f"Cyclone DDS cannot parse the file ({words}): no participant can be created, no node starts"
         yield finding(remark.where, message, advice="repair the XML")

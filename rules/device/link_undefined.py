@@ -38,9 +38,7 @@ def link_undefined(robot: Robot):
         yield finding(
             use.path,
             f"No udev rule makes {use.path}: the device never appears",
-            advice=f"did you mean {near.path}?"
-            if near
-            else "add a rule that makes the link, or correct the name",
+            advice=f"did you mean {near.path}?" if near else "add a rule that makes the link, or correct the name",
             related=[note(near.name, f"makes {near.path}")] if near else _neighbours(robot, use),
         )
     for use in robot.devices.without_rules:

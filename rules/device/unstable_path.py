@@ -42,9 +42,7 @@ def unstable_path(robot: Robot):
         yield finding(
             use.path,
             f"{use.path} is numbered by order of discovery: after a reboot it may be another device",
-            advice=f"use {names}"
-            if links
-            else "make a link with a udev rule, or use the path below /dev/serial/by-id",
+            advice=f"use {names}" if links else "make a link with a udev rule, or use the path below /dev/serial/by-id",
             related=[note(link.name, f"makes {link.path}") for link in links[:3]],
             severity=severity,
         )

@@ -72,9 +72,7 @@ def _users(stage):
     for instruction in filter(None, (entrypoint, command)):
         words = instruction.exec_form
         if words is None:
-            yield from (
-                (shell, f"{instruction.name} in shell form", instruction.value) for shell in ("sh", "dash")
-            )
+            yield from ((shell, f"{instruction.name} in shell form", instruction.value) for shell in ("sh", "dash"))
         elif words and words[0] == "/ros_entrypoint.sh":
             yield "bash", words[0], instruction.value
         elif words and words[0].rpartition("/")[2] in ("sh", "bash"):

@@ -46,9 +46,7 @@ def root_user(robot: Robot):
             continue
         user = stage.last("USER")
         if user is not None and user.value.partition(":")[0] in ("root", "0"):
-            yield finding(
-                user.value, "The container runs as root", advice="end with USER and a user of its own"
-            )
+            yield finding(user.value, "The container runs as root", advice="end with USER and a user of its own")
         elif user is None and runs_as_root(stage.origin):
             yield finding(
                 stage.start.keyword,

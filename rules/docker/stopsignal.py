@@ -39,9 +39,7 @@ def stopsignal(robot: Robot):
         stage = file.final
         if stage is None or (stage.last("STOPSIGNAL") and stage.last("STOPSIGNAL").value in ("SIGINT", "2")):
             continue
-        runs = next(
-            (i for i in (stage.last("CMD"), stage.last("ENTRYPOINT")) if i and LAUNCH.search(i.value)), None
-        )
+        runs = next((i for i in (stage.last("CMD"), stage.last("ENTRYPOINT")) if i and LAUNCH.search(i.value)), None)
         services = [service for service in robot.compose.services if robot.compose.stage(service) is stage]
         if runs is None or (services and all(service.scalar("stop_signal") for service in services)):
             continue

@@ -48,10 +48,7 @@ def uid_1000_conflict(robot: Robot):
             if not UBUNTU_24.search(stage.origin):
                 continue
             for command in commands_of(stage):
-                if (
-                    command.name in ("userdel", "deluser", "usermod", "groupmod")
-                    and "ubuntu" in command.words
-                ):
+                if command.name in ("userdel", "deluser", "usermod", "groupmod") and "ubuntu" in command.words:
                     break
                 word = _takes_1000(command)
                 if word is not None:

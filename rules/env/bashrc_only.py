@@ -75,7 +75,4 @@ def _message(unit, word, interactive):
             f"{unit.name} has no ROS environment: a login shell reads .profile, and "
             ".bashrc returns at once in a shell that is not interactive"
         )
-    return (
-        f"{unit.name} gets no ROS environment from {word}: it returns at once in a shell "
-        "that is not interactive"
-    )
+    return f"{unit.name} gets no ROS environment from {word}: it returns at once in a shell that is not interactive"

@@ -35,7 +35,11 @@ from bringup_lint.api import rule
 BRIDGE = re.compile(r"bridge|domain", re.I)
 
 
-@rule("warning", symptoms=["no topics", "nodes do not see each other"], aliases=["env/set-twice-mismatch", "env/rmw-inconsistent-across-units"])
+@rule(
+    "warning",
+    symptoms=["no topics", "nodes do not see each other"],
+    aliases=["env/set-twice-mismatch", "env/rmw-inconsistent-across-units"],
+)
 def conflict_between_sources(robot: Robot):
     for name in ("ROS_DOMAIN_ID", "RMW_IMPLEMENTATION"):
         for group in _together(robot):

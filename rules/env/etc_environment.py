@@ -44,24 +44,19 @@ def etc_environment(robot: Robot):
     if file is None:
         return
     for entry in file.entries:
-        blind = [
-            unit for unit in units.ros if OF_ROS.match(entry.name) and _is_blind(units, unit, str(entry.name))
-        ]
+        blind = [unit for unit in units.ros if OF_ROS.match(entry.name) and _is_blind(units, unit, str(entry.name))]
         if blind:
             names = ", ".join(unit.name for unit in blind[:3]) + (" and others" if len(blind) > 3 else "")
             yield finding(
                 entry.name,
                 f"system services do not read {PATH}: {entry.name} is not set for {names}",
-                advice=f"add EnvironmentFile={PATH} to the units, or keep the variables in "
-                "a file of their own",
+                advice=f"add EnvironmentFile={PATH} to the units, or keep the variables in a file of their own",
                 related=[note(unit.where, f"{unit.name} starts ROS without it") for unit in blind[:3]],
             )
 
 
 def _is_blind(units, unit, name):
-    if unit.manager == "user" or any(
-        PATH in text for process in units.processes(unit) for text in process.texts
-    ):
+    if unit.manager == "user" or any(PATH in text for process in units.processes(unit) for text in process.texts):
         return False
     if any(file.path in (PATH, None) for file in units.environment_files(unit)):
         return False

@@ -40,11 +40,7 @@ _EXPANDED_BY_READER = ("CYCLONEDDS_URI",)
 def expansion(robot: Robot):
     for file in robot.env_files:
         for entry in file.entries:
-            if (
-                _SECRET.search(entry.name)
-                or entry.name in _EXPANDED_BY_READER
-                or _again(robot, file, entry.name)
-            ):
+            if _SECRET.search(entry.name) or entry.name in _EXPANDED_BY_READER or _again(robot, file, entry.name):
                 continue
             found = _SHELL.search(entry.value)
             word = entry.value.part(*found.span()) if found else None
@@ -62,12 +58,7 @@ def expansion(robot: Robot):
 def _again(robot, file, name):
     """Whether a unit that reads the file hands the variable to a shell, which expands the text once more."""
     uses = f"${{{name}}}"
-    return any(
-        uses in line
-        for reader in file.readers
-        for key in _KEYS
-        for line in reader.unit.values(key, "Service")
-    )
+    return any(uses in line for reader in file.readers for key in _KEYS for line in reader.unit.values(key, "Service"))
 
 
 _KEYS = ("ExecStartPre", "ExecStart", "ExecStartPost")

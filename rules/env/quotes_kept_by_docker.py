@@ -39,11 +39,7 @@ def quotes_kept_by_docker(robot: Robot):
             if not entry.quoted:
                 continue
             written = entry.span.text.partition("=")[2].strip()
-            plain = (
-                len(written) >= 2
-                and written[1:-1] == entry.value
-                and not set(entry.value) & set(" \t\n#'\"\\")
-            )
+            plain = len(written) >= 2 and written[1:-1] == entry.value and not set(entry.value) & set(" \t\n#'\"\\")
             start = entry.span.end - len(entry.span.text.partition("=")[2])
             edit = (file.source.span(start, entry.span.end), str(entry.value))
             yield finding(

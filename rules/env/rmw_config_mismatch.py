@@ -43,13 +43,21 @@ def rmw_config_mismatch(robot: Robot):
         if bool(cyclone) == bool(fast) or (rmw and rmw.text is None):
             continue
         name = rmw.text if rmw and rmw.text else _default(robot)
-        unread = cyclone if cyclone and name and "fastrtps" in name else fast if fast and name and "cyclone" in name else None
+        unread = (
+            cyclone
+            if cyclone and name and "fastrtps" in name
+            else fast
+            if fast and name and "cyclone" in name
+            else None
+        )
         if unread is not None:
             yield finding(
                 unread.value,
                 f"{process.name} runs {name}, which does not read {unread.name}: it runs with the defaults",
                 advice="set RMW_IMPLEMENTATION to the middleware that the file is for",
-                related=[note(rmw.value, "the middleware is selected here")] if rmw else [note(process.where, "sets no RMW_IMPLEMENTATION")],
+                related=[note(rmw.value, "the middleware is selected here")]
+                if rmw
+                else [note(process.where, "sets no RMW_IMPLEMENTATION")],
             )
 
 

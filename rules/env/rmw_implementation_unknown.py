@@ -39,7 +39,11 @@ def rmw_implementation_unknown(robot: Robot):
         known = [rmw for rmw in ros_values.RMW_IMPLEMENTATIONS if rmw != "rmw_zenoh_cpp" or _has_zenoh(robot)]
         if name in known:
             continue
-        near = [rmw for rmw in known if name.lower().replace("rmw_", "").removesuffix("_cpp") in rmw] if len(name) > 3 else []
+        near = (
+            [rmw for rmw in known if name.lower().replace("rmw_", "").removesuffix("_cpp") in rmw]
+            if len(name) > 3
+            else []
+        )
         near = near[:1] or nearest(name, known)
         yield finding(
             setting.value,

@@ -51,11 +51,7 @@ DISTRO = re.compile(r"/opt/ros/[a-z]+")
 def ros2_not_sourced(robot: Robot):
     units = robot.units
     for unit in units.services:
-        lost = [
-            process
-            for process in units.processes(unit)
-            if process.key == "ExecStartPre" and sources_only(process)
-        ]
+        lost = [process for process in units.processes(unit) if process.key == "ExecStartPre" and sources_only(process)]
         for process in lost:
             _, word = process.setup_files[0]
             started = units.started(unit)
@@ -90,12 +86,9 @@ def ros2_not_sourced(robot: Robot):
             elif lost and not found and INTERPRETER.match(process.name) and not process.setup_files:
                 yield finding(
                     process.program,
-                    f"{unit.name} starts without the ROS environment: only ExecStartPre= "
-                    "sources a setup file",
+                    f"{unit.name} starts without the ROS environment: only ExecStartPre= sources a setup file",
                     advice="start it with /bin/bash -c 'source /opt/ros/<distro>/setup.bash && exec ...'",
-                    related=[
-                        note(lost[0].setup_files[0][1], "sourced here, for a process that ends at once")
-                    ],
+                    related=[note(lost[0].setup_files[0][1], "sourced here, for a process that ends at once")],
                 )
 
 

@@ -36,8 +36,8 @@ def ros_domain_id_out_of_range(robot: Robot):
             yield finding(
                 setting.value,
                 f"domain {number} needs UDP port {ros_values.highest_port(number)}: no node starts"
-                if number < 2**24 else
-                f"domain {number} is cut to 32 bits: the nodes join another domain, or none",
+                if number < 2**24
+                else f"domain {number} is cut to 32 bits: the nodes join another domain, or none",
                 advice="use a domain from 0 to 101",
             )
 
@@ -45,4 +45,6 @@ def ros_domain_id_out_of_range(robot: Robot):
 def _own_ports(robot: Robot) -> bool:
     """Some DDS file of the tree may move the ports."""
     sources = robot.of_kind("cyclonedds", "fastdds")
-    return any(word in source.text for source in sources for word in ("DomainGain", "domainIDGain", "portBase", "<Base>"))
+    return any(
+        word in source.text for source in sources for word in ("DomainGain", "domainIDGain", "portBase", "<Base>")
+    )

@@ -38,8 +38,9 @@ def ros_localhost_only_bad_value(robot: Robot):
             continue
         yield finding(
             setting.value,
-            f"ROS_LOCALHOST_ONLY '{setting.text}' means enabled" if enabled else
-            f"ROS_LOCALHOST_ONLY '{setting.text}' means disabled: the robot talks to the whole network",
+            f"ROS_LOCALHOST_ONLY '{setting.text}' means enabled"
+            if enabled
+            else f"ROS_LOCALHOST_ONLY '{setting.text}' means disabled: the robot talks to the whole network",
             advice="write 1 to stay on this machine, 0 to talk to the network",
             fix=fix("write 1", (setting.value, "1"), safe=False),
         )

@@ -37,8 +37,9 @@ def ros_localhost_only_deprecated(robot: Robot):
         overrides = setting.text.startswith("1") and bool(same)
         yield finding(
             setting.value,
-            f"ROS_LOCALHOST_ONLY overrides {same[0].name}" if overrides else
-            f"ROS_LOCALHOST_ONLY is deprecated in {robot.target.ros}: every process warns twice",
+            f"ROS_LOCALHOST_ONLY overrides {same[0].name}"
+            if overrides
+            else f"ROS_LOCALHOST_ONLY is deprecated in {robot.target.ros}: every process warns twice",
             advice="use ROS_AUTOMATIC_DISCOVERY_RANGE=" + ("LOCALHOST" if setting.text.startswith("1") else "SUBNET"),
             related=[note(other.value, "set here, without effect") for other in same if overrides],
             severity="warning" if overrides else None,

@@ -43,4 +43,6 @@ def ros_security_keystore_unset(robot: Robot):
 
 def _is_unset(robot, process):
     """Neither the process's own environment nor a launch file of the tree sets it."""
-    return process.environment.defines("ROS_SECURITY_KEYSTORE") is False and not robot.sros2.in_launch("ROS_SECURITY_KEYSTORE")
+    return process.environment.defines("ROS_SECURITY_KEYSTORE") is False and not robot.sros2.in_launch(
+        "ROS_SECURITY_KEYSTORE"
+    )

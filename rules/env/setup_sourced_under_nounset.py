@@ -47,9 +47,13 @@ def _check(source):
     for command in shell_commands(source):
         words = [str(word) for word in command.words]
         if words[:1] == ["set"]:
-            if "nounset" in words and "-o" in words or any(re.fullmatch(r"-[a-zA-Z]*u[a-zA-Z]*", word) for word in words[1:]):
+            if ("nounset" in words and "-o" in words) or any(
+                re.fullmatch(r"-[a-zA-Z]*u[a-zA-Z]*", word) for word in words[1:]
+            ):
                 strict = command.words[0]
-            elif "nounset" in words and "+o" in words or any(re.fullmatch(r"\+[a-zA-Z]*u[a-zA-Z]*", word) for word in words[1:]):
+            elif ("nounset" in words and "+o" in words) or any(
+                re.fullmatch(r"\+[a-zA-Z]*u[a-zA-Z]*", word) for word in words[1:]
+            ):
                 strict = None
         if any(word.startswith("AMENT_TRACE_SETUP_FILES=") for word in (*words, *command.assignments)):
             return

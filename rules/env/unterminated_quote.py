@@ -36,25 +36,15 @@ def unterminated_quote(robot: Robot):
         for problem in file.model.problems:
             if problem.code == "unterminated-quote":
                 yield _finding(file, problem.where.part(0, 1), file.swallowed_lines(problem.where))
-        open_ended = {
-            problem.where.span.end for problem in file.model.problems if problem.code == "unterminated-quote"
-        }
+        open_ended = {problem.where.span.end for problem in file.model.problems if problem.code == "unterminated-quote"}
         for entry in file.model.entries:
-            count = (
-                file.swallowed_lines(entry.span) if entry.quoted and entry.span.end not in open_ended else 0
-            )
+            count = file.swallowed_lines(entry.span) if entry.quoted and entry.span.end not in open_ended else 0
             if count:
                 yield _finding(file, entry.name, count)
 
 
 def _finding(file, where, count):
-    rest = (
-        f"swallows the next {count} lines"
-        if count > 1
-        else "swallows the next line"
-        if count
-        else "is never closed"
-    )
+    rest = f"swallows the next {count} lines" if count > 1 else "swallows the next line" if count else "is never closed"
     return finding(
         where,
         f"The quote that opens in this line {rest}",

@@ -46,11 +46,7 @@ def workspace_source_order(robot: Robot):
                         advice="source the distribution first, then the workspace",
                         related=[
                             note(workspace[1], "the workspace is sourced here"),
-                            *(
-                                note(process.program, f"{unit.name} starts it here")
-                                for _ in [0]
-                                if step.script
-                            ),
+                            *(note(process.program, f"{unit.name} starts it here") for _ in [0] if step.script),
                         ],
                     )
                     break

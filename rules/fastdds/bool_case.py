@@ -38,8 +38,7 @@ def bool_case(robot: Robot):
             change = fix(f"write {right}", (robot.dds.with_blanks(text), right), safe=text.lower() == right)
         yield finding(
             text,
-            f"'{text}' is not a boolean for Fast DDS, which reads only true and false: the whole file is "
-            "ignored",
+            f"'{text}' is not a boolean for Fast DDS, which reads only true and false: the whole file is ignored",
             advice=f"write {right}, with no blank around it" if right else "write true or false",
             fix=change,
         )

@@ -38,9 +38,7 @@ def initial_peers_no_metatraffic(robot: Robot):
                 peers = element.find("initialPeersList") if element.name == "builtin" else None
                 if peers is None or element.find("avoid_builtin_multicast") is not None:
                     continue
-                if element.find("metatrafficUnicastLocatorList") is None and not robot.dds.multicast_peers(
-                    peers
-                ):
+                if element.find("metatrafficUnicastLocatorList") is None and not robot.dds.multicast_peers(peers):
                     yield finding(
                         peers.name,
                         "Peers are only added: multicast discovery stays on",

@@ -31,7 +31,6 @@ def invalid_value(robot: Robot):
     for _, remark in robot.dds.fastdds_remarks("value"):
         yield finding(
             remark.where,
-            f"'{remark.where}' is not what Fast DDS expects: the whole file is ignored, the robot runs with "
-            "defaults",
+            f"'{remark.where}' is not what Fast DDS expects: the whole file is ignored, the robot runs with defaults",
             advice=f"write {remark.detail}",
         )

@@ -37,8 +37,7 @@ def lease_duration_text(robot: Robot):
         change = fix("write sec", (text, f"<sec>{text}</sec>")) if text.isdigit() else None
         yield finding(
             text,
-            f"{remark.detail} needs sec and nanosec elements: the whole file is ignored, the robot runs "
-            "with defaults",
+            f"{remark.detail} needs sec and nanosec elements: the whole file is ignored, the robot runs with defaults",
             advice=f"write <sec>{text}</sec>" if change else "write <sec>...</sec><nanosec>...</nanosec>",
             fix=change,
         )

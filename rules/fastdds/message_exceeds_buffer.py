@@ -47,9 +47,7 @@ def message_exceeds_buffer(robot: Robot):
                 continue
             size = robot.dds.number(transport.find("maxMessageSize"), 65500)
             limits = (
-                [("segment_size", 524288)]
-                if kind.text == "SHM"
-                else [("sendBufferSize", 0), ("receiveBufferSize", 0)]
+                [("segment_size", 524288)] if kind.text == "SHM" else [("sendBufferSize", 0), ("receiveBufferSize", 0)]
             )
             for limit_name, default in limits:
                 element = transport.find(limit_name)

@@ -40,12 +40,6 @@ from bringup_lint.api import rule
 )
 def missing_element(robot: Robot):
     for _, remark in robot.dds.fastdds_remarks("missing", "empty"):
-        lacks = (
-            f"{remark.where} lacks {remark.detail}"
-            if remark.code == "missing"
-            else f"{remark.where} is empty"
-        )
+        lacks = f"{remark.where} lacks {remark.detail}" if remark.code == "missing" else f"{remark.where} is empty"
         advice = f"add {remark.detail}" if remark.code == "missing" else "give it a value, or delete it"
-        yield finding(
-            remark.where, f"{lacks}: the whole file is ignored, the robot runs with defaults", advice=advice
-        )
+        yield finding(remark.where, f"{lacks}: the whole file is ignored, the robot runs with defaults", advice=advice)

@@ -44,8 +44,7 @@ def socket_buffer_exceeds_sysctl(robot: Robot):
             if limit is not None and element.text.isdigit() and int(element.text[:12]) > limit:
                 yield finding(
                     element.text,
-                    f"The kernel grants {limit} bytes ({name}), not {element.text}: large messages are "
-                    "still dropped",
+                    f"The kernel grants {limit} bytes ({name}), not {element.text}: large messages are still dropped",
                     advice=f"set {name} = {element.text} in /etc/sysctl.d",
                     related=[note(robot.sysctl.get(name).value, "the limit")],
                 )

@@ -45,9 +45,7 @@ def unknown_element(robot: Robot):
         others = robot.dds.fastdds_versions(profiles, remark)
         places = robot.dds.fastdds_places(profiles, remark)
         parent = remark.path.rpartition("/")[2]
-        message = (
-            f"'{name}' is not allowed in {parent}: the whole file is ignored, the robot runs with defaults"
-        )
+        message = f"'{name}' is not allowed in {parent}: the whole file is ignored, the robot runs with defaults"
         advice = "delete it"
         severity = None
         if others:
@@ -62,9 +60,5 @@ def unknown_element(robot: Robot):
         elif places:
             advice = f"move it into {places[0]}"
         safe = bool(near) and near.lower() == name.lower()
-        change = (
-            fix(f"rename to {near}", *robot.dds.renamed(name, near), safe=safe)
-            if near and not others
-            else None
-        )
+        change = fix(f"rename to {near}", *robot.dds.renamed(name, near), safe=safe) if near and not others else None
         yield finding(name, message, advice=advice, severity=severity, fix=change)

@@ -36,11 +36,7 @@ def whitelist_interface_missing(robot: Robot):
     for profiles in robot.dds.profile_files:
         own = robot.dds.own_addresses(profiles)
         for element in profiles.document.elements if own else ():
-            if (
-                element.name != "address"
-                or element.parent is None
-                or element.parent.name != "interfaceWhiteList"
-            ):
+            if element.name != "address" or element.parent is None or element.parent.name != "interfaceWhiteList":
                 continue
             address = robot.dds.address_of(element.text)
             if address is not None and not address.is_loopback and str(address) not in own:
@@ -48,7 +44,5 @@ def whitelist_interface_missing(robot: Robot):
                     element.text,
                     f"No interface of this robot has {address}: it is filtered out, and readers fail",
                     advice=f"use one of {', '.join(sorted(own))}",
-                    related=[
-                        note(each, "the robot's own address") for each in robot.dds.own_places(profiles)[:3]
-                    ],
+                    related=[note(each, "the robot's own address") for each in robot.dds.own_places(profiles)[:3]],
                 )

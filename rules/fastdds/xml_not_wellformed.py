@@ -50,8 +50,7 @@ def xml_not_wellformed(robot: Robot):
             change = fix("move the declaration to the front", (span, ""), (start, f"{span.text}\n"))
         yield finding(
             remark.where,
-            f"Fast DDS cannot parse the file ({words}{f', {detail}' if detail else ''}): the whole file is "
-            "ignored",
+            f"Fast DDS cannot parse the file ({words}{f', {detail}' if detail else ''}): the whole file is ignored",
             advice="repair the XML",
             fix=change,
         )

@@ -37,9 +37,7 @@ def data_nosuid(robot: Robot):
             data = mount.is_block and target.startswith(("/data", "/mnt", "/media", "/srv"))
             missing = [name for name in ("nosuid", "nodev") if not mount.has(name, "user", "users")]
             if missing and (data or mount.is_tmpfs):
-                end = mount.last_option.span.source.span(
-                    mount.last_option.span.end, mount.last_option.span.end
-                )
+                end = mount.last_option.span.source.span(mount.last_option.span.end, mount.last_option.span.end)
                 yield finding(
                     target,
                     f"{target} allows setuid files and device nodes",

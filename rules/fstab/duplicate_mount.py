@@ -35,12 +35,7 @@ def duplicate_mount(robot: Robot):
         first = {}
         for mount in fstab.mounts:
             target = mount.target
-            if (
-                target is None
-                or not target.startswith("/")
-                or mount.has("noauto")
-                or mount.type in ("overlay", "swap")
-            ):
+            if target is None or not target.startswith("/") or mount.has("noauto") or mount.type in ("overlay", "swap"):
                 continue
             other = first.setdefault(target.rstrip("/") or "/", mount)
             if other is not mount:

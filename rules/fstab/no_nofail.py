@@ -38,9 +38,7 @@ def no_nofail(robot: Robot):
             target = mount.target
             if target is None or not mount.is_block or not target.startswith("/") or len(mount.fields) < 4:
                 continue
-            system = target.rstrip("/") == "" or any(
-                f"{target}/".startswith(f"{folder}/") for folder in SYSTEM
-            )
+            system = target.rstrip("/") == "" or any(f"{target}/".startswith(f"{folder}/") for folder in SYSTEM)
             if system or mount.has("nofail", "noauto", "x-systemd.automount", "_netdev"):
                 continue
             end = mount.last_option.span.source.span(mount.last_option.span.end, mount.last_option.span.end)

@@ -29,11 +29,7 @@ from bringup_lint.api import rule
 def tmpfs_no_size(robot: Robot):
     for fstab in robot.fstabs:
         for mount in fstab.mounts:
-            if (
-                mount.is_tmpfs
-                and not mount.has("size", "nr_blocks")
-                and mount.target not in ("/dev/shm", "/run")
-            ):
+            if mount.is_tmpfs and not mount.has("size", "nr_blocks") and mount.target not in ("/dev/shm", "/run"):
                 yield finding(
                     mount.target,
                     f"The tmpfs on {mount.target} may take half of the memory",

@@ -33,15 +33,8 @@ from bringup_lint.api import rule
 def tmpfs_varlog_mode(robot: Robot):
     for fstab in robot.fstabs:
         for mount in fstab.mounts:
-            if (
-                mount.is_tmpfs
-                and mount.target.rstrip("/") == "/var/log"
-                and not mount.has("mode")
-                and mount.options
-            ):
-                end = mount.last_option.span.source.span(
-                    mount.last_option.span.end, mount.last_option.span.end
-                )
+            if mount.is_tmpfs and mount.target.rstrip("/") == "/var/log" and not mount.has("mode") and mount.options:
+                end = mount.last_option.span.source.span(mount.last_option.span.end, mount.last_option.span.end)
                 yield finding(
                     mount.target,
                     "/var/log has mode 1777: everyone may write there, and logrotate refuses to rotate",

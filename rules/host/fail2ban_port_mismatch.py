@@ -37,11 +37,7 @@ PORT = re.compile(r"^[ \t]*Port[ \t=]+(\d+)", re.M | re.I)
 
 @rule("warning", fix="safe")
 def fail2ban_port_mismatch(robot: Robot):
-    ports = [
-        source.located(*match.span(1))
-        for source in robot.sshd_sources
-        for match in PORT.finditer(source.text)
-    ]
+    ports = [source.located(*match.span(1)) for source in robot.sshd_sources for match in PORT.finditer(source.text)]
     for jail in robot.jails:
         port = jail.get("sshd", "port")
         if not robot.sshd_sources or port is None or jail.get("sshd", "enabled") == "false" or "%" in port:

@@ -48,15 +48,10 @@ def time_sync_daemon_missing(robot: Robot):
     if not robot.tree.complete or not releases:
         return
     folders = [
-        f"{top}/systemd/system/{target}.target.wants"
-        for top in ("/etc", "/usr/lib", "/lib")
-        for target in TARGETS
+        f"{top}/systemd/system/{target}.target.wants" for top in ("/etc", "/usr/lib", "/lib") for target in TARGETS
     ]
     units = [
-        f"{folder}/{daemon}{suffix}.service"
-        for folder in folders
-        for daemon in DAEMONS
-        for suffix in ("", "@eth0")
+        f"{folder}/{daemon}{suffix}.service" for folder in folders for daemon in DAEMONS for suffix in ("", "@eth0")
     ]
     if robot.tree.has("/etc/systemd/system") and not any(robot.tree.has(unit) for unit in units):
         if any(unit.name.partition(".")[0].partition("@")[0] in DAEMONS for unit in robot.units.judged):

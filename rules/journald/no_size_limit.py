@@ -34,12 +34,7 @@ from bringup_lint.api import rule
 def no_size_limit(robot: Robot):
     for daemon in robot.journald:
         storage = daemon.get("Storage", read=str)
-        if (
-            storage is None
-            or storage[1] != "persistent"
-            or not storage[0].span.source.judged
-            or not daemon.certain
-        ):
+        if storage is None or storage[1] != "persistent" or not storage[0].span.source.judged or not daemon.certain:
             continue
         if not daemon.sets("SystemMaxUse", "SystemKeepFree"):
             at = storage[0].span
@@ -47,7 +42,5 @@ def no_size_limit(robot: Robot):
                 storage[0],
                 "Nothing limits the journal: it may take 10 % of the disk, up to 4 GiB",
                 advice="add SystemMaxUse=, such as 500M",
-                fix=fix(
-                    "SystemMaxUse=500M", (at.source.span(at.end, at.end), "\nSystemMaxUse=500M"), safe=False
-                ),
+                fix=fix("SystemMaxUse=500M", (at.source.span(at.end, at.end), "\nSystemMaxUse=500M"), safe=False),
             )

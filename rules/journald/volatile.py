@@ -30,9 +30,7 @@ from bringup_lint.api import rule
 
 @rule("info")
 def volatile(robot: Robot):
-    by_design = any(
-        mount.target == "/" and mount.is_read_only for fstab in robot.fstabs for mount in fstab.mounts
-    )
+    by_design = any(mount.target == "/" and mount.is_read_only for fstab in robot.fstabs for mount in fstab.mounts)
     by_design = by_design or bool(robot.of_kind("overlayroot"))
     for daemon in robot.journald if not by_design else ():
         storage = daemon.get("Storage", read=str)

@@ -49,5 +49,8 @@ def arg_leak(robot: Robot):
                 declared.chain[0],
                 f"'{declared.name}' of {other.basename} leaks into this include: it gets '{leaked}' and never its default '{own}'",
                 advice="pass the argument, or put each include into a scoped group",
-                related=[note(before.origin, "bound here first"), note(declared.action.span, "this default is never used")],
+                related=[
+                    note(before.origin, "bound here first"),
+                    note(declared.action.span, "this default is never used"),
+                ],
             )

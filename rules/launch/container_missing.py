@@ -36,12 +36,18 @@ def container_missing(robot: Robot):
         containers = {}
         for node in expansion.nodes:
             name = launch.literal_text(node.name)
-            if isinstance(node.action, launch.Node) and (node.action.container or "container" in str(launch.literal_text(node.executable))):
+            if isinstance(node.action, launch.Node) and (
+                node.action.container or "container" in str(launch.literal_text(node.executable))
+            ):
                 containers[name] = node
         if not containers or None in containers:
             continue
         for action, file in expansion.actions:
-            target = robot.launch.resolved(getattr(action, "target", None), file) if isinstance(action, launch.LoadComponents) else None
+            target = (
+                robot.launch.resolved(getattr(action, "target", None), file)
+                if isinstance(action, launch.LoadComponents)
+                else None
+            )
             text = launch.literal_text(target)
             if text is None or text.rpartition("/")[2] in containers:
                 continue

@@ -47,7 +47,9 @@ def env_set_too_late(robot: Robot):
             if started is None or name is None or not name.startswith(PREFIXES):
                 continue
             later = file.actions[file.actions.index(action) + 1 :]
-            rest = any(isinstance(each, (launch.Process, launch.Include, launch.Group)) for each in launch.walk_actions(later))
+            rest = any(
+                isinstance(each, (launch.Process, launch.Include, launch.Group)) for each in launch.walk_actions(later)
+            )
             what = "the nodes before it run without it" if rest else "no node gets it"
             yield finding(
                 action.span,

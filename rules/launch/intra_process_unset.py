@@ -26,15 +26,27 @@ from bringup_lint.api import finding
 from bringup_lint.api import launch
 from bringup_lint.api import rule
 
-IMAGES = ("image_proc", "stereo_image_proc", "depth_image_proc", "usb_cam", "v4l2_camera", "realsense2_camera", "image_tools")
+IMAGES = (
+    "image_proc",
+    "stereo_image_proc",
+    "depth_image_proc",
+    "usb_cam",
+    "v4l2_camera",
+    "realsense2_camera",
+    "image_tools",
+)
 
 
 @rule("info")
 def intra_process_unset(robot: Robot):
     for _, node in robot.launch.actions(launch.Node):
         images = any(launch.literal(each.package) in IMAGES for each in node.components)
-        set_ = any("use_intra_process_comms" in str(launch.literal(each)) for one in node.components
-                   for value in one.extra_arguments for each in launch.walk(value))
+        set_ = any(
+            "use_intra_process_comms" in str(launch.literal(each))
+            for one in node.components
+            for value in one.extra_arguments
+            for each in launch.walk(value)
+        )
         if images and len(node.components) > 1 and not set_ and not any(one.open for one in node.components):
             yield finding(
                 node.span,

@@ -45,7 +45,9 @@ def lc_default_shadowed(robot: Robot):
             action = declared.get(str(read.name))
             if action is None or read.default is None or launch.same(read.default, action.default):
                 continue
-            if any(isinstance(each, launch.Argument) and each.name == read.name for each in launch.walk(action.default)):
+            if any(
+                isinstance(each, launch.Argument) and each.name == read.name for each in launch.walk(action.default)
+            ):
                 continue
             if not (launch.understood(read.default) and launch.understood(action.default)):
                 continue

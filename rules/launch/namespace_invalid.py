@@ -31,7 +31,10 @@ from bringup_lint.api import rule
 VALID = re.compile(r"/?(?:[A-Za-z_][A-Za-z0-9_]*(?:/[A-Za-z_][A-Za-z0-9_]*)*/?)?\Z")
 
 
-@rule("error", symptoms=["namespace must not contain characters other than alphanumerics", "The resulting namespace is invalid"])
+@rule(
+    "error",
+    symptoms=["namespace must not contain characters other than alphanumerics", "The resulting namespace is invalid"],
+)
 def namespace_invalid(robot: Robot):
     for file in robot.launch.judged:
         for action, _ in robot.launch.visited(file):

@@ -33,7 +33,12 @@ OVERRIDE = "OVERRIDE_LAUNCH_PROCESS_OUTPUT"
 def output_missing(robot: Robot):
     for file in robot.launch.judged:
         for action, _ in robot.launch.visited(file):
-            if not isinstance(action, launch.Node) or action.open or "output" in action.options or OVERRIDE in file.source.text:
+            if (
+                not isinstance(action, launch.Node)
+                or action.open
+                or "output" in action.options
+                or OVERRIDE in file.source.text
+            ):
                 continue
             if launch.literal(action.executable) == "spawner":
                 continue

@@ -43,7 +43,9 @@ def package_missing(robot: Robot):
         owner = workspace.owner(node.file.source)
         if package is None or owner is None or package == owner.name or owner.depends_on(package):
             continue
-        known = package in workspace.packages or package in workspace.ambiguous or robot.launch.is_known_package(package)
+        known = (
+            package in workspace.packages or package in workspace.ambiguous or robot.launch.is_known_package(package)
+        )
         near = nearest(package, sorted(workspace.packages)) if not known and len(package) > 5 else []
         near = [other for other in near if re.sub(r"\d", "", other) != re.sub(r"\d", "", package)]
         if near:

@@ -29,7 +29,13 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("error", symptoms=["Could not find requested resource in ament index", "Failed to find class with the requested plugin name"])
+@rule(
+    "error",
+    symptoms=[
+        "Could not find requested resource in ament index",
+        "Failed to find class with the requested plugin name",
+    ],
+)
 def plugin_missing(robot: Robot):
     for node in robot.launch.nodes:
         package = robot.launch.workspace.packages.get(launch.literal_text(node.package) or "")
@@ -37,7 +43,9 @@ def plugin_missing(robot: Robot):
         if package is None or plugin is None or not package.plugins_known or plugin in package.plugins:
             continue
         if package.manifest.build_type == "ament_python":
-            message = f"{package.name} is a Python package, containers load only C++ classes: '{plugin}' is never loaded"
+            message = (
+                f"{package.name} is a Python package, containers load only C++ classes: '{plugin}' is never loaded"
+            )
             yield finding(plugin, message, advice="start it as a node of its own")
             continue
         near = nearest(plugin, package.plugins, 6)

@@ -47,5 +47,7 @@ def remap_unused(robot: Robot):
                 else f"'{source}' matches only while the node has no namespace: in one it keeps using its own {source[1:]}",
                 severity=None if own else "info",
                 advice=f"remap '{source[1:]}'",
-                fix=fix(f"remap '{source[1:]}'", (source, source[1:]), safe=False) if source.span.text == source else None,
+                fix=fix(f"remap '{source[1:]}'", (source, source[1:]), safe=False)
+                if source.span.text == source
+                else None,
             )

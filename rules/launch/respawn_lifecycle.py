@@ -37,7 +37,11 @@ def respawn_lifecycle(robot: Robot):
         managers = launch.managers(expansion)
         for node in expansion.nodes:
             lifecycle = getattr(node.action, "lifecycle", False) or robot.launch.role(node).managed
-            if not lifecycle or launch.respawns(node) is not True or getattr(node.action, "autostart", None) is not None:
+            if (
+                not lifecycle
+                or launch.respawns(node) is not True
+                or getattr(node.action, "autostart", None) is not None
+            ):
                 continue
             name = launch.full_name(node, robot.launch.role(node))
             own = [each for each in managers if each.managed is None or any(name == item.fqn for item in each.managed)]

@@ -35,7 +35,9 @@ def shell_true(robot: Robot):
         if shell is None or launch.truth(shell) is not True:
             continue
         words = (*action.cmd, *getattr(action, "arguments", ()))
-        open_ = [each for word in words for each in launch.walk(word) if isinstance(each, (launch.Argument, launch.Env))]
+        open_ = [
+            each for word in words for each in launch.walk(word) if isinstance(each, (launch.Argument, launch.Env))
+        ]
         if open_:
             yield finding(
                 shell.span,

@@ -29,7 +29,17 @@ from bringup_lint.api import launch
 from bringup_lint.api import note
 from bringup_lint.api import rule
 
-NAMES = ("use_sim", "sim", "simulation", "use_simulation", "is_sim", "is_simulation", "sim_mode", "use_mock", "use_fake")
+NAMES = (
+    "use_sim",
+    "sim",
+    "simulation",
+    "use_simulation",
+    "is_sim",
+    "is_simulation",
+    "sim_mode",
+    "use_mock",
+    "use_fake",
+)
 
 
 @rule("warning")
@@ -41,10 +51,17 @@ def sim_arg_ignored(robot: Robot):
             continue
         switch = switches[0]
         for node in expansion.nodes:
-            if node.file is not file or node.action.conditions or node.conditions or robot.launch.role(node).role != "driver":
+            if (
+                node.file is not file
+                or node.action.conditions
+                or node.conditions
+                or robot.launch.role(node).role != "driver"
+            ):
                 continue
             values = [*node.action.parameters, *getattr(node.action, "arguments", ())]
-            read = {str(each.name) for value in values for each in launch.walk(value) if isinstance(each, launch.Argument)}
+            read = {
+                str(each.name) for value in values for each in launch.walk(value) if isinstance(each, launch.Argument)
+            }
             if switch.name not in read:
                 yield finding(
                     node.span,

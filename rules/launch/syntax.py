@@ -30,7 +30,15 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
-IGNORED = {"doctype", "control-character", "late-declaration", "bad-comment", "no-launch-root", "too-large", "alias-bomb"}
+IGNORED = {
+    "doctype",
+    "control-character",
+    "late-declaration",
+    "bad-comment",
+    "no-launch-root",
+    "too-large",
+    "alias-bomb",
+}
 
 OLD = ("foxy", "galactic", "humble", "iron")
 """Their Python reads f-strings as old as ours does; from Jazzy on, quotes may be nested in them."""

@@ -37,7 +37,11 @@ TIMED = ("localization", "mapping", "planning", "control", "costmap", "map", "st
 @rule("warning")
 def use_sim_time_not_propagated(robot: Robot):
     for file in robot.launch.judged:
-        own = [node for node in robot.launch.expansion(file).nodes if node.file is file and hasattr(node.action, "parameters")]
+        own = [
+            node
+            for node in robot.launch.expansion(file).nodes
+            if node.file is file and hasattr(node.action, "parameters")
+        ]
         given = [node for node in own if any(reads(source) for source in node.action.parameters)]
         for node in own if given else ():
             inline = all(isinstance(source, launch.DictValue) and not source.open for source in node.parameters)

@@ -50,11 +50,7 @@ def removeipc(robot: Robot):
         if user is None or user in told or unit.manager == "user" or unit.uncertain or unit.is_opaque(user):
             continue
         home = robot.accounts.login_home(user)
-        if (
-            home is None
-            or uses_no_shared_memory(robot, unit)
-            or robot.tree.has(f"/var/lib/systemd/linger/{user}")
-        ):
+        if home is None or uses_no_shared_memory(robot, unit) or robot.tree.has(f"/var/lib/systemd/linger/{user}"):
             continue
         told.add(str(user))
         yield finding(

@@ -74,11 +74,7 @@ def named(command):
 def unknown(robot, command):
     """Whether systemctl signals a unit that the tree does not hold."""
     units = [word for word in named(command) if word.endswith(".service")]
-    return (
-        bool(units)
-        and command.name == "systemctl"
-        and not any(robot.units.candidates(name) for name in units)
-    )
+    return bool(units) and command.name == "systemctl" and not any(robot.units.candidates(name) for name in units)
 
 
 def change(stanza, script):

@@ -35,9 +35,7 @@ from bringup_lint.api import rule
 @rule("warning", symptoms=["No space left on device"])
 def missing(robot: Robot):
     for log in robot.logs.uncovered():
-        advice = (
-            f"e {log.path} - - - 14d in tmpfiles.d" if log.folder else f"a logrotate stanza for {log.path}"
-        )
+        advice = f"e {log.path} - - - 14d in tmpfiles.d" if log.folder else f"a logrotate stanza for {log.path}"
         yield finding(
             log.where,
             f"Nothing removes old logs in {log.path}: the disk fills up"

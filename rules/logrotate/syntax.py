@@ -39,9 +39,7 @@ WHAT = {
 }
 
 
-@rule(
-    "error", symptoms=["lines must begin with a keyword", "not properly separated", "unexpected text after }"]
-)
+@rule("error", symptoms=["lines must begin with a keyword", "not properly separated", "unexpected text after }"])
 def syntax(robot: Robot):
     for file in robot.logs.files:
         dos = "\r\n" in file.source.text

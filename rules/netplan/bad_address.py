@@ -30,10 +30,6 @@ from bringup_lint.api import rule
 @rule("error", symptoms=["is missing /prefixlength", "malformed address", "invalid prefix length in address"])
 def bad_address(robot: Robot):
     for problem in robot.netplan.problems("bad-address"):
-        advice = (
-            "append the prefix length, such as /24"
-            if "prefix length" in problem.detail
-            else "correct the address"
-        )
+        advice = "append the prefix length, such as /24" if "prefix length" in problem.detail else "correct the address"
         message = f"netplan generates nothing: '{problem.where}' {problem.detail}"
         yield finding(problem.where, message, advice=advice)

@@ -37,6 +37,4 @@ def bad_top_level(robot: Robot):
             continue
         change = fix("rename to network", (key, "network")) if nearest(key, ["network"]) else None
         advice = "rename it to network" if change else "only network: may stand at the top"
-        yield finding(
-            key, f"Unknown key '{key}' at the top: netplan generates nothing", advice=advice, fix=change
-        )
+        yield finding(key, f"Unknown key '{key}' at the top: netplan generates nothing", advice=advice, fix=change)

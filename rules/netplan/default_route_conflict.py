@@ -63,12 +63,7 @@ def _beside_dhcp(plan):
     static = next((route for route in plan.default_routes if route[1] == 4 and route[2] == "main"), None)
     for interface in plan.interfaces.values():
         flag = interface.flag("dhcp4")
-        if (
-            static is None
-            or flag is None
-            or not flag.value
-            or interface.value("dhcp4-overrides", "route-metric")
-        ):
+        if static is None or flag is None or not flag.value or interface.value("dhcp4-overrides", "route-metric"):
             continue
         use = interface.flag("dhcp4-overrides", "use-routes")
         if use is None or use.value:

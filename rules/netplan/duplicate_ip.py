@@ -52,6 +52,4 @@ def apart(plan, one, other) -> bool:
     """Whether two interfaces live in routing domains of their own."""
     masters = plan.masters
     domains = [masters.get(str(interface.name)) for interface in (one, other)]
-    return domains[0] is not domains[1] and any(
-        domain is not None and domain.kind == "vrfs" for domain in domains
-    )
+    return domains[0] is not domains[1] and any(domain is not None and domain.kind == "vrfs" for domain in domains)

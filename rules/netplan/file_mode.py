@@ -38,12 +38,7 @@ def file_mode(robot: Robot):
         secrets = {secret.path for interface in plan.interfaces.values() for secret in interface.secrets}
         for file in plan.files:
             source = file.source
-            if (
-                source.mode is None
-                or not source.mode & 0o077
-                or not plan.whole
-                or "lib" in source.name.split("/")
-            ):
+            if source.mode is None or not source.mode & 0o077 or not plan.whole or "lib" in source.name.split("/"):
                 continue
             holds = source.name in secrets
             yield finding(

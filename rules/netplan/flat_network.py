@@ -34,9 +34,7 @@ from bringup_lint.api import rule
 def flat_network(robot: Robot):
     for plan in robot.netplan.plans:
         interfaces = [i for i in plan.interfaces.values() if i.is_configured and i.name not in plan.masters]
-        wifi = [
-            i for i in interfaces if i.is_wifi and not any(point.mode == "ap" for point in i.access_points)
-        ]
+        wifi = [i for i in interfaces if i.is_wifi and not any(point.mode == "ap" for point in i.access_points)]
         networks = {a.ip.network for i in interfaces for a in i.addresses if a.ip and not a.ip.is_link_local}
         if not wifi or len(interfaces) < 2 or len(networks) > 1:
             continue

@@ -55,8 +55,6 @@ def key_too_new(robot: Robot):
             yield finding(
                 where,
                 f"{where} needs netplan {since}; {release} {has} ({robot.target.systemd_why})",
-                advice="install the updates first"
-                if after
-                else "leave it out or set it in a networkd drop-in",
+                advice="install the updates first" if after else "leave it out or set it in a networkd drop-in",
                 severity="info" if after else None,
             )

@@ -43,9 +43,7 @@ def not_optional_unplugged(robot: Robot):
         return
     fixed = [i for i in plan.interfaces.values() if i.addresses and not i.is_wifi]
     for interface in plan.interfaces.values():
-        dynamic = interface.is_wifi or (
-            interface.kind == "ethernets" and interface.dhcp4 and not interface.addresses
-        )
+        dynamic = interface.is_wifi or (interface.kind == "ethernets" and interface.dhcp4 and not interface.addresses)
         if not dynamic or not interface.is_configured or interface.optional is not None or not fixed:
             continue
         name, word = waiting[0]
@@ -54,7 +52,5 @@ def not_optional_unplugged(robot: Robot):
             f"Without link on {interface.name}, {name} starts two minutes late",
             advice="set optional: true, unless DDS needs this interface",
             related=[note(word, f"{name} waits for the network here")],
-            fix=fix(
-                "set optional: true", first_key(interface.definitions[0].body, "optional: true"), safe=False
-            ),
+            fix=fix("set optional: true", first_key(interface.definitions[0].body, "optional: true"), safe=False),
         )

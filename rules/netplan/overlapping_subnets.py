@@ -42,11 +42,7 @@ def overlapping_subnets(robot: Robot):
                 if address.ip is None or address.ip.is_link_local or address.ip.network.num_addresses < 4:
                     continue
                 for other, first in seen:
-                    if (
-                        other is interface
-                        or first.ip.version != address.ip.version
-                        or first.ip.ip == address.ip.ip
-                    ):
+                    if other is interface or first.ip.version != address.ip.version or first.ip.ip == address.ip.ip:
                         continue
                     if first.ip.network.overlaps(address.ip.network):
                         both = f"{other.name} and {interface.name} share {address.ip.network}"

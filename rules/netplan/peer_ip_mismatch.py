@@ -38,17 +38,10 @@ def peer_ip_mismatch(robot: Robot):
         own = robot.dds.own_addresses(configuration)
         if plan is None or not own:
             continue
-        chosen = [
-            domain.of(element, "address") for element in domain.found("General/Interfaces/NetworkInterface")
-        ]
+        chosen = [domain.of(element, "address") for element in domain.found("General/Interfaces/NetworkInterface")]
         for setting in (*chosen, domain.get("General/NetworkInterfaceAddress")):
             address = setting.effective if setting is not None else None
-            if (
-                not address
-                or not robot.dds.is_address(address)
-                or address in own
-                or address.startswith("127.")
-            ):
+            if not address or not robot.dds.is_address(address) or address in own or address.startswith("127."):
                 continue
             static = [a.text for interface in plan.interfaces.values() for a in interface.addresses]
             yield finding(

@@ -31,11 +31,7 @@ from bringup_lint.api import rule
 def renderer_unknown(robot: Robot):
     for problem in robot.netplan.problems("bad-renderer"):
         word = problem.where
-        near = nearest(str(word), ["networkd", "NetworkManager"]) or (
-            ["networkd"] if "systemd" in word.lower() else []
-        )
+        near = nearest(str(word), ["networkd", "NetworkManager"]) or (["networkd"] if "systemd" in word.lower() else [])
         change = fix(f"write {near[0]}", (word, near[0])) if near else None
         advice = f"write {near[0]}" if near else "write networkd or NetworkManager"
-        yield finding(
-            word, f"Unknown renderer '{word}': netplan generates nothing", advice=advice, fix=change
-        )
+        yield finding(word, f"Unknown renderer '{word}': netplan generates nothing", advice=advice, fix=change)

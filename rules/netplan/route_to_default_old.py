@@ -33,6 +33,4 @@ def route_to_default_old(robot: Robot):
             to = route.value("to")
             if to in ("0.0.0.0/0", "::/0"):
                 change = fix("write default", (to, "default"))
-                yield finding(
-                    to, f"'to: {to}' is the default route", advice="write 'to: default'", fix=change
-                )
+                yield finding(to, f"'to: {to}' is the default route", advice="write 'to: default'", fix=change)

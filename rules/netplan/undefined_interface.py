@@ -34,9 +34,7 @@ from bringup_lint.api import rule
 @rule("error", symptoms=["is not defined"])
 def undefined_interface(robot: Robot):
     for _, name, later in robot.netplan.problems("undefined"):
-        related = [
-            note(place, "defined here") for place in robot.netplan.declarations(name) if place.path == later
-        ]
+        related = [note(place, "defined here") for place in robot.netplan.declarations(name) if place.path == later]
         if later:
             message, advice = (
                 f"'{name}' is defined only in {later}, which sorts later",

@@ -34,9 +34,7 @@ from bringup_lint.api import rule
 @rule("error", symptoms=["is not defined"])
 def vlan_missing_link(robot: Robot):
     for _, link, later in robot.netplan.problems("vlan-link"):
-        related = [
-            note(place, "defined here") for place in robot.netplan.declarations(link) if place.path == later
-        ]
+        related = [note(place, "defined here") for place in robot.netplan.declarations(link) if place.path == later]
         if later:
             message, advice = (
                 f"'{link}' is defined only in {later}, which sorts later",

@@ -35,13 +35,7 @@ def vlan_name_id_mismatch(robot: Robot):
     for interface in robot.netplan.interfaces:
         named = NUMBERED.fullmatch(interface.name)
         number = interface.value("id")
-        if (
-            interface.kind == "vlans"
-            and named
-            and number
-            and number.isdecimal()
-            and int(named[1]) != int(number)
-        ):
+        if interface.kind == "vlans" and named and number and number.isdecimal() and int(named[1]) != int(number):
             yield finding(
                 interface.name,
                 f"{interface.name} has id {number}",

@@ -39,15 +39,12 @@ def wifi_control_plane(robot: Robot):
     for plan in robot.netplan.plans:
         wifi = {str(i.name): i for i in plan.interfaces.values() if i.is_wifi}
         for interface in plan.interfaces.values():
-            below = [
-                name for name in (interface.link, *interface.members) if name is not None and name in wifi
-            ]
+            below = [name for name in (interface.link, *interface.members) if name is not None and name in wifi]
             if CONTROL.search(interface.name) and (below or interface.is_wifi):
                 related = [note(wifi[str(below[0])].name, "a Wi-Fi interface")] if below else []
                 yield finding(
                     interface.name,
-                    f"Control traffic over Wi-Fi: {interface.name} "
-                    + (f"runs on {below[0]}" if below else "is Wi-Fi"),
+                    f"Control traffic over Wi-Fi: {interface.name} " + (f"runs on {below[0]}" if below else "is Wi-Fi"),
                     advice="put the control network on a wired interface",
                     related=related,
                     confidence="medium",

@@ -40,20 +40,28 @@ _PATH_KEY = re.compile(r"(?:path|file|filename|dir|directory|folder)\Z")
 
 @rule("warning")
 def absolute_home_path(robot: Robot):
-    kept = [str(value) for unit in robot.units.judged if (value := unit.get("WorkingDirectory"))] if robot.of_kind("systemd-unit") else []
+    kept = (
+        [str(value) for unit in robot.units.judged if (value := unit.get("WorkingDirectory"))]
+        if robot.of_kind("systemd-unit")
+        else []
+    )
     for file, parameter in robot.params.parameters:
         if is_example(file.source.name) or "/test" in f"/{file.source.name}":
             continue
         for item in robot.params.items(parameter):
             if item.type != "string":
                 continue
-            if _HOME.match(item.text) and not any(item.text.startswith(folder.rstrip("/") + "/") for folder in kept if folder):
+            if _HOME.match(item.text) and not any(
+                item.text.startswith(folder.rstrip("/") + "/") for folder in kept if folder
+            ):
                 yield finding(
                     item.span,
                     f"The path of '{parameter.name}' lies in somebody's home: it exists only on that machine",
                     advice="use a folder of the robot, such as /var/lib, or a package's share folder with allow_substs",
                 )
-            elif _TILDE.match(item.text) or (item.text.startswith("~/") and _PATH_KEY.search(str(parameter.key).lower())):
+            elif _TILDE.match(item.text) or (
+                item.text.startswith("~/") and _PATH_KEY.search(str(parameter.key).lower())
+            ):
                 yield finding(
                     item.span,
                     f"ROS does not expand the ~ of '{parameter.name}': unless the node does, it looks for a folder called '~'",

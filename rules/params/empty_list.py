@@ -32,7 +32,10 @@ from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
-@rule("warning", symptoms=["No parameter value set", "statically typed parameter with default value of type PARAMETER_NOT_SET"])
+@rule(
+    "warning",
+    symptoms=["No parameter value set", "statically typed parameter with default value of type PARAMETER_NOT_SET"],
+)
 def empty_list(robot: Robot):
     ended = set()
     for file, problem in robot.params.problems("after-empty-map"):
@@ -51,6 +54,8 @@ def empty_list(robot: Robot):
             yield finding(
                 parameter.span,
                 f"'{parameter.name}' is an empty {kind} without a type: a node that declares it with a type ends with an exception",
-                advice="leave the line out, or write a list with one value of the type" if kind == "list" else "leave the line out",
+                advice="leave the line out, or write a list with one value of the type"
+                if kind == "list"
+                else "leave the line out",
                 severity="info" if robot.params.is_never_read(parameter) else None,
             )

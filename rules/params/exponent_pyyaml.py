@@ -45,7 +45,9 @@ def exponent_pyyaml(robot: Robot):
             if found is None or (found[3] and found[4]):
                 continue
             sign, whole, fraction, exponent_sign, exponent = found.groups()
-            better = f"{sign}{whole}{fraction if fraction and len(fraction) > 1 else '.0'}e{exponent_sign or '+'}{exponent}"
+            better = (
+                f"{sign}{whole}{fraction if fraction and len(fraction) > 1 else '.0'}e{exponent_sign or '+'}{exponent}"
+            )
             yield finding(
                 item.span,
                 f"launch reads '{item.text}' as text for the component {composed.node.label()}: it gets a string instead of a double",

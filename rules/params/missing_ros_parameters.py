@@ -38,7 +38,11 @@ _FOLDERS = ("config", "cfg", "conf", "param", "params")
 @rule("error", fix="safe", symptoms=["Cannot have a value before ros__parameters", "Couldn't parse params file"])
 def missing_ros_parameters(robot: Robot):
     for file, problem in robot.params.problems("misspelt-header"):
-        if robot.params.reader(file) or any(not block.name.startswith("ros_") for block in file.blocks) or in_config(file):
+        if (
+            robot.params.reader(file)
+            or any(not block.name.startswith("ros_") for block in file.blocks)
+            or in_config(file)
+        ):
             yield finding(
                 problem.where,
                 f"'{problem.where}' is not ros__parameters, so its values have no place: the process exits at start",
@@ -57,7 +61,9 @@ def missing_ros_parameters(robot: Robot):
             "The file has no ros__parameters at all: the process that loads it exits at start"
             if not file.is_certain
             else "A value outside ros__parameters: the process that loads the file exits at start",
-            advice="put the node name and ros__parameters above the values" if not file.is_certain else "move it below ros__parameters",
+            advice="put the node name and ros__parameters above the values"
+            if not file.is_certain
+            else "move it below ros__parameters",
             related=[note(load.where, "given to a node here") for load in robot.params.loads(file)[:1]],
             severity=None if known else "warning",
         )

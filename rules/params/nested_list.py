@@ -31,7 +31,7 @@ from bringup_lint.api import rule
 
 @rule("error", symptoms=["Sequences cannot be key"])
 def nested_list(robot: Robot):
-    for file, problem in robot.params.problems("nested-list"):
+    for _, problem in robot.params.problems("nested-list"):
         yield finding(
             problem.where,
             "rcl knows no nested lists: the process that loads the file exits at start",

@@ -43,6 +43,9 @@ def node_not_in_launch(robot: Robot):
             found.block.key,
             f"No node is called '{found.block.name}' (there is {found.name}): these parameters are never used, the defaults stay",
             advice=f"write {name}",
-            related=[note(found.load.node.span, f"{found.name} is started here"), note(found.load.where, "gets the file here")],
+            related=[
+                note(found.load.node.span, f"{found.name} is started here"),
+                note(found.load.where, "gets the file here"),
+            ],
             fix=fix(f"Write {name}", (found.block.key, name), safe=False) if single else None,
         )

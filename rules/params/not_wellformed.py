@@ -10,8 +10,8 @@ The process that gets the file exits at start: 'Error parsing a event near line 
 ## Bad
 ```yaml
 motors:
-	ros__parameters:
-		rate: 50
+        ros__parameters:
+                rate: 50
 ```
 
 ## Good

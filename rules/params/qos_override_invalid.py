@@ -67,19 +67,41 @@ def _wrong(parts, parameter):
     key, value = parameter.key, parameter.value
     topic = parts[0]
     if not topic.startswith("/"):
-        return f"The QoS override for '{topic}' is ignored: the topic must have its full name", "write it with a leading / and its namespace", key
+        return (
+            f"The QoS override for '{topic}' is ignored: the topic must have its full name",
+            "write it with a leading / and its namespace",
+            key,
+        )
     if len(parts) != 3 or not _ENTITY.match(parts[1]):
         near = nearest(parts[1], ("publisher", "subscription"), 4) if len(parts) == 3 else []
-        return f"The QoS override '{name}' is ignored: it must be topic, publisher or subscription, policy", f"write {near[0]}" if near else "write topic.publisher.policy or topic.subscription.policy", key
+        return (
+            f"The QoS override '{name}' is ignored: it must be topic, publisher or subscription, policy",
+            f"write {near[0]}" if near else "write topic.publisher.policy or topic.subscription.policy",
+            key,
+        )
     policy = parts[2]
     if policy not in (*_WORDS, *_NUMBERS, _FLAG):
         near = nearest(policy, (*_WORDS, *_NUMBERS, _FLAG), 3)
-        return f"There is no QoS policy '{policy}': the override is ignored", f"write {near[0]}" if near else "use history, depth, reliability, durability, deadline, lifespan or liveliness", key
+        return (
+            f"There is no QoS policy '{policy}': the override is ignored",
+            f"write {near[0]}"
+            if near
+            else "use history, depth, reliability, durability, deadline, lifespan or liveliness",
+            key,
+        )
     if policy in _WORDS and str(value.data).lower() not in _WORDS[policy]:
-        return f"'{parameter.text}' is no {policy}: the node ends with an exception", f"use {', '.join(_WORDS[policy][:2])}", parameter.span
+        return (
+            f"'{parameter.text}' is no {policy}: the node ends with an exception",
+            f"use {', '.join(_WORDS[policy][:2])}",
+            parameter.span,
+        )
     if policy in _NUMBERS and value.type != "integer":
         unit = "a number of messages" if policy == "depth" else "nanoseconds"
-        return f"{policy} must be an integer ({unit}): the node ends with an exception", f"write {unit} as an integer", parameter.span
+        return (
+            f"{policy} must be an integer ({unit}): the node ends with an exception",
+            f"write {unit} as an integer",
+            parameter.span,
+        )
     if policy == _FLAG and value.type != "bool":
         return f"{policy} must be true or false: the node ends with an exception", "write true or false", parameter.span
     return "", "", key

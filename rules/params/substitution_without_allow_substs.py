@@ -51,7 +51,7 @@ def substitution_without_allow_substs(robot: Robot):
                 yield finding(
                     item.span,
                     f"The node gets the literal text '{found[0]}' for '{parameter.name}': launch does not fill it in",
-                    advice="load the file with ParameterFile(path, allow_substs=True), in XML with allow_substs=\"true\"",
+                    advice='load the file with ParameterFile(path, allow_substs=True), in XML with allow_substs="true"',
                     related=[note(loads[0].where, "loaded here, without substitutions")],
                     fix=_allowed(loads[0].where),
                 )
@@ -60,7 +60,11 @@ def substitution_without_allow_substs(robot: Robot):
 def _allowed(where):
     """Only for a Python launch file that imports the class already."""
     text = where.source.text
-    if not where.source.kind == "launch-python" or not re.search(r"import .*\bParameterFile\b", text) or not where.text.strip():
+    if (
+        where.source.kind != "launch-python"
+        or not re.search(r"import .*\bParameterFile\b", text)
+        or not where.text.strip()
+    ):
         return None
     if where.text.startswith("ParameterFile("):
         return None

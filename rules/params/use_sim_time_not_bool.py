@@ -31,7 +31,16 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
 
-_PLAIN = {"true": "true", "1": "true", "yes": "true", "on": "true", "false": "false", "0": "false", "no": "false", "off": "false"}
+_PLAIN = {
+    "true": "true",
+    "1": "true",
+    "yes": "true",
+    "on": "true",
+    "false": "false",
+    "0": "false",
+    "no": "false",
+    "off": "false",
+}
 
 
 @rule("error", fix="safe", symptoms=["Invalid type", "use_sim_time parameter cannot be set to anything but a bool"])

@@ -48,9 +48,7 @@ def ssh_key_shared(robot: Robot):
                     place.span.source.span(place.span.start, place.span.start + 12),
                     "The same key opens another robot of this tree: who has it has all of them",
                     advice="a key for each robot, or an SSH CA",
-                    related=[
-                        note(first.span.source.span(first.span.start, first.span.start + 12), "here too")
-                    ],
+                    related=[note(first.span.source.span(first.span.start, first.span.start + 12), "here too")],
                 )
 
 

@@ -51,7 +51,11 @@ def governance_no_matching_topic_rule(robot: Robot):
             if None in expressions or not expressions:
                 continue
             names = {str(topic): topic for topic in granted}
-            open_ = [name for name in ["ros_discovery_info", *names] if not any(robot.sros2.matches(name, each) for each in expressions)]
+            open_ = [
+                name
+                for name in ["ros_discovery_info", *names]
+                if not any(robot.sros2.matches(name, each) for each in expressions)
+            ]
             if open_:
                 shown = ", ".join(dict.fromkeys(open_[:3])) + (" and others" if len(set(open_)) > 3 else "")
                 yield finding(

@@ -36,7 +36,10 @@ from bringup_lint.api import rule
 def permissions_schema(robot: Robot):
     for permissions in robot.sros2.permissions:
         for remark in permissions.remarks:
-            if remark.code not in ("missing", "unknown", "duplicate", "attribute") or remark.detail in ("default", "topic"):
+            if remark.code not in ("missing", "unknown", "duplicate", "attribute") or remark.detail in (
+                "default",
+                "topic",
+            ):
                 continue
             if remark.code in ("missing", "attribute"):
                 message, advice = f"{remark.where} lacks {remark.detail}", f"add {remark.detail}"

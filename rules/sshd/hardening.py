@@ -71,9 +71,7 @@ def hardening(robot: Robot):
         if tries is not None and tries.isdigit() and int(tries) > MOST_TRIES:
             yield from found(sshd, "MaxAuthTries", f"A connection may try {tries} passwords or keys", "3")
         if sshd.is_whole and not sshd.all("AllowUsers") and not sshd.all("AllowGroups"):
-            yield finding(
-                sshd.where, "Every account may log in", advice="AllowUsers, with the accounts that need it"
-            )
+            yield finding(sshd.where, "Every account may log in", advice="AllowUsers, with the accounts that need it")
 
 
 def found(sshd, name, what, better):

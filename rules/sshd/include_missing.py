@@ -35,9 +35,7 @@ def include_missing(robot: Robot):
     for sshd in robot.sshd:
         if sshd.main is None or not sshd.complete or not sshd.main.source.judged or sshd.main.source.template:
             continue
-        includes = [
-            word for option in sshd.main.options if option.name == "Include" for word in option.arguments
-        ]
+        includes = [word for option in sshd.main.options if option.name == "Include" for word in option.arguments]
         if sshd.dropins and not any("sshd_config.d" in word for word in includes):
             yield finding(
                 sshd.main.source,

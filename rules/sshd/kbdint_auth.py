@@ -36,12 +36,7 @@ from bringup_lint.api import rule
 def kbdint_auth(robot: Robot):
     for sshd in robot.sshd:
         password = sshd.get("PasswordAuthentication")
-        if (
-            password is None
-            or password.value.lower() != "no"
-            or not sshd.files
-            or not password.span.source.judged
-        ):
+        if password is None or password.value.lower() != "no" or not sshd.files or not password.span.source.judged:
             continue
         if sshd.says("KbdInteractiveAuthentication", "yes") != "yes" or sshd.get("AuthenticationMethods"):
             continue

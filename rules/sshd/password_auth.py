@@ -32,11 +32,7 @@ from bringup_lint.api import rule
 @rule("error", fix="safe", tags=["CWE-287", "CWE-307"])
 def password_auth(robot: Robot):
     for sshd in robot.sshd:
-        if (
-            not sshd.files
-            or sshd.says("PasswordAuthentication", "yes") != "yes"
-            or sshd.get("AuthenticationMethods")
-        ):
+        if not sshd.files or sshd.says("PasswordAuthentication", "yes") != "yes" or sshd.get("AuthenticationMethods"):
             continue
         option = sshd.get("PasswordAuthentication")
         if option is not None and not option.span.source.judged:

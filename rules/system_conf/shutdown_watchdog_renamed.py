@@ -32,9 +32,7 @@ from bringup_lint.api import rule
 @rule("warning", fix="safe")
 def shutdown_watchdog_renamed(robot: Robot):
     for daemon in robot.system_conf:
-        new = next(
-            (line.assignment for line in daemon.lines if line.assignment.key == "RebootWatchdogSec"), None
-        )
+        new = next((line.assignment for line in daemon.lines if line.assignment.key == "RebootWatchdogSec"), None)
         for line in daemon.lines:
             key = line.assignment.key
             if key == "ShutdownWatchdogSec" and line.file.source.judged:
@@ -44,7 +42,5 @@ def shutdown_watchdog_renamed(robot: Robot):
                     + (", which is set too" if new else ""),
                     advice="delete one of the two" if new else "write RebootWatchdogSec=",
                     related=[note(new.key, "the same setting")] if new else (),
-                    fix=None
-                    if new or line.file.source.template
-                    else fix("rename", (key, "RebootWatchdogSec")),
+                    fix=None if new or line.file.source.template else fix("rename", (key, "RebootWatchdogSec")),
                 )

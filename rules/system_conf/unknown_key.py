@@ -41,9 +41,7 @@ def unknown_key(robot: Robot):
             yield finding(
                 key,
                 f"Unknown key '{key}' in [Manager]: systemd ignores the line",
-                advice=f"did you mean {meant[0]}?"
-                if meant
-                else "remove the line, or see systemd-system.conf(5)",
+                advice=f"did you mean {meant[0]}?" if meant else "remove the line, or see systemd-system.conf(5)",
                 fix=fix(f"rename to {meant[0]}", (key, meant[0])) if len(meant) == 1 else None,
             )
         target = robot.target

@@ -43,12 +43,7 @@ def watchdog_commented(robot: Robot):
     for daemon in robot.system_conf:
         seen = set()
         for file, line, key, value in daemon.commented():
-            if (
-                key not in DEFAULTS
-                or value in DEFAULTS[key]
-                or key in seen
-                or not daemons.watchdog_seconds(value)
-            ):
+            if key not in DEFAULTS or value in DEFAULTS[key] or key in seen or not daemons.watchdog_seconds(value):
                 continue
             if daemon.sets(key) or file.source.template:
                 continue

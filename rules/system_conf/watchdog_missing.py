@@ -34,9 +34,7 @@ def watchdog_missing(robot: Robot):
     if not robot.tree.complete or not robot.is_ros or robot.watchdog.owners:
         return
     for daemon in robot.system_conf:
-        meant = any(
-            key == "RuntimeWatchdogSec" and value not in ("0", "off") for *_, key, value in daemon.commented()
-        )
+        meant = any(key == "RuntimeWatchdogSec" and value not in ("0", "off") for *_, key, value in daemon.commented())
         if daemon.judged and not meant and not daemon.sets("RuntimeWatchdogSec"):
             yield finding(
                 daemon.where,

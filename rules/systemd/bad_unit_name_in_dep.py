@@ -47,9 +47,7 @@ def _finding(robot, line, problem):
     message = f"'{name}' in {line.key}= is not a unit name: systemd ignores it"
     if problem.suggestion:
         change = fix(f"write {problem.suggestion}", (name, problem.suggestion), safe=problem.safe)
-        return finding(
-            name, message, advice=f"write {problem.suggestion}: only blanks separate names", fix=change
-        )
+        return finding(name, message, advice=f"write {problem.suggestion}: only blanks separate names", fix=change)
     found = _completed(robot, name)
     if found:
         change = fix(f"write {found}", (name, found), safe=False)

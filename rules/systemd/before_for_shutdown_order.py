@@ -54,11 +54,7 @@ def before_for_shutdown_order(robot: Robot):
                 yield finding(
                     word,
                     f"Before={word} makes {unit.name} start first and stop last, though it "
-                    + (
-                        f"is {key}= of"
-                        if key == "PartOf"
-                        else f"{'requires' if key == 'Requires' else 'is bound to'}"
-                    )
+                    + (f"is {key}= of" if key == "PartOf" else f"{'requires' if key == 'Requires' else 'is bound to'}")
                     + f" {word}",
                     advice=f"write After={word}: what starts later stops first",
                     related=[note(where, f"{key}= does not order")],

@@ -43,18 +43,10 @@ def crash_not_propagated(robot: Robot):
         for line in unit.assignments("Requires"):
             for word in line.value.words():
                 other = units.find(word, unit)
-                if (
-                    word in bound
-                    or other not in units.ros
-                    or layers.get(other.name) not in ("hardware", "safety")
-                ):
+                if word in bound or other not in units.ros or layers.get(other.name) not in ("hardware", "safety"):
                     continue
                 alone = line.value.split() == [word]
-                edits = (
-                    [(line.key, "BindsTo")]
-                    if alone
-                    else [line.without(word), (line.end, f"\nBindsTo={word}")]
-                )
+                edits = [(line.key, "BindsTo")] if alone else [line.without(word), (line.end, f"\nBindsTo={word}")]
                 yield finding(
                     word,
                     f"Requires= does not notice a crash: when {word} dies, {unit.name} keeps running",

@@ -36,6 +36,4 @@ def dbus_no_busname(robot: Robot):
     for unit in robot.units.services:
         kind = unit.get("Type")
         if kind == "dbus" and unit.fragment and not unit.uncertain and not unit.has("BusName"):
-            yield finding(
-                kind, f"Type=dbus without BusName=: systemd refuses {unit.name}", advice="add BusName="
-            )
+            yield finding(kind, f"Type=dbus without BusName=: systemd refuses {unit.name}", advice="add BusName=")

@@ -39,9 +39,7 @@ DRIVER = re.compile(
     r"(?:^|[-_.@])(?:drivers?|lidar|laser|cameras?|imu|motors?|gps|gnss|sensors?|hardware|hw|can)(?=[-_.@]|$)"
 )
 PATH_CHECKS = tuple(
-    f"{kind}{test}"
-    for kind in ("Condition", "Assert")
-    for test in ("PathExists", "PathExistsGlob", "FileNotEmpty")
+    f"{kind}{test}" for kind in ("Condition", "Assert") for test in ("PathExists", "PathExistsGlob", "FileNotEmpty")
 )
 PULLS = ("BindsTo", "Requires", "Wants", "After", "Requisite")
 
@@ -51,11 +49,7 @@ def device_check_missing(robot: Robot):
     for unit in robot.units.ros:
         if not unit.complete or unit.get("Type") == "oneshot" or not DRIVER.search(unit.stem):
             continue
-        if (
-            unit.has("ExecStartPre")
-            or unit.has("ExecCondition")
-            or any(unit.has(key, "Unit") for key in PATH_CHECKS)
-        ):
+        if unit.has("ExecStartPre") or unit.has("ExecCondition") or any(unit.has(key, "Unit") for key in PATH_CHECKS):
             continue
         if any(word.endswith(".device") for key in PULLS for word in unit.words(key)):
             continue

@@ -49,19 +49,14 @@ def envfile_optional(robot: Robot):
                 if chain and all(v.value.span.source is file.source for v in chain)
             }
             for process in units.processes(unit):
-                used = next(
-                    (name for name in only if re.search(rf"(?<!\$)\$\{{{name}\}}", process.line)), None
-                )
+                used = next((name for name in only if re.search(rf"(?<!\$)\$\{{{name}\}}", process.line)), None)
                 if used:
                     dash = file.value.span.source.span(file.value.span.start - 1, file.value.span.start)
                     yield finding(
                         file.value,
-                        f"{process.key}= needs {used} from this file, and without the file "
-                        "it is silently empty",
+                        f"{process.key}= needs {used} from this file, and without the file it is silently empty",
                         advice="drop the '-'",
                         related=[note(only[used].value, "defined here"), note(process.line, "used here")],
-                        fix=fix("make the file required", (dash, ""), safe=False)
-                        if dash.text == "-"
-                        else None,
+                        fix=fix("make the file required", (dash, ""), safe=False) if dash.text == "-" else None,
                     )
                     break

@@ -40,9 +40,7 @@ def exec_missing(robot: Robot):
             continue
         reason = _refused(unit)
         if reason:
-            yield finding(
-                unit.where, f"{unit.name} {reason}: systemd refuses the unit", advice="add ExecStart="
-            )
+            yield finding(unit.where, f"{unit.name} {reason}: systemd refuses the unit", advice="add ExecStart=")
 
 
 def _refused(unit):

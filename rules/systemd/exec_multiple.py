@@ -49,15 +49,9 @@ def exec_multiple(robot: Robot):
 def _finding(unit, first_line, first, line, second):
     message = f"More than one ExecStart= command in {unit.name}: systemd refuses the unit"
     change = None
-    advice = (
-        "use Type=oneshot for a sequence, ExecStartPre= for what comes before, or a unit for each process"
-    )
+    advice = "use Type=oneshot for a sequence, ExecStartPre= for what comes before, or a unit for each process"
     if line.file.dropin and not first_line.file.dropin:
         start = line.assignment.span.start
         advice = "put an empty ExecStart= above: it takes back the command of the unit file"
-        change = fix(
-            "reset ExecStart= first", (line.assignment.span.source.span(start, start), "ExecStart=\n")
-        )
-    return finding(
-        second.where, message, advice=advice, related=[note(first.where, "the first command")], fix=change
-    )
+        change = fix("reset ExecStart= first", (line.assignment.span.source.span(start, start), "ExecStart=\n"))
+    return finding(second.where, message, advice=advice, related=[note(first.where, "the first command")], fix=change)

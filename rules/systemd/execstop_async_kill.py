@@ -43,9 +43,7 @@ def execstop_async_kill(robot: Robot):
         service = robot.units.supervision(unit)
         for process in robot.units.processes(unit):
             commands = [
-                step.command
-                for step in process.steps
-                if step.command.name != process.shell or not process.shell
+                step.command for step in process.steps if step.command.name != process.shell or not process.shell
             ]
             if process.key != "ExecStop" or len(commands) != 1 or commands[0].name != "kill":
                 continue
@@ -60,21 +58,13 @@ def execstop_async_kill(robot: Robot):
                 f"ExecStop= sends {signal} and returns at once: systemd sends "
                 f"{service.kill_signal.value} right after it",
                 advice="delete the line" if same else f"delete the line and set KillSignal={signal}",
-                related=[note(service.kill_signal.at, "the same signal")]
-                if same and service.kill_signal.at
-                else (),
-                fix=fix("leave it to KillSignal=", *map(delete_lines, lines))
-                if same and unit.editable
-                else None,
+                related=[note(service.kill_signal.at, "the same signal")] if same and service.kill_signal.at else (),
+                fix=fix("leave it to KillSignal=", *map(delete_lines, lines)) if same and unit.editable else None,
             )
 
 
 def _signal(words):
     text = " ".join(words).partition("$")[0].strip().rstrip("\\").strip()
     match = SIGNAL.search(text) or re.search(r"-s\s+(\w+)$", text)
-    name = (
-        {"2": "INT", "15": "TERM", "9": "KILL", "1": "HUP", "3": "QUIT"}.get(match[1], match[1])
-        if match
-        else "TERM"
-    )
+    name = {"2": "INT", "15": "TERM", "9": "KILL", "1": "HUP", "3": "QUIT"}.get(match[1], match[1]) if match else "TERM"
     return f"SIG{name.removeprefix('SIG')}"

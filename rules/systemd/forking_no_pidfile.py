@@ -39,6 +39,4 @@ def forking_no_pidfile(robot: Robot):
             continue
         if not unit.has("PIDFile") and not unit.has("GuessMainPID"):
             message = f"systemd has to guess the main process of {unit.name}"
-            yield finding(
-                kind, message, advice="add PIDFile=, or run the program in the foreground with Type=exec"
-            )
+            yield finding(kind, message, advice="add PIDFile=, or run the program in the foreground with Type=exec")

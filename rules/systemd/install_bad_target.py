@@ -71,12 +71,8 @@ def install_bad_target(robot: Robot):
                             f"{word} does not exist{'' if sure else ' in this tree'}: "
                             f"{unit.name} can be enabled but never starts"
                         ),
-                        advice=f"did you mean {meant[0]}?"
-                        if meant
-                        else f"ship {word}, or use multi-user.target",
-                        fix=fix(f"write {meant[0]}", (word, meant[0]), safe=False)
-                        if len(meant) == 1
-                        else None,
+                        advice=f"did you mean {meant[0]}?" if meant else f"ship {word}, or use multi-user.target",
+                        fix=fix(f"write {meant[0]}", (word, meant[0]), safe=False) if len(meant) == 1 else None,
                         severity=None if sure else "warning",
                         confidence="high" if sure else "medium",
                     )

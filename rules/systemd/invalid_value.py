@@ -39,9 +39,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import rule
 
 
-@rule(
-    "error", fix="safe", symptoms=["Failed to parse", "Invalid memory limit", "is not absolute", "ignoring:"]
-)
+@rule("error", fix="safe", symptoms=["Failed to parse", "Invalid memory limit", "is not absolute", "ignoring:"])
 def invalid_value(robot: Robot):
     for line in robot.units.lines:
         for problem in line.problems:

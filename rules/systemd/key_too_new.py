@@ -47,16 +47,12 @@ def key_too_new(robot: Robot):
     for line in robot.units.lines:
         if line.directive.since > target.systemd:
             message = f"{line.key}= needs systemd {line.directive.since}, {has} and ignores the line"
-            yield finding(
-                line.key, message, advice="drop the line, or state the newer release in the configuration"
-            )
+            yield finding(line.key, message, advice="drop the line, or state the newer release in the configuration")
             continue
         for problem in line.problems:
             if problem.code == "too-new":
                 what = "the line" if problem.effect == "line" else "the word"
-                message = (
-                    f"{line.key}={problem.where} needs systemd {problem.since}, {has} and ignores {what}"
-                )
+                message = f"{line.key}={problem.where} needs systemd {problem.since}, {has} and ignores {what}"
                 severity = "error" if line.key == "Type" else None
                 yield finding(problem.where, message, advice=f"use {problem.expected}", severity=severity)
             elif problem.code == "specifier-too-new":

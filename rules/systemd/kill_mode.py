@@ -46,8 +46,7 @@ def kill_mode(robot: Robot):
         )
         yield finding(
             mode.at,
-            f"KillMode={mode.value}: {stops}; nodes that stay behind keep running, and a restart starts "
-            "them twice",
+            f"KillMode={mode.value}: {stops}; nodes that stay behind keep running, and a restart starts them twice",
             advice="set KillMode=mixed",
             fix=fix("kill what is left", (mode.at, "mixed"), safe=False) if unit.editable else None,
         )

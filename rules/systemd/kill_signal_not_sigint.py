@@ -46,12 +46,7 @@ def kill_signal_not_sigint(robot: Robot):
         service = robot.units.supervision(unit)
         launches = [found for process in robot.units.started(unit) for _, found in process.launches]
         signal = service.kill_signal
-        if (
-            not launches
-            or not unit.complete
-            or signal.value in ("SIGINT", None)
-            or unit.get("Type") == "oneshot"
-        ):
+        if not launches or not unit.complete or signal.value in ("SIGINT", None) or unit.get("Type") == "oneshot":
             continue
         if service.in_container:
             continue

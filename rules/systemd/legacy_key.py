@@ -58,9 +58,7 @@ def legacy_key(robot: Robot):
 def _key(line, old):
     key = line.key
     if old.effect == "ignored":
-        advice = (
-            f"remove the line, {old.replacement}= does this today" if old.replacement else "remove the line"
-        )
+        advice = f"remove the line, {old.replacement}= does this today" if old.replacement else "remove the line"
         removal = fix("remove the line", delete_lines(line.assignment), safe=old.fix == "safe")
         return finding(key, f"{key}= was removed: systemd ignores the line", advice=advice, fix=removal)
     if old.effect.startswith("moved:"):

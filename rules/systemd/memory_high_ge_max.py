@@ -40,8 +40,7 @@ def memory_high_ge_max(robot: Robot):
             continue
         yield finding(
             high.at,
-            f"MemoryHigh={high.at} is not below MemoryMax={most.at}: {unit.name} is killed before it is "
-            "slowed down",
+            f"MemoryHigh={high.at} is not below MemoryMax={most.at}: {unit.name} is killed before it is slowed down",
             advice="set MemoryHigh= below MemoryMax=",
             related=[note(most.at, "the hard limit")],
         )

@@ -40,13 +40,7 @@ def mount_name_mismatch(robot: Robot):
         if unit.type not in ("mount", "automount") or unit.is_template or unit.instance:
             continue
         where = unit.get("Where")
-        if (
-            where is None
-            or "%" in where
-            or "$" in where
-            or not where.startswith("/")
-            or unit.is_opaque(where)
-        ):
+        if where is None or "%" in where or "$" in where or not where.startswith("/") or unit.is_opaque(where):
             continue
         right = robot.units.mount_name(unit, where)
         if right not in (unit.name, *unit.aliases):

@@ -35,22 +35,13 @@ ONLINE = "network-online.target"
 @rule("info", symptoms=["does not match an available interface"])
 def network_online_no_waiter(robot: Robot):
     units = robot.units
-    if (
-        not units.knows_enabled
-        or robot.of_kind("netplan")
-        or any(link.unit == ONLINE for link in units.links)
-    ):
+    if not units.knows_enabled or robot.of_kind("netplan") or any(link.unit == ONLINE for link in units.links):
         return
     for unit in units.judged:
         for _, word in unit.naming("After", ONLINE):
-            if (
-                unit.manager == "system"
-                and any(ONLINE in other.words("Before") for other in units.all) is False
-            ):
+            if unit.manager == "system" and any(ONLINE in other.words("Before") for other in units.all) is False:
                 yield finding(
                     word,
-                    f"nothing is linked into {ONLINE}, so it is reached at once and "
-                    f"{unit.name} does not wait",
-                    advice="systemctl enable systemd-networkd-wait-online.service, or the "
-                    "one of NetworkManager",
+                    f"nothing is linked into {ONLINE}, so it is reached at once and {unit.name} does not wait",
+                    advice="systemctl enable systemd-networkd-wait-online.service, or the one of NetworkManager",
                 )

@@ -78,10 +78,7 @@ def network_target(robot: Robot):
             "and DDS looks at the interfaces only once",
             advice=f"order after {ONLINE} and pull it in: Wants={ONLINE} and After={ONLINE}",
             related=[
-                *(
-                    note(other, "pulled in here, but nothing waits for it")
-                    for _, other in unit.naming("Wants", ONLINE)
-                ),
+                *(note(other, "pulled in here, but nothing waits for it") for _, other in unit.naming("Wants", ONLINE)),
                 *(
                     note(script, "presumably starts ROS 2: the script is not in this tree")
                     for script in lost

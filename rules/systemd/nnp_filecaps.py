@@ -51,14 +51,10 @@ def nnp_filecaps(robot: Robot):
         for process in robot.units.started(unit):
             names = {step.command.name: step.command.words[0] for step in process.steps if step.command.words}
             names |= {
-                str(found.where).rpartition("/")[2]: found.where
-                for _, found in process.ros
-                if found.kind != "launch"
+                str(found.where).rpartition("/")[2]: found.where for _, found in process.ros if found.kind != "launch"
             }
             for name, where in names.items():
-                lost = [
-                    (capability, at) for capability, at in given.get(name, ()) if capability not in ambient
-                ]
+                lost = [(capability, at) for capability, at in given.get(name, ()) if capability not in ambient]
                 if not lost:
                     continue
                 wanted = " ".join(dict.fromkeys(capability for capability, _ in lost))

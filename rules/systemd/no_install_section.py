@@ -36,12 +36,7 @@ from bringup_lint.api import rule
 def no_install_section(robot: Robot):
     units = robot.units
     for unit in units.services:
-        if (
-            unit.fragment is None
-            or unit.uncertain
-            or not unit.fragment.source.judged
-            or units.is_started(unit)
-        ):
+        if unit.fragment is None or unit.uncertain or not unit.fragment.source.judged or units.is_started(unit):
             continue
         target = "multi-user.target" if unit.manager == "system" else "default.target"
         yield finding(

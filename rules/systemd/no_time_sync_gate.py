@@ -64,15 +64,12 @@ def no_time_sync_gate(robot: Robot):
     for unit in units.ros:
         if unit.manager == "user" or unit.unsure_of("After", "Wants") or gated(units, unit):
             continue
-        if any(
-            SIMULATED.search(text) for process in units.processes(unit) for text in (process.line, unit.stem)
-        ):
+        if any(SIMULATED.search(text) for process in units.processes(unit) for text in (process.line, unit.stem)):
             continue
         target = [word for _, word in unit.naming("After", "time-sync.target")]
         yield finding(
             target[0] if target else unit.where,
-            f"{daemon} sets the clock, but nothing makes {unit.name} wait for it: the time "
-            "may jump while nodes run",
+            f"{daemon} sets the clock, but nothing makes {unit.name} wait for it: the time may jump while nodes run",
             advice="enable chrony-wait.service or systemd-time-wait-sync.service and order after it",
             related=[note(target[0], "reached as soon as the daemon runs")] if target else (),
         )
@@ -80,27 +77,20 @@ def no_time_sync_gate(robot: Robot):
 
 def configures(robot, path):
     source = robot.tree.find(path)
-    return (
-        source is not None and source.robot_path == path and re.search(r"^\s*[^#;!%\s\[]", source.text, re.M)
-    )
+    return source is not None and source.robot_path == path and re.search(r"^\s*[^#;!%\s\[]", source.text, re.M)
 
 
 def gated(units, unit):
     if any(WAITS.search(text) for process in units.processes(unit) for text in process.texts):
         return True
     for waiter in WAITERS:
-        if (
-            units.waits_for(unit, waiter)
-            and units.brought_in(unit, waiter)
-            or units.brings_in(unit, waiter)
-            and units.ordered(unit, waiter)
+        if (units.waits_for(unit, waiter) and units.brought_in(unit, waiter)) or (
+            units.brings_in(unit, waiter) and units.ordered(unit, waiter)
         ):
             return True
     return (
         any(
-            other.type == "service"
-            and "time-sync.target" in other.words("Before")
-            and units.is_started(other)
+            other.type == "service" and "time-sync.target" in other.words("Before") and units.is_started(other)
             for other in units.judged
         )
         and units.waits_for(unit, "time-sync.target") is not None

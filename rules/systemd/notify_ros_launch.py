@@ -47,12 +47,7 @@ from bringup_lint.api import rule
 def notify_ros_launch(robot: Robot):
     for unit in robot.units.ros:
         service = robot.units.supervision(unit)
-        if (
-            not unit.complete
-            or not service.notifies
-            or service.access.value in ("all", None)
-            or service.main is None
-        ):
+        if not unit.complete or not service.notifies or service.access.value in ("all", None) or service.main is None:
             continue
         if not (service.main.is_ros_tool or service.main.kind == "shell"):
             continue

@@ -42,9 +42,7 @@ def onfailure_template_missing(robot: Robot):
                 continue
             if units.candidates(word, unit.manager) or units.is_provided(template) is not False:
                 continue
-            shipped = robot.tree.complete or any(
-                other.place == unit.place for other in units.all if other is not unit
-            )
+            shipped = robot.tree.complete or any(other.place == unit.place for other in units.all if other is not unit)
             yield finding(
                 word,
                 f"The failure handler {template} does not exist: when {unit.name} fails, nothing happens",

@@ -56,9 +56,7 @@ def ordering_cycle(robot: Robot):
         if not lines or cycle.against_targets:
             continue
         steps = [
-            note(edge.where, f"{edge.target.name} waits for {edge.source.name}")
-            for edge in cycle.waits
-            if edge.where
+            note(edge.where, f"{edge.target.name} waits for {edge.source.name}") for edge in cycle.waits if edge.where
         ]
         yield finding(
             lines[0].where,
@@ -77,6 +75,4 @@ def _effect(cycle):
         return "nothing starts all of them together yet; once something does, one is left out"
     names = sorted(node.name for node in cycle.droppable)
     dropped = f"leaves out {names[0]}" if len(names) == 1 else f"leaves out one of {', '.join(names)}"
-    return (f"systemd {dropped} when {cycle.root.name} starts") + (
-        ", not always the same" if len(names) > 1 else ""
-    )
+    return (f"systemd {dropped} when {cycle.root.name} starts") + (", not always the same" if len(names) > 1 else "")

@@ -35,17 +35,14 @@ from bringup_lint.api import rule
 @rule("error", symptoms=["failed to find interfaces", "Address family not supported by protocol"])
 def private_network(robot: Robot):
     for unit in robot.units.dds:
-        if robot.units.supervision(unit).in_container or unit.unsure_of(
-            "RestrictAddressFamilies", "IPAddressAllow"
-        ):
+        if robot.units.supervision(unit).in_container or unit.unsure_of("RestrictAddressFamilies", "IPAddressAllow"):
             continue
         local = robot.units.stays_local(unit)
         private = flag(unit, "PrivateNetwork")
         if private.value and not local and not unit.has("JoinsNamespaceOf"):
             yield finding(
                 private.at,
-                f"PrivateNetwork= leaves {unit.name} nothing but a loopback of its own: no other node "
-                "ever sees it",
+                f"PrivateNetwork= leaves {unit.name} nothing but a loopback of its own: no other node ever sees it",
                 advice="drop the line",
             )
         for word in unit.words("IPAddressDeny"):

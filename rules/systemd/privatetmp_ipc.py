@@ -34,9 +34,7 @@ from bringup_lint.api import flag
 from bringup_lint.api import note
 from bringup_lint.api import rule
 
-SHARED = re.compile(
-    r"<SharedMemory\b[^>]*>(?:(?!</SharedMemory>).)*?<Enable>\s*true\s*</Enable>", re.S | re.I
-)
+SHARED = re.compile(r"<SharedMemory\b[^>]*>(?:(?!</SharedMemory>).)*?<Enable>\s*true\s*</Enable>", re.S | re.I)
 
 
 @rule("warning", symptoms=["Timeout registering at RouDi", "RouDi not found"])

@@ -46,8 +46,7 @@ def privatetmp_redundant(robot: Robot):
             if path in ("/tmp", "/var/tmp"):
                 yield finding(
                     word,
-                    f"With PrivateTmp= the {path} of {unit.name} is its own and writable: the entry is "
-                    "redundant",
+                    f"With PrivateTmp= the {path} of {unit.name} is its own and writable: the entry is redundant",
                     advice="drop the entry",
                     related=[note(private.at, "a /tmp of its own")],
                     fix=_without(unit, word) if unit.editable else None,

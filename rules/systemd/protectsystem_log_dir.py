@@ -58,17 +58,9 @@ def protectsystem_log_dir(robot: Robot):
     for unit in robot.units.ros:
         service, box = robot.units.supervision(unit), sandbox(unit, robot)
         processes = [
-            process
-            for process in robot.units.started(unit)
-            if any(found.kind != "cli" for _, found in process.ros)
+            process for process in robot.units.started(unit) if any(found.kind != "cli" for _, found in process.ros)
         ]
-        if (
-            not unit.complete
-            or len(processes) != 1
-            or box.own_root
-            or service.in_container
-            or processes[0].is_ros1
-        ):
+        if not unit.complete or len(processes) != 1 or box.own_root or service.in_container or processes[0].is_ros1:
             continue
         log = box.log_directory(processes[0])
         found = _verdict(unit, robot, box, log) if log is not None else None

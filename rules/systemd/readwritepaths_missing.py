@@ -77,9 +77,7 @@ def readwritepaths_missing(robot: Robot):
                     if device
                     else f"Nothing creates {path}: {unit.name} does not start, 226/NAMESPACE",
                     advice=_advice(path, device),
-                    fix=fix("ignore it when it is missing", (word.part(0, 0), "-"))
-                    if unit.editable
-                    else None,
+                    fix=fix("ignore it when it is missing", (word.part(0, 0), "-")) if unit.editable else None,
                     severity="info" if device else "warning",
                     confidence="high" if robot.tree.complete and not device else "medium",
                 )

@@ -48,13 +48,9 @@ def requires_without_after(robot: Robot):
                     if "%" in word or word.endswith(ORDERED) or word in EARLY or word == unit.name:
                         continue
                     other = units.find(word, unit)
-                    if other is None and (
-                        word.endswith(".socket") or len(units.candidates(word, unit.manager)) > 1
-                    ):
+                    if other is None and (word.endswith(".socket") or len(units.candidates(word, unit.manager)) > 1):
                         continue
-                    if units.ordered(unit, word) or (
-                        other and (other.masked or other.unsure_of("After", "Before"))
-                    ):
+                    if units.ordered(unit, word) or (other and (other.masked or other.unsure_of("After", "Before"))):
                         continue
                     yield finding(
                         word,

@@ -47,9 +47,7 @@ def restart_on_failure_ros_launch(robot: Robot):
         if policy.restart not in FAILURES or service.main is None:
             continue
         programs = [found for _, found in service.process.launches]
-        last = [
-            found for step, found in service.process.launches if step.last and service.main.kind == "shell"
-        ]
+        last = [found for step, found in service.process.launches if step.last and service.main.kind == "shell"]
         if not programs or not (service.main.kind == "launch" or last):
             continue
         expansion = launched(programs[-1], robot)

@@ -97,8 +97,7 @@ def _verdict(policy, unit, ros, launch):
             sums = "The first {0} delays take {2}" if policy.steps else "{0} restarts × {1} = {2}"
             sums = sums.format(policy.burst, every, duration(policy.loop()))
             message = (
-                f"{sums} > {duration(policy.interval)}: the start limit never trips, a failing "
-                f"{name} restarts for ever"
+                f"{sums} > {duration(policy.interval)}: the start limit never trips, a failing {name} restarts for ever"
             )
         return "warning" if bad else "info", message
     limit = f"{policy.burst} starts in {duration(policy.interval)}"

@@ -50,22 +50,19 @@ LAYER = re.compile(
 def robot_launch_overlap(robot: Robot):
     units = robot.units
     for stack in units.stacks:
-        started = [
-            (unit, ros) for unit in stack for process in units.started(unit) for _, ros in process.launches
-        ]
+        started = [(unit, ros) for unit in stack for process in units.started(unit) for _, ros in process.launches]
         told = set()
         for at, (unit, ros) in enumerate(started):
             for other, second in started[:at] + started[at + 1 :]:
                 if other is unit or units.conflict(unit, other) or second.where.span in told:
                     continue
                 include = included(robot, ros, second)
-                if include is not None or same(ros, second) and stack.index(unit) < stack.index(other):
+                if include is not None or (same(ros, second) and stack.index(unit) < stack.index(other)):
                     told.add(second.where.span)
                 if include is not None:
                     yield finding(
                         second.where,
-                        f"{unit.name} already starts {second.where}: with both services "
-                        "every node of it runs twice",
+                        f"{unit.name} already starts {second.where}: with both services every node of it runs twice",
                         advice="enable one of the two, or let the umbrella be a target",
                         related=[
                             note(ros.where, f"{unit.name} launches this file"),
@@ -75,15 +72,12 @@ def robot_launch_overlap(robot: Robot):
                 elif second.where.span in told:
                     yield finding(
                         second.where,
-                        f"{unit.name} and {other.name} both launch {second.where}: every "
-                        "node of it runs twice",
+                        f"{unit.name} and {other.name} both launch {second.where}: every node of it runs twice",
                         advice="enable one of the two",
                         related=[note(ros.where, f"{unit.name} launches it too")],
                     )
 
-        yield from _umbrella(
-            robot, stack, [(unit, ros) for unit, ros in started if ros.where.span not in told]
-        )
+        yield from _umbrella(robot, stack, [(unit, ros) for unit, ros in started if ros.where.span not in told])
 
 
 def _umbrella(robot, stack, started):
@@ -102,8 +96,7 @@ def _umbrella(robot, stack, started):
             names = ", ".join(other.name for other, _ in others)
             yield finding(
                 ros.where,
-                f"{unit.name} seems to launch the whole robot and {names} its layers: "
-                "together every node runs twice",
+                f"{unit.name} seems to launch the whole robot and {names} its layers: together every node runs twice",
                 advice="enable one set, or let the umbrella be a target",
                 related=[note(second.where, f"{other.name} launches a layer") for other, second in others],
                 confidence="medium",
@@ -111,11 +104,7 @@ def _umbrella(robot, stack, started):
 
 
 def same(one, other):
-    return (
-        one.target == other.target
-        and one.package == other.package
-        and set(one.arguments) == set(other.arguments)
-    )
+    return one.target == other.target and one.package == other.package and set(one.arguments) == set(other.arguments)
 
 
 def included(robot, outer, inner):

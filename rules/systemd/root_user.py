@@ -43,9 +43,7 @@ from bringup_lint.api import rule
 ROOT = (None, "root", "0")
 HOME = re.compile(r"/home/([^/]+)/")
 INTERPRETER = re.compile(r"(?:python[0-9.]*|node|nodejs|ruby|perl|bash|sh|dash)$")
-RELAYS = frozenset(
-    {"socat", "nc", "ncat", "netcat", "websockify", "ttyd", "gunicorn", "uvicorn", "mjpg_streamer"}
-)
+RELAYS = frozenset({"socat", "nc", "ncat", "netcat", "websockify", "ttyd", "gunicorn", "uvicorn", "mjpg_streamer"})
 CONTAINERS = frozenset(
     {"docker", "docker-compose", "podman", "podman-compose", "nerdctl", "systemd-nspawn", "machinectl", "lxc"}
 )
@@ -136,9 +134,7 @@ def runs(robot, unit, process):
 
 def _fix(units, unit, user):
     others = {
-        str(other.get("User"))
-        for other in units.ros
-        if other.get("User") not in ROOT and "%" not in other.get("User")
+        str(other.get("User")) for other in units.ros if other.get("User") not in ROOT and "%" not in other.get("User")
     }
     if len(others) != 1:
         return None

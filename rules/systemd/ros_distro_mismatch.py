@@ -60,15 +60,13 @@ def _finding(unit, process, step, word, distro, chosen, named):
     if named and named.text == chosen[1] and step.script:
         return finding(
             named.value,
-            f"ROS_DISTRO says {chosen[1]}, but {step.script.basename}, which {unit.name} "
-            f"starts, uses {distro}",
+            f"ROS_DISTRO says {chosen[1]}, but {step.script.basename}, which {unit.name} starts, uses {distro}",
             advice="name one distribution, best through ${ROS_DISTRO}",
             related=[note(word, f"{distro} is used here"), *start],
         )
     return finding(
         word,
-        f"{unit.name} uses {distro} here"
-        + (f" while ROS_DISTRO says {chosen[1]}" if named else f" after {chosen[1]}"),
+        f"{unit.name} uses {distro} here" + (f" while ROS_DISTRO says {chosen[1]}" if named else f" after {chosen[1]}"),
         advice="name one distribution, best through ${ROS_DISTRO}",
         related=[there, *start],
     )

@@ -61,9 +61,7 @@ CONTROL = re.compile(r"ros2_control_node|controller_manager|ros2_control")
     symptoms=["Could not enable FIFO RT scheduling policy", "Operation not permitted"],
 )
 def rt_limits_only_in_pam(robot: Robot):
-    interested = {
-        str(unit.get("User")) for unit in robot.units.ros if _schedules(unit) or _controls(robot, unit)
-    }
+    interested = {str(unit.get("User")) for unit in robot.units.ros if _schedules(unit) or _controls(robot, unit)}
     for unit in robot.units.ros:
         if not unit.complete or unit.get("PAMName") or robot.units.supervision(unit).in_container:
             continue
@@ -85,9 +83,7 @@ def rt_limits_only_in_pam(robot: Robot):
             unit.get("User") or unit.where,
             f"limits.d grants {', '.join(missing)} to logins only: {unit.name} runs without it",
             advice=f"set {' and '.join(keys)} in the unit",
-            related=[
-                note(grant.line, "read by PAM at login") for grants in missing.values() for grant in grants
-            ],
+            related=[note(grant.line, "read by PAM at login") for grants in missing.values() for grant in grants],
             fix=fix("grant it to the service", unit.new_line("Service", "\n".join(keys)), safe=False)
             if unit.editable
             else None,

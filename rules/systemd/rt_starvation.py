@@ -65,8 +65,7 @@ def rt_starvation(robot: Robot):
         if io in ("realtime", "1"):
             yield finding(
                 io,
-                f"All nodes of {unit.name} go before every other disk access: journald, sshd and the "
-                "rest can starve",
+                f"All nodes of {unit.name} go before every other disk access: journald, sshd and the rest can starve",
                 advice="drop the line, or give the class to one service that needs it",
                 related=tree,
             )

@@ -41,9 +41,7 @@ def setpriv_without_groups(robot: Robot):
                     continue
                 options = [word for word in words if word.startswith("--")]
                 user = [word for word in options if word.partition("=")[0] == "--reuid"]
-                if not user or any(
-                    word.partition("=")[0] in ("--init-groups", "--groups") for word in options
-                ):
+                if not user or any(word.partition("=")[0] in ("--init-groups", "--groups") for word in options):
                     continue
                 yield finding(
                     user[0],

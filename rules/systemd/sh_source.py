@@ -65,7 +65,5 @@ def _shell(process, step):
     if step.script is None:
         return process.program if process.shell in ("sh", "dash") and step.depth == 1 else None
     shebang = SHEBANG.match(step.script.text)
-    named = any(
-        other.depth == step.depth - 1 and other.command.name in ("sh", "dash") for other in process.steps
-    )
+    named = any(other.depth == step.depth - 1 and other.command.name in ("sh", "dash") for other in process.steps)
     return step.script.span(*shebang.span(1)) if shebang and not named else None

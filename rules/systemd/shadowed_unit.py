@@ -36,10 +36,7 @@ def shadowed_unit(robot: Robot):
         if unit.fragment is None or unit.fragment.source.link or not hidden.source.robot_path:
             continue
         own = unit.fragment.source
-        if (
-            not own.robot_path
-            or own.robot_path.rpartition("/")[0] == hidden.source.robot_path.rpartition("/")[0]
-        ):
+        if not own.robot_path or own.robot_path.rpartition("/")[0] == hidden.source.robot_path.rpartition("/")[0]:
             continue
         yield finding(
             own,

@@ -41,12 +41,7 @@ ALONE = ("mixed", "process")
 def shell_wrapper_no_exec(robot: Robot):
     for unit in robot.units.ros:
         service = robot.units.supervision(unit)
-        if (
-            not unit.complete
-            or service.main is None
-            or service.main.kind != "shell"
-            or service.kill_mode.unknown
-        ):
+        if not unit.complete or service.main is None or service.main.kind != "shell" or service.kill_mode.unknown:
             continue
         for step, found in service.process.ros:
             words = step.command.words

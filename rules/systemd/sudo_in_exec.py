@@ -46,11 +46,7 @@ def sudo_in_exec(robot: Robot):
         for process in robot.units.processes(unit):
             for step in process.steps:
                 words = [word for word in step.command.words[:2] if word.rpartition("/")[2] == "sudo"]
-                if (
-                    not words
-                    or step.command.words[0] not in (words[0], "exec")
-                    or (step.script and not locked)
-                ):
+                if not words or step.command.words[0] not in (words[0], "exec") or (step.script and not locked):
                     continue
                 related = [note(locked, "forbids what sudo does")] if locked else []
                 if step.script:
@@ -59,10 +55,7 @@ def sudo_in_exec(robot: Robot):
                     words[0],
                     "sudo cannot work here: NoNewPrivileges= takes away its set-user-ID bit"
                     if locked
-                    else (
-                        "sudo in a service has no terminal to ask for a password, and "
-                        "NOPASSWD gives root away"
-                    ),
+                    else ("sudo in a service has no terminal to ask for a password, and NOPASSWD gives root away"),
                     advice="let systemd do it: '+' before this one command, or User= for the unit",
                     related=related,
                     severity="error" if locked else None,

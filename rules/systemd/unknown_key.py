@@ -56,12 +56,8 @@ def _unknown(key, section):
     homes = directives.sections_with(key)
     meant = nearest(key, directives.sections()[section])
     if homes:
-        return finding(
-            key, message, advice=f"{key}= belongs to [{'] or ['.join(homes)}] of another type of unit"
-        )
+        return finding(key, message, advice=f"{key}= belongs to [{'] or ['.join(homes)}] of another type of unit")
     if not meant:
-        return finding(
-            key, message, advice="remove the line, or see systemd.directives(7) for the right name"
-        )
+        return finding(key, message, advice="remove the line, or see systemd.directives(7) for the right name")
     change = fix(f"rename to {meant[0]}", (key, meant[0]), safe=meant[0].lower() == key.lower())
     return finding(key, message, advice=f"did you mean {meant[0]}?", fix=change if len(meant) == 1 else None)

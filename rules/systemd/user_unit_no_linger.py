@@ -49,8 +49,7 @@ def user_unit_no_linger(robot: Robot):
             continue
         yield finding(
             link.source,
-            f"{link.name} starts only when {home[1] if home else 'somebody'} logs in, and "
-            "stops after the last logout",
+            f"{link.name} starts only when {home[1] if home else 'somebody'} logs in, and stops after the last logout",
             advice=f"loginctl enable-linger {home[1] if home else 'USER'}, or a system unit with User=",
             related=[note(own[0].where, "the unit")],
         )

@@ -29,6 +29,7 @@ ExecStart=/usr/lib/systemd/systemd-networkd-wait-online --interface=eth0 --timeo
 - <https://github.com/systemd/systemd/issues/30345>
 """
 
+import itertools
 import re
 
 from bringup_lint.api import Robot
@@ -47,9 +48,7 @@ def wait_online_unbounded(robot: Robot):
                 continue
             words = process.argv[1:]
             forever = [word for word in words if FOREVER.search(word)]
-            forever += [
-                second for first, second in zip(words, words[1:]) if first == "--timeout" and second == "0"
-            ]
+            forever += [second for first, second in itertools.pairwise(words) if first == "--timeout" and second == "0"]
             if forever:
                 yield finding(
                     forever[0],

@@ -49,17 +49,14 @@ def wantedby_and_after_later_target(robot: Robot):
         later = next(edge for edge in cycle.edges if edge.target.name == name)
         sooner = next(edge for edge in cycle.edges if edge.source.name == name)
         steps = [
-            note(edge.where, f"{edge.target.name} waits for {edge.source.name}")
-            for edge in cycle.waits
-            if edge.where
+            note(edge.where, f"{edge.target.name} waits for {edge.source.name}") for edge in cycle.waits if edge.where
         ]
         effect = "cannot start" if cycle.fatal else "is left out at boot" if cycle.root else "may be left out"
         yield finding(
             (later if later in lines else lines[0]).where,
             f"{name} waits for {later.source.name}, which waits for {sooner.target.name}, "
             f"which waits for {name}: the unit {effect}",
-            advice=f"let {later.source.name} want the unit (WantedBy={later.source.name}), "
-            "or drop the After=",
+            advice=f"let {later.source.name} want the unit (WantedBy={later.source.name}), or drop the After=",
             related=[step for step in steps if step.span != later.where],
             chain=steps,
             severity=None if cycle.root else "info",

@@ -51,7 +51,5 @@ def watchdog_no_restart(robot: Robot):
             f"Restart={policy.restart} "
             "does not start it again",
             advice="set Restart=on-failure or on-watchdog",
-            related=[note(policy.restart_at, "does not restart after a watchdog timeout")]
-            if policy.restart_at
-            else (),
+            related=[note(policy.restart_at, "does not restart after a watchdog timeout")] if policy.restart_at else (),
         )

@@ -52,8 +52,7 @@ def watchdog_without_notify(robot: Robot):
             continue
         yield finding(
             service.watchdog.at,
-            f"No keep-alive reaches systemd, {why}: {unit.name} is killed every "
-            f"{duration(service.watchdog.value)}",
+            f"No keep-alive reaches systemd, {why}: {unit.name} is killed every {duration(service.watchdog.value)}",
             advice="let a process of the unit send WATCHDOG=1 and set NotifyAccess=all, or drop WatchdogSec=",
             related=[
                 note(service.main.where, "the main process"),
@@ -70,12 +69,7 @@ def _verdict(service, robot):
     main, access = service.main, service.access.value
     if access == "all":
         programs = [found for _, found in service.process.ros]
-        if (
-            service.notifies
-            or not main.is_ros_tool
-            or robot.notify.within(service.process)
-            or len(programs) != 1
-        ):
+        if service.notifies or not main.is_ros_tool or robot.notify.within(service.process) or len(programs) != 1:
             return None, ""
         silent = robot.notify.nobody(programs[0])
         return ("warning", silent[0]) if silent else (None, "")
@@ -96,8 +90,6 @@ def _fix(unit, service, robot):
     if service.access.value != "all" and robot.notify.sources:
         if service.access.at:
             return fix("let every process send keep-alives", (service.access.at, "all"), safe=False)
-        return fix(
-            "let every process send keep-alives", unit.new_line("Service", "NotifyAccess=all"), safe=False
-        )
+        return fix("let every process send keep-alives", unit.new_line("Service", "NotifyAccess=all"), safe=False)
     lines = [line for line in unit.assignments("WatchdogSec", "Service") if line.value is service.watchdog.at]
     return fix("drop the watchdog", *map(delete_lines, lines), safe=False) if lines else None

@@ -49,16 +49,12 @@ def attrs_different_parents(robot: Robot):
             continue
         first, second = line.impossible_parents
         interface = next((token for token in (second, first) if _is_interface(token)), None)
-        owners = (
-            f"{_named(first)} belongs to {_owner(line, first)}, {_named(second)} to {_owner(line, second)}"
-        )
+        owners = f"{_named(first)} belongs to {_owner(line, first)}, {_named(second)} to {_owner(line, second)}"
         yield finding(
             interface.value if interface else second.span,
             f"The rule never fires: {owners}",
             advice=_advice(interface),
-            related=[
-                note((first if interface is not first else second).span, "must hold on the same device")
-            ],
+            related=[note((first if interface is not first else second).span, "must hold on the same device")],
             fix=_fix(interface, first if interface is not first else second, line),
         )
 

@@ -41,9 +41,7 @@ def conflicting_matches(robot: Robot):
 
 
 def _why(condition) -> str:
-    return (
-        f"only devices with {condition.text} get past this jump" if condition.inherited else "the other match"
-    )
+    return f"only devices with {condition.text} get past this jump" if condition.inherited else "the other match"
 
 
 def _advice(first, second) -> str:

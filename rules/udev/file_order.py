@@ -38,8 +38,6 @@ def file_order(robot: Robot):
         if early.value:
             message = f"{early.file} is read after {name} and sets {early.token.key} to {early.value} again"
         else:
-            message = (
-                f"{early.token.attribute} is still empty in {name}, {early.file} sets it: this never fires"
-            )
+            message = f"{early.token.attribute} is still empty in {name}, {early.file} sets it: this never fires"
         advice = f"rename the file so that it sorts after {early.file}, such as 99-robot.rules"
         yield finding(early.token.span, message, advice=advice)

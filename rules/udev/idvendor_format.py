@@ -41,9 +41,7 @@ _NUMBER = re.compile(r"(?:0[xX])?([0-9a-fA-F]{1,4})")
 def idvendor_format(robot: Robot):
     for line in robot.udev.judged:
         for token in line.line.tokens:
-            known = token.attribute in _KEYS.get(token.key, ()) and not line.is_for(
-                "pci", "net", "sound", "block"
-            )
+            known = token.attribute in _KEYS.get(token.key, ()) and not line.is_for("pci", "net", "sound", "block")
             if known and token.is_match and "i" not in token.prefix:
                 yield from _numbers(token)
 

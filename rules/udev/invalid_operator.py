@@ -27,9 +27,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
-@rule(
-    "error", symptoms=["Invalid operator for GROUP", "Invalid operator for MODE", "Invalid operator for RUN"]
-)
+@rule("error", symptoms=["Invalid operator for GROUP", "Invalid operator for MODE", "Invalid operator for RUN"])
 def invalid_operator(robot: Robot):
     for problem, _ in robot.udev.problems("invalid-operator"):
         yield finding(

@@ -63,9 +63,7 @@ def match_too_broad(robot: Robot):
         if named and not all(line.is_any_number(pattern) for one in named for pattern in one.patterns):
             continue
         what = (
-            "device"
-            if not line.subsystems
-            else "/".join(line.kernels) or f"{'/'.join(sorted(line.subsystems))} device"
+            "device" if not line.subsystems else "/".join(line.kernels) or f"{'/'.join(sorted(line.subsystems))} device"
         )
         for link in line.links:
             if link.is_fixed:

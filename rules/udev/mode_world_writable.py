@@ -43,8 +43,6 @@ def mode_world_writable(robot: Robot):
                 token.value,
                 f"With mode {token.value} every user and service may write to the device"
                 + ", so GROUP means nothing" * grouped,
-                advice="write 0660"
-                if grouped
-                else "write 0660 and name the group that needs the device with GROUP=",
+                advice="write 0660" if grouped else "write 0660 and name the group that needs the device with GROUP=",
                 fix=fix("let only owner and group write", (token.value, "0660"), safe=grouped),
             )

@@ -40,11 +40,7 @@ def modemmanager_not_ignored(robot: Robot):
         return
     for line in robot.udev.judged:
         device = line.usb_device if line.is_serial and line.links else None
-        if (
-            device is None
-            or not device["modemmanager"]
-            or robot.udev.set_of(line).sets_beside(line, "ENV", *_IGNORE)
-        ):
+        if device is None or not device["modemmanager"] or robot.udev.set_of(line).sets_beside(line, "ENV", *_IGNORE):
             continue
         yield finding(
             line.usb_number,

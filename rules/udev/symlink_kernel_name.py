@@ -27,9 +27,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
-_KERNEL_NAME = re.compile(
-    r"/dev/(?:ttyUSB|ttyACM|video|hidraw|media|input/(?:js|event|mouse))\d+|/dev/sd[a-z]\d*"
-)
+_KERNEL_NAME = re.compile(r"/dev/(?:ttyUSB|ttyACM|video|hidraw|media|input/(?:js|event|mouse))\d+|/dev/sd[a-z]\d*")
 
 
 @rule("error", symptoms=["conflicting device node", "Not replacing existing device node"])

@@ -54,9 +54,7 @@ def symlink_vidpid_only(robot: Robot):
             continue
         products = line.generic_products
         what = (
-            f"Every {products[0]} matches"
-            if products
-            else f"A second device {' or '.join(line.usb_ids)} matches too"
+            f"Every {products[0]} matches" if products else f"A second device {' or '.join(line.usb_ids)} matches too"
         )
         for link in line.links:
             if link.is_fixed:

@@ -39,9 +39,7 @@ def systemd_wants_unit_missing(robot: Robot):
                     yield finding(
                         name,
                         f"There is no unit {name}: the device starts nothing",
-                        advice=f"did you mean {near.name}?"
-                        if near
-                        else "ship the unit, or name one that exists",
+                        advice=f"did you mean {near.name}?" if near else "ship the unit, or name one that exists",
                         related=[note(near.where, f"{near.name} is here")] if near else [],
                     )
 
@@ -55,8 +53,6 @@ def _is_missing(robot: Robot, name: str) -> bool:
 
 
 def _nearest(robot: Robot, name: str):
-    units = {
-        unit.name: unit for unit in robot.units.all if unit.judged and unit.type == name.rpartition(".")[2]
-    }
+    units = {unit.name: unit for unit in robot.units.all if unit.judged and unit.type == name.rpartition(".")[2]}
     near = get_close_matches(name, units, 1, 0.85)
     return units[near[0]] if near else None

@@ -32,11 +32,7 @@ from bringup_lint.api import rule
 @rule("warning")
 def uaccess_too_late(robot: Robot):
     for line in robot.udev.judged:
-        if (
-            line.source.basename <= "73-seat-late.rules"
-            or line.line.first("MODE")
-            or line.line.first("GROUP")
-        ):
+        if line.source.basename <= "73-seat-late.rules" or line.line.first("MODE") or line.line.first("GROUP"):
             continue
         for token in line.line.assignments("TAG"):
             if token.value == "uaccess" and token.operator != "-=":

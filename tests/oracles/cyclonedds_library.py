@@ -66,7 +66,5 @@ def _read(output: str) -> dict[int, Verdict]:
         message, _, verdict = rest.partition(f"\n{MARK} ")
         words = re.sub(r"\d{8,}\.\d+ \[\d*\] +\w+: ", "", message)
         lines = [line.strip() for line in words.splitlines() if line.strip()]
-        found[int(number)] = Verdict(
-            verdict.startswith("accepted"), "; ".join(lines) or verdict.strip() or "crash"
-        )
+        found[int(number)] = Verdict(verdict.startswith("accepted"), "; ".join(lines) or verdict.strip() or "crash")
     return found

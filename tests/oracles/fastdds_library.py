@@ -76,9 +76,7 @@ def start_node(file: Path) -> tuple[int, str]:
     """Exit status and output of a node that loads a profiles file."""
     environment = os.environ | {"FASTRTPS_DEFAULT_PROFILES_FILE": str(file), "ROS_DOMAIN_ID": "97"}
     command = [sys.executable, "-c", _NODE]
-    run = subprocess.run(
-        command, capture_output=True, timeout=60, check=False, env=environment, cwd=file.parent
-    )
+    run = subprocess.run(command, capture_output=True, timeout=60, check=False, env=environment, cwd=file.parent)
     return run.returncode, _plain((run.stdout + run.stderr).decode("utf-8", "replace"))
 
 

@@ -28,10 +28,10 @@ from launch_ros.actions import ComposableNodeContainer  # noqa: E402
 from launch_ros.actions import LifecycleNode  # noqa: E402
 from launch_ros.actions import LoadComposableNodes  # noqa: E402
 from launch_ros.actions import Node  # noqa: E402
+from launch_ros.parameter_descriptions import ParameterFile  # noqa: E402
 from launch_ros.utilities import evaluate_parameters  # noqa: E402
 from launch_ros.utilities import make_namespace_absolute  # noqa: E402
 from launch_ros.utilities import prefix_namespace  # noqa: E402
-from launch_ros.parameter_descriptions import ParameterFile  # noqa: E402
 
 
 def private(thing, owner, name):
@@ -56,7 +56,9 @@ def parameters(context, described):
             except Exception as error:
                 result.append(f"error {error}")
                 continue
-            result.append({name: list(value) if isinstance(value, (tuple, list)) else value for name, value in values.items()})
+            result.append(
+                {name: list(value) if isinstance(value, (tuple, list)) else value for name, value in values.items()}
+            )
     return result
 
 
@@ -64,14 +66,16 @@ def record(found, context, node):
     node._perform_substitutions(context)
     owner = "Node"
     namespace = node.expanded_node_namespace
-    found.append({
-        "package": text(context, private(node, owner, "package")),
-        "program": text(context, private(node, owner, "node_executable")),
-        "name": text(context, private(node, owner, "node_name")),
-        "namespace": "/" if not namespace or namespace == Node.UNSPECIFIED_NODE_NAMESPACE else namespace,
-        "remappings": [list(pair) for pair in node.expanded_remapping_rules or ()],
-        "parameters": parameters(context, private(node, owner, "parameters")),
-    })
+    found.append(
+        {
+            "package": text(context, private(node, owner, "package")),
+            "program": text(context, private(node, owner, "node_executable")),
+            "name": text(context, private(node, owner, "node_name")),
+            "namespace": "/" if not namespace or namespace == Node.UNSPECIFIED_NODE_NAMESPACE else namespace,
+            "remappings": [list(pair) for pair in node.expanded_remapping_rules or ()],
+            "parameters": parameters(context, private(node, owner, "parameters")),
+        }
+    )
 
 
 def component(found, context, described):
@@ -82,14 +86,16 @@ def component(found, context, described):
     namespace = make_namespace_absolute(prefix_namespace(context.launch_configurations.get("ros_namespace"), own))
     remaps = list(context.launch_configurations.get("ros_remaps") or ())
     remaps += [(text(context, src), text(context, dst)) for src, dst in described.remappings or ()]
-    found.append({
-        "package": text(context, described.package),
-        "program": text(context, described.node_plugin),
-        "name": text(context, described.node_name),
-        "namespace": namespace or "/",
-        "remappings": [list(pair) for pair in remaps],
-        "parameters": parameters(context, described.parameters),
-    })
+    found.append(
+        {
+            "package": text(context, described.package),
+            "program": text(context, described.node_plugin),
+            "name": text(context, described.node_name),
+            "namespace": namespace or "/",
+            "remappings": [list(pair) for pair in remaps],
+            "parameters": parameters(context, described.parameters),
+        }
+    )
 
 
 def visit(found, context, entity):
@@ -113,8 +119,16 @@ def visit(found, context, entity):
     elif isinstance(entity, ExecuteLocal):
         command = [text(context, word) for word in entity.cmd]
         if command[:2] == ["ros2", "run"] and len(command) > 3:
-            found.append({"package": command[2], "program": command[3], "name": None, "namespace": None,
-                          "remappings": [], "parameters": []})
+            found.append(
+                {
+                    "package": command[2],
+                    "program": command[3],
+                    "name": None,
+                    "namespace": None,
+                    "remappings": [],
+                    "parameters": [],
+                }
+            )
     else:
         for inner in entity.visit(context) or ():
             visit(found, context, inner)

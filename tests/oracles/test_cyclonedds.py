@@ -99,9 +99,7 @@ def refusals(text: str, inline: bool) -> list[str]:
         parts = list(split_uri(source.located(0, len(text))))
         codes = ["no-file" for part in parts if not part.inline]
         regions = [(part.text.span.start, part.text.span.end) for part in parts if part.inline]
-        return codes + [
-            code for region in regions for code in refusals_of(source, inline=True, region=region)
-        ]
+        return codes + [code for region in regions for code in refusals_of(source, inline=True, region=region)]
     return refusals_of(source)
 
 
@@ -175,9 +173,7 @@ def test_slips_in_files(name: str, tmp_path: Path) -> None:
 
 def test_slips_inline(tmp_path: Path) -> None:
     seed = (FOLDER / "dds/cyclonedds.xml").read_text("utf-8").partition("-->\n")[2]
-    texts = [
-        text for text in mutants(seed, VALUES, MUTANTS, seed=8) if text.startswith("<") and "</>" not in text
-    ]
+    texts = [text for text in mutants(seed, VALUES, MUTANTS, seed=8) if text.startswith("<") and "</>" not in text]
     compare(texts, ask(texts, tmp_path), inline=True)
 
 

@@ -101,9 +101,7 @@ def compare(texts: list[str], verdicts: list[Verdict]) -> None:
         ours = verdict_of(text)
         if (ours == DROPPED) != (verdict.result == DROPPED):
             differing += 1
-            if ours == DROPPED or not any(
-                re.search(each["message"], verdict.message) for each in DIFFERENCES
-            ):
+            if ours == DROPPED or not any(re.search(each["message"], verdict.message) for each in DIFFERENCES):
                 wrong.append((text, verdict, ours))
     dropped = sum(verdict.result == DROPPED for verdict in verdicts)
     print(f"{len(texts)} files, {dropped} dropped, {differing} differ, {len(wrong)} without a reason")
@@ -115,38 +113,26 @@ def compare(texts: list[str], verdicts: list[Verdict]) -> None:
 def needed(item: Item, skip: str = "") -> str:
     """The attributes and elements without which an item is refused."""
     shape = schema(VERSION).get(item.check, item)
-    children = [
-        child for name, child in shape.children.items() if child.required and name == child.name != skip
-    ]
+    children = [child for name, child in shape.children.items() if child.required and name == child.name != skip]
     return "".join(element(child) for child in children)
 
 
 def element(item: Item, content: str | None = None, extra: str = "") -> str:
     """An item with its content, the shortest that is taken when none is given."""
-    attributes = "".join(
-        f' {each.name}="{ATTRIBUTES.get(each.name, "x")}"' for each in item.attributes.values()
-    )
+    attributes = "".join(f' {each.name}="{ATTRIBUTES.get(each.name, "x")}"' for each in item.attributes.values())
     if item.attributes and not any(each.required for each in item.attributes.values()):
         attributes = ""
     if item.name == "reception_thread":
         attributes = ' port="7"'
     if content is None:
-        content = (
-            STAND_INS[item.check][1]
-            if item.check in STAND_INS
-            else needed(item) or CONTENT.get(item.check, "")
-        )
-        content = SPECIAL.get(
-            item.name, item.allowed[0] if item.allowed and item.check == "enum" else content
-        )
+        content = STAND_INS[item.check][1] if item.check in STAND_INS else needed(item) or CONTENT.get(item.check, "")
+        content = SPECIAL.get(item.name, item.allowed[0] if item.allowed and item.check == "enum" else content)
     return f"<{item.name}{attributes}{extra}>{content}</{item.name}>"
 
 
 ATTRIBUTES = {"prefix": "44.53.00.5f.45.50.52.4f.53.49.4d.41", "is_default_profile": "false"}
 CONTENT = {
-    **dict.fromkeys(
-        ("number", "natural", "positive", "uint8", "uint16", "int16", "atleast-1", "duration"), "5"
-    ),
+    **dict.fromkeys(("number", "natural", "positive", "uint8", "uint16", "int16", "atleast-1", "duration"), "5"),
     "bool": "true",
     "text": "x",
     "any": "x",

@@ -114,7 +114,11 @@ def loose(value):
         return str(value).lower()
     if isinstance(value, (int, float)):
         return f"{value:g}"
-    return os.path.normpath(value) if isinstance(value, str) and value.startswith("SHARE") else str(value).lower().strip("'\"\n")
+    return (
+        os.path.normpath(value)
+        if isinstance(value, str) and value.startswith("SHARE")
+        else str(value).lower().strip("'\"\n")
+    )
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.name)

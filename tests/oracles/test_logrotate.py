@@ -110,9 +110,7 @@ def mutate(lines: list[str], chance: random.Random) -> list[str]:
     elif act == "directive" and words:
         lines[at] = " ".join(["   ", chance.choice(list(directives())), *words[1:]])
     elif act == "brace":
-        lines[at] = (
-            line.replace("{", "").replace("}", "") if {"{", "}"} & set(line) else line + chance.choice("{}")
-        )
+        lines[at] = line.replace("{", "").replace("}", "") if {"{", "}"} & set(line) else line + chance.choice("{}")
     return lines
 
 

@@ -164,9 +164,7 @@ def test_bred_configurations(tmp_path: Path) -> None:
         verdict = real(text, tmp_path / "root")
         problems, file = ours(text)
         refused += not verdict.accepted
-        agrees = verdict.accepted != bool(problems) and (
-            verdict.accepted or same_place(verdict, problems, file)
-        )
+        agrees = verdict.accepted != bool(problems) and (verdict.accepted or same_place(verdict, problems, file))
         if not agrees and not reason(text, verdict, problems):
             unexplained.append((seed, verdict, problems, text))
     assert 0.3 < refused / len(trials) < 0.9
@@ -184,9 +182,7 @@ def test_files_of_the_corpus(tmp_path: Path) -> None:
         text = path.read_text("utf-8")
         verdict = real(text, tmp_path / "root")
         problems, file = ours(text)
-        agrees = verdict.accepted != bool(problems) and (
-            verdict.accepted or same_place(verdict, problems, file)
-        )
+        agrees = verdict.accepted != bool(problems) and (verdict.accepted or same_place(verdict, problems, file))
         if not agrees and not reason(text, verdict, problems):
             different.append((path.name, verdict))
     assert len(files) >= 40

@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 
 from bringup_lint.discover.walk import discover
-from bringup_lint.graph.systemd.dependencies import PULLING
 from bringup_lint.graph.graph import Node
+from bringup_lint.graph.systemd.dependencies import PULLING
 from bringup_lint.robot import Robot
 from tests.oracles.verify import systemd_version
 
@@ -29,9 +29,7 @@ def breed(folder: Path, seed: int) -> None:
     for name in names:
         lines = ["[Unit]", "Description=bred"]
         for key, chance in KEYS.items():
-            lines += [
-                f"{key}={other}" for other in names if other != name and pick.random() < chance / len(names)
-            ]
+            lines += [f"{key}={other}" for other in names if other != name and pick.random() < chance / len(names)]
         if pick.random() < 0.15:
             lines.append(f"{pick.choice(['After', 'Before'])}={pick.choice(EARLY)}")
         if pick.random() < 0.1:

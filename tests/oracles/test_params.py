@@ -74,9 +74,7 @@ def table(text: str) -> dict | None:
     file = read(text)
     if not file.accepted:
         return None
-    return {
-        node: [[entry.name, *shown(entry.value)] for entry in entries] for node, entries in file.nodes.items()
-    }
+    return {node: [[entry.name, *shown(entry.value)] for entry in entries] for node, entries in file.nodes.items()}
 
 
 def node(text: str, name: str, namespace: str) -> dict | str:
@@ -153,9 +151,13 @@ def test_every_bred_and_real_file_gives_the_same_table() -> None:
     cases = [*WORDS["files"], *scalars(), *keys(), *real_files(), *bred()]
     answers = ask([{"text": text} for text in cases])
     wrong = [
-        (text, real) for text, real in zip(cases, answers, strict=True) if (table(text) != real) is not (text in DIFFERENCES)
+        (text, real)
+        for text, real in zip(cases, answers, strict=True)
+        if (table(text) != real) is not (text in DIFFERENCES)
     ]
-    assert not wrong, f"{len(wrong)} of {len(cases)}, the first:\n{wrong[0][0]}\nreal: {wrong[0][1]}\nours: {table(wrong[0][0])}"
+    assert not wrong, (
+        f"{len(wrong)} of {len(cases)}, the first:\n{wrong[0][0]}\nreal: {wrong[0][1]}\nours: {table(wrong[0][0])}"
+    )
     assert sum(answer is not None for answer in answers) > len(cases) // 5
 
 
@@ -168,7 +170,9 @@ def test_real_nodes_get_what_we_say() -> None:
     assert len(cases) >= 400
     pairs = zip(cases, answers, strict=True)
     wrong = [(case, real) for case, real in pairs if case[0] not in DIFFERENCES and _own(node(*case)) != _own(real)]
-    assert not wrong, f"{len(wrong)} of {len(cases)}, the first:\n{wrong[0][0]}\nreal: {wrong[0][1]}\nours: {node(*wrong[0][0])}"
+    assert not wrong, (
+        f"{len(wrong)} of {len(cases)}, the first:\n{wrong[0][0]}\nreal: {wrong[0][1]}\nours: {node(*wrong[0][0])}"
+    )
 
 
 def _own(found: dict | str) -> dict | str:

@@ -38,10 +38,22 @@ print("OUTCOMES " + json.dumps(outcomes))
 ON = {"ROS_SECURITY_ENABLE": "true"}
 ENFORCE = {**ON, "ROS_SECURITY_STRATEGY": "Enforce"}
 CASES = [
-    ({"ROS_SECURITY_ENABLE": "TRUE", "ROS_SECURITY_STRATEGY": "Enforce", "ROS_SECURITY_KEYSTORE": "NONE"}, [], "created"),
-    ({"ROS_SECURITY_ENABLE": "True", "ROS_SECURITY_STRATEGY": "Enforce", "ROS_SECURITY_KEYSTORE": "NONE"}, [], "created"),
+    (
+        {"ROS_SECURITY_ENABLE": "TRUE", "ROS_SECURITY_STRATEGY": "Enforce", "ROS_SECURITY_KEYSTORE": "NONE"},
+        [],
+        "created",
+    ),
+    (
+        {"ROS_SECURITY_ENABLE": "True", "ROS_SECURITY_STRATEGY": "Enforce", "ROS_SECURITY_KEYSTORE": "NONE"},
+        [],
+        "created",
+    ),
     ({"ROS_SECURITY_ENABLE": "1", "ROS_SECURITY_STRATEGY": "Enforce", "ROS_SECURITY_KEYSTORE": "NONE"}, [], "created"),
-    ({"ROS_SECURITY_ENABLE": "yes", "ROS_SECURITY_STRATEGY": "Enforce", "ROS_SECURITY_KEYSTORE": "NONE"}, [], "created"),
+    (
+        {"ROS_SECURITY_ENABLE": "yes", "ROS_SECURITY_STRATEGY": "Enforce", "ROS_SECURITY_KEYSTORE": "NONE"},
+        [],
+        "created",
+    ),
     ({"ROS_SECURITY_KEYSTORE": "NONE", "ROS_SECURITY_STRATEGY": "Enforce"}, [], "created"),
     ({**ENFORCE, "ROS_SECURITY_KEYSTORE": "NONE"}, [], "enclaves' does not exist"),
     ({**ENFORCE, "ROS_SECURITY_KEYSTORE": "~/keystore"}, [], "'~/keystore/enclaves' does not exist"),
@@ -52,7 +64,11 @@ CASES = [
     ({**ON, "ROS_SECURITY_KEYSTORE": "NONE"}, [], "created"),
     (ENFORCE, [], "error not set"),
     ({**ENFORCE, "ROS_SECURITY_KEYSTORE": "STORE"}, ["/lawn/motor"], "enclaves/lawn/motor' does not exist"),
-    ({**ENFORCE, "ROS_SECURITY_KEYSTORE": "STORE", "ROS_SECURITY_ENCLAVE_OVERRIDE": "/x"}, ["/lawn/y"], "enclaves/x' does not"),
+    (
+        {**ENFORCE, "ROS_SECURITY_KEYSTORE": "STORE", "ROS_SECURITY_ENCLAVE_OVERRIDE": "/x"},
+        ["/lawn/y"],
+        "enclaves/x' does not",
+    ),
     ({**ENFORCE, "ROS_SECURITY_KEYSTORE": "STORE", "ROS_SECURITY_ENCLAVE_OVERRIDE": "lawn/x"}, [], "does not exist"),
     ({}, ["lawn/driver"], "Enclave name is not valid"),
     ({}, ["/lawn/left-driver"], "Enclave name is not valid"),

@@ -114,9 +114,7 @@ def mutate(lines: list[str], chance: random.Random) -> list[str]:
 def reason(text: str, printed: str) -> str:
     """Why a difference is meant, by the table of differences."""
     for row in DIFFERENCES:
-        if ("says" in row and re.search(row["says"], printed)) or (
-            "text" in row and re.search(row["text"], text)
-        ):
+        if ("says" in row and re.search(row["says"], printed)) or ("text" in row and re.search(row["text"], text)):
             return row["reason"]
     return ""
 
@@ -177,9 +175,7 @@ def test_effective_values(tmp_path: Path) -> None:
             source = Source("config", text)
             mine = effective(
                 [source],
-                lambda pattern: (
-                    [Source("first", (tmp_path / "first.conf").read_text())] if "first" in pattern else []
-                ),
+                lambda pattern: [Source("first", (tmp_path / "first.conf").read_text())] if "first" in pattern else [],
             )
             for name in CHECKED:
                 value = mine.get(name)

@@ -117,16 +117,12 @@ def written(folder: Path) -> tuple[list[Path], list[Trial]]:
         name = f"all-{section.lower()}.{suffix(section)}"
         folder.joinpath(name).write_text(f"[{section}]\n" + "".join(text for text, _ in lines), "utf-8")
         files.append(folder / name)
-        trials += [
-            Trial(kind, text.partition("=")[2][:-1], name, at) for at, (text, kind) in enumerate(lines, 2)
-        ]
+        trials += [Trial(kind, text.partition("=")[2][:-1], name, at) for at, (text, kind) in enumerate(lines, 2)]
     return files, trials
 
 
 def excused(trial: Trial) -> bool:
-    return any(
-        row["type"] in (trial.kind, "*") and re.search(row["value"], trial.value) for row in DIFFERENCES
-    )
+    return any(row["type"] in (trial.kind, "*") and re.search(row["value"], trial.value) for row in DIFFERENCES)
 
 
 def test_systemd_refuses_what_the_grammars_refuse(tmp_path):
@@ -136,13 +132,9 @@ def test_systemd_refuses_what_the_grammars_refuse(tmp_path):
     unexplained = 0
     for trial in trials:
         real = [
-            text
-            for text in said.lines.get((str(tmp_path / trial.file), trial.line), ())
-            if "please use" not in text
+            text for text in said.lines.get((str(tmp_path / trial.file), trial.line), ()) if "please use" not in text
         ]
-        problems = [
-            p for p in check(trial.kind, nowhere(trial.value), systemd_version()) if p.code != "odd-name"
-        ]
+        problems = [p for p in check(trial.kind, nowhere(trial.value), systemd_version()) if p.code != "odd-name"]
         same = bool(real) == bool(problems)
         if same and trial.kind in SINGLE and problems:
             same = said.fatal(trial.file) == any(problem.effect == "unit" for problem in problems)

@@ -43,9 +43,7 @@ UNIT_RULES = {
     "ordering-cycle": r"Found ordering cycle",
 }
 """Rules about a whole unit, and the message that says the same; compared by unit."""
-QUIET = re.compile(
-    r"please use|is obsolete|deprecated|please update|has been removed|Special user|unset environment"
-)
+QUIET = re.compile(r"please use|is obsolete|deprecated|please update|has been removed|Special user|unset environment")
 """Messages about obsolete settings: legacy-key has a longer memory than one release, so they are compared one way."""
 
 pytestmark = pytest.mark.skipif(systemd_version() < 250, reason="needs systemd-analyze 250 or newer")
@@ -118,14 +116,8 @@ def excused(text: str) -> bool:
 
 
 def tally(found: dict[Point, str], real: dict[Point, str], everything: int) -> Tally:
-    wrong = [
-        f"only ours: {point.where}:{point.what} {text}" for point, text in found.items() if point not in real
-    ]
-    wrong += [
-        f"only systemd: {point.where}:{point.what} {text}"
-        for point, text in real.items()
-        if point not in found
-    ]
+    wrong = [f"only ours: {point.where}:{point.what} {text}" for point, text in found.items() if point not in real]
+    wrong += [f"only systemd: {point.where}:{point.what} {text}" for point, text in real.items() if point not in found]
     return Tally(everything, len({*found, *real}), wrong, [line for line in wrong if not excused(line)])
 
 
@@ -172,9 +164,7 @@ def test_units_that_are_refused(tmp_path):
     refused = [unit_mutations.Mutant(*item) for item in unit_mutations.REFUSALS.items()]
     files = unit_mutations.write(tmp_path, refused)
     (tmp_path / "stub.service").write_text("[Service]\nExecStart=/bin/true\n", "utf-8")
-    real = {
-        Point(unit, rule): text for unit, rule, text in units_of(verify(files)) if rule != "ordering-cycle"
-    }
+    real = {Point(unit, rule): text for unit, rule, text in units_of(verify(files)) if rule != "ordering-cycle"}
     found = {
         Point(Path(finding["location"]["path"]).name, rule): finding["message"]
         for finding in ours(tmp_path)
@@ -218,11 +208,7 @@ def test_dropins_below_a_root(tmp_path):
         program.chmod(0o755)
     names = [Path(f"{name}.service") for name in unit_mutations.ROOT_UNITS]
     said = verify(names, f"--root={tmp_path}", recursive="one")
-    real = {
-        point: text
-        for point, text in their_lines(tmp_path, said).items()
-        if point.where in unit_mutations.ROOT
-    }
+    real = {point: text for point, text in their_lines(tmp_path, said).items() if point.where in unit_mutations.ROOT}
     own = tmp_path / "own"
     for name in unit_mutations.ROOT:
         copy = own / name

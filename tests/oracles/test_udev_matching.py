@@ -12,10 +12,10 @@ from pathlib import Path
 
 import pytest
 
-from bringup_lint.graph.udev.udev import effective
 from bringup_lint.graph.udev.conditions import Condition
 from bringup_lint.graph.udev.overlap import may_both_fire
 from bringup_lint.graph.udev.rule import UdevRule
+from bringup_lint.graph.udev.udev import effective
 from bringup_lint.model.udev import PARENT_KEYS
 from bringup_lint.parsers.udev import parse
 from bringup_lint.source import Source
@@ -188,9 +188,7 @@ def random_rules(rng: random.Random) -> str:
         elif not label and rng.random() < 0.3:
             label = number + 1
             lines.append(f'{matches}, GOTO="end{label}"')
-        lines.append(
-            f'{matches if rng.random() < 0.3 else ", ".join(rng.sample(MATCHES, 2))}, SYMLINK+="l{number}"'
-        )
+        lines.append(f'{matches if rng.random() < 0.3 else ", ".join(rng.sample(MATCHES, 2))}, SYMLINK+="l{number}"')
     return "\n".join([*lines, f'LABEL="end{label}"', ""])
 
 
@@ -211,9 +209,7 @@ def test_random_rules(root: Path) -> None:
                 count["agreeing"] += real == predicted(rule, device, action)
                 if real != predicted(rule, device, action):
                     wrong.append(f"{device} {action} fired={real}: {rule.line.span.text}")
-                wrong += [
-                    f"{claim}: {rule.line.span.text}" for claim in false_claims(rule, device, action) if real
-                ]
+                wrong += [f"{claim}: {rule.line.span.text}" for claim in false_claims(rule, device, action) if real]
             wrong += claims_on_pairs([rule for rule in rules if rule.links[0].name in links])
     print(count)
     assert count["fired"] > 1000
@@ -230,8 +226,7 @@ def false_claims(rule: UdevRule, device: str, action: str) -> list[str]:
         "contradiction": bool(rule.contradictions),
         "other subsystem": bool(rule.subsystems) and subsystem not in rule.subsystems,
         "other action": action not in rule.actions,
-        "attribute of the parent": rule.is_for("tty", "video4linux")
-        and "ATTR{idVendor}==" in rule.line.span.text,
+        "attribute of the parent": rule.is_for("tty", "video4linux") and "ATTR{idVendor}==" in rule.line.span.text,
     }
     return [claim for claim, made in claims.items() if made]
 
@@ -239,9 +234,7 @@ def false_claims(rule: UdevRule, device: str, action: str) -> list[str]:
 def claims_on_pairs(rules: list[UdevRule]) -> list[str]:
     """Rules that fired for one device and that we call disjoint. Parent keys are left out: they are taken to
     speak of one device in both rules, so that rules for an adapter and for its hub count as disjoint."""
-    by_itself = [
-        rule for rule in rules if not any(one.key in PARENT_KEYS for one in rule.conditions.positive)
-    ]
+    by_itself = [rule for rule in rules if not any(one.key in PARENT_KEYS for one in rule.conditions.positive)]
     return [
         f"disjoint: {one.line.span.text} / {other.line.span.text}"
         for index, other in enumerate(by_itself)

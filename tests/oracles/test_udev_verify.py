@@ -182,20 +182,14 @@ def damaged(line: str, rng: random.Random) -> str:
         return line[: found.start()] + rng.choice(("==", "!=", "+=", "-=", ":=", "=")) + line[found.end() :]
     if kind == 3:
         found = rng.choice(list(re.finditer(r"[A-Z]{3,}", line)) or list(re.finditer(r"\Z", line)))
-        key = rng.choice(
-            (found[0].lower(), found[0][:-1], found[0] + "S", "ATTR", "TAGS", "BUS", "RESULT", "TEST")
-        )
+        key = rng.choice((found[0].lower(), found[0][:-1], found[0] + "S", "ATTR", "TAGS", "BUS", "RESULT", "TEST"))
         return line[: found.start()] + key + line[found.end() :]
     if kind == 4:
-        return re.sub(
-            r'"([^"]*)"', rng.choice(("'\\1'", "\\1", 'e"\\1"', 'i"\\1"', 'ei"\\1"', '"\\1')), line, count=1
-        )
+        return re.sub(r'"([^"]*)"', rng.choice(("'\\1'", "\\1", 'e"\\1"', 'i"\\1"', 'ei"\\1"', '"\\1')), line, count=1)
     if kind == 5:
         return re.sub(r"\{[^}]*\}", rng.choice(("", "{}", "{x", "{builtin}", "{0666}")), line, count=1)
     if kind == 6:
-        return line + rng.choice(
-            (" \\", "\\", " \\ ", ", \\\n# comment\n" + 'TAG+="x"', ",", '"', " # trailing")
-        )
+        return line + rng.choice((" \\", "\\", " \\ ", ", \\\n# comment\n" + 'TAG+="x"', ",", '"', " # trailing"))
     if kind == 7:
         return rng.choice(("\ufeff", " ", ",", "\\\n", "\t")) + line
     if kind == 8:

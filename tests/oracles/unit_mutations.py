@@ -101,9 +101,7 @@ def cycles() -> Iterator[list[Mutant]]:
             for pull in ("Requires", "Wants"):
                 for closed in (True, False):
                     stem = f"{order}{pull}{size}{'ring' if closed else 'chain'}".lower()
-                    yield [
-                        _member(stem, at, size, order, pull, closed or at + 1 < size) for at in range(size)
-                    ]
+                    yield [_member(stem, at, size, order, pull, closed or at + 1 < size) for at in range(size)]
 
 
 def _member(stem: str, at: int, size: int, order: str, pull: str, joined: bool) -> Mutant:

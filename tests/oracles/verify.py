@@ -24,9 +24,7 @@ class Messages(NamedTuple):
 
     def fatal(self, unit: str) -> bool:
         said = " ".join(self.units.get(unit, ()))
-        return any(
-            words in said for words in ("fatal error", "bad unit file setting", "failed to load properly")
-        )
+        return any(words in said for words in ("fatal error", "bad unit file setting", "failed to load properly"))
 
 
 @cache

@@ -85,9 +85,7 @@ FINDINGS = (
         Severity.ERROR,
         chain=(
             Related(at(UNIT, "blade.service"), "mower.service starts after blade.service"),
-            Related(
-                at(BLADE, "mower.service"), "blade.service starts after mower.service: the circle is closed"
-            ),
+            Related(at(BLADE, "mower.service"), "blade.service starts after mower.service: the circle is closed"),
         ),
     ),
     Finding(
@@ -198,9 +196,7 @@ def sample(**changes: object) -> Report:
         "started": 1760000000.0,
         "ended": 1760000000.25,
         "exit_code": 3,
-        "notifications": (
-            Notification("error", "rule udev/unused-link failed: KeyError", "udev/unused-link"),
-        ),
+        "notifications": (Notification("error", "rule udev/unused-link failed: KeyError", "udev/unused-link"),),
         "below": {Severity.INFO: 4},
         "known": 2,
     }

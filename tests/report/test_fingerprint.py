@@ -17,9 +17,7 @@ def found(
 ) -> Finding:
     start = text.index(word)
     source = Source(name, text)
-    return Finding(
-        message, source.span(start, start + len(word)), "systemd/root-user", Severity.ERROR, **more
-    )
+    return Finding(message, source.span(start, start + len(word)), "systemd/root-user", Severity.ERROR, **more)
 
 
 def mark(finding: Finding, root: str = "/robot", cwd: str = "/robot") -> str:

@@ -18,8 +18,7 @@ def drawn(text: str, *marks: tuple[int, int, str], width: int = 40) -> str:
     source = Source("robot.conf", text)
     styles = ["error", *["mark"] * len(marks)]
     (frame,) = frames(
-        Mark(source.span(start, end), style, label)
-        for (start, end, label), style in zip(marks, styles, strict=False)
+        Mark(source.span(start, end), style, label) for (start, end, label), style in zip(marks, styles, strict=False)
     )
     return "\n".join(draw(frame, 2, width, PLAIN))
 

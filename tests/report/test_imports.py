@@ -17,9 +17,7 @@ def loaded_after(code: str) -> list[str]:
 before = set(sys.modules)
 {code}
 print([name for name in {COSTLY!r} if name in sys.modules and name not in before])"""
-    run = subprocess.run(
-        [sys.executable, "-c", script], capture_output=True, text=True, cwd=PROJECT, check=True
-    )
+    run = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, cwd=PROJECT, check=True)
     return run.stdout.strip()
 
 

@@ -13,12 +13,8 @@ from bringup_lint.source import Source
 def report_on(text: str, *secrets: str, message: str = "readable") -> str:
     source = Source("robot.env", text)
     starts = [text.index(secret) for secret in secrets]
-    spans = tuple(
-        source.span(start, start + len(secret)) for start, secret in zip(starts, secrets, strict=True)
-    )
-    return render(
-        "text", Report((Finding(message, source.span(0, 3), "env/secret", Severity.ERROR, secrets=spans),))
-    )
+    spans = tuple(source.span(start, start + len(secret)) for start, secret in zip(starts, secrets, strict=True))
+    return render("text", Report((Finding(message, source.span(0, 3), "env/secret", Severity.ERROR, secrets=spans),)))
 
 
 def test_short_secret_is_masked_where_it_is_marked() -> None:

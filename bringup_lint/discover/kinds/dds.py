@@ -51,9 +51,7 @@ def _is_cyclonedds(path: str, head: Head) -> bool:
     names = _names(head())
     if names and names[0].lower() == "cyclonedds":
         return True
-    return (
-        bool(names) and "cyclone" in path.rpartition("/")[2].lower() and names[0].lower() in _CYCLONE_GROUPS
-    )
+    return bool(names) and "cyclone" in path.rpartition("/")[2].lower() and names[0].lower() in _CYCLONE_GROUPS
 
 
 def _is_fastdds(path: str, head: Head) -> bool:

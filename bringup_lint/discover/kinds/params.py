@@ -8,7 +8,9 @@ from bringup_lint.discover.kinds import Head
 from bringup_lint.discover.kinds import Kind
 
 _YAML = re.compile(r"\.ya?ml(?:\.(?:in|em|j2|jinja2?|tmpl|template))?$")
-_ELSEWHERE = re.compile(r"/(?:\.github|\.gitlab|\.circleci|\.pre-commit)[^/]*(?:/|$)|/(?:docker-)?compose(?:[.-][^/]*)?\.ya?ml$|^/?mkdocs")
+_ELSEWHERE = re.compile(
+    r"/(?:\.github|\.gitlab|\.circleci|\.pre-commit)[^/]*(?:/|$)|/(?:docker-)?compose(?:[.-][^/]*)?\.ya?ml$|^/?mkdocs"
+)
 _HEADER = re.compile(
     r"^[ \t]*(?:[\"'])?ros_{1,3}param(?:eter)?s?(?:[\"'])?[ \t]*:(?:[ \t\r]|$)"
     r"|[{,][ \t]*[\"']?ros__parameters[\"']?[ \t]*:",

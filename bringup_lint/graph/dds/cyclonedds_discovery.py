@@ -78,9 +78,7 @@ def contacts_itself(domain: Domain) -> bool:
     if len(domain.all(PEER)) != len([each for each in domain.all(PEER) if each.effective == each.value]):
         return True
     addresses = peer_addresses(domain)
-    return len(addresses) < len({host_of(each) for each in listed}) or any(
-        each.is_loopback for each in addresses
-    )
+    return len(addresses) < len({host_of(each) for each in listed}) or any(each.is_loopback for each in addresses)
 
 
 def bad_addresses(setting: Setting) -> Iterator[tuple[Located, str]]:

@@ -64,9 +64,7 @@ def renamed(name: Located, new: str) -> list[tuple[Span, str]]:
     text = name.span.source.text
     before = text[name.span.start - 1 : name.span.start]
     if before == "<":
-        element = next(
-            (each for each in parse(name.span.source).elements if each.name.span == name.span), None
-        )
+        element = next((each for each in parse(name.span.source).elements if each.name.span == name.span), None)
         closing = None if element is None else element.span.end - len(name) - 1
         if closing is not None and text[closing - 2 : element.span.end] == f"</{name}>":
             edits.append((Span(name.span.source, closing, closing + len(name)), new))
@@ -98,15 +96,9 @@ def taken_by(item: Item) -> str:
     """What an item takes, as advice."""
     known = words(item)
     if item.type == "list":
-        return (
-            f"write a comma list without blanks of {', '.join(known)}"
-            if len(known) > 1
-            else "write a comma list"
-        )
+        return f"write a comma list without blanks of {', '.join(known)}" if len(known) > 1 else "write a comma list"
     limits = re.search(r"(-?[0-9]+)\.\.(-?[0-9]+)", item.allowed)
-    choices = (
-        [*known, f"a number from {limits[1]} to {limits[2]}"] if limits and item.type == "int" else known
-    )
+    choices = [*known, f"a number from {limits[1]} to {limits[2]}"] if limits and item.type == "int" else known
     if item.name == "Name":
         choices = list(THREADS)
     if not choices:

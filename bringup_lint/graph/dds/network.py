@@ -34,11 +34,7 @@ def plan_of(robot: Robot, source: Source) -> Plan | None:
 
 def _root(source: Source) -> str | None:
     path = source.robot_path
-    return (
-        source.name.removesuffix(path.lstrip("/"))
-        if path and source.name.endswith(path.lstrip("/"))
-        else None
-    )
+    return source.name.removesuffix(path.lstrip("/")) if path and source.name.endswith(path.lstrip("/")) else None
 
 
 def named_interfaces(domain: Domain) -> Iterator[Setting]:
@@ -49,10 +45,7 @@ def named_interfaces(domain: Domain) -> Iterator[Setting]:
             yield name
     old = domain.get("General/NetworkInterfaceAddress")
     if (
-        old is not None
-        and old.effective
-        and old.effective[0].isalpha()
-        and old.effective.lower() not in ("auto", "lo")
+        old is not None and old.effective and old.effective[0].isalpha() and old.effective.lower() not in ("auto", "lo")
     ) and "," not in old.effective:
         yield old
 
@@ -85,9 +78,7 @@ def own_addresses(plan: Plan) -> set[str]:
     """The static addresses of the robot; empty when an interface gets more by DHCP."""
     if any(interface.dhcp4 or interface.dhcp6 for interface in plan.interfaces.values()):
         return set()
-    return {
-        str(each.ip.ip) for one in plan.interfaces.values() for each in one.addresses if each.ip is not None
-    }
+    return {str(each.ip.ip) for one in plan.interfaces.values() for each in one.addresses if each.ip is not None}
 
 
 def routed(plan: Plan, address: ipaddress.IPv4Address | ipaddress.IPv6Address) -> bool:
@@ -98,9 +89,7 @@ def routed(plan: Plan, address: ipaddress.IPv4Address | ipaddress.IPv6Address) -
         for route in interface.routes:
             to = route.value("to")
             try:
-                if route.is_default or (
-                    to is not None and address in ipaddress.ip_network(str(to), strict=False)
-                ):
+                if route.is_default or (to is not None and address in ipaddress.ip_network(str(to), strict=False)):
                     return True
             except ValueError:
                 return True

@@ -82,11 +82,7 @@ def _of_units(robot: Robot) -> Iterator[Selection]:
         for process in robot.units.started(unit):
             environment = process_environment(process, robot)
             variable = environment.get(URI)
-            if (
-                variable is None
-                or variable.text is None
-                or not _reads_it(environment.text("RMW_IMPLEMENTATION"))
-            ):
+            if variable is None or variable.text is None or not _reads_it(environment.text("RMW_IMPLEMENTATION")):
                 continue
             selection = Selection(unit.name, process.line, variable.value, unit=unit)
             if variable.text == variable.value:
@@ -128,9 +124,7 @@ def _mounted(robot: Robot, service: Service, path: str) -> Source | None:
         target = str(volume.target).rstrip("/")
         if path == target or path.startswith(f"{target}/"):
             below = f"{volume.source.rstrip('/')}{path[len(target) :]}"
-            return (
-                robot.tree.find(below) if below.startswith("/") else robot.tree.beside(service.source, below)
-            )
+            return robot.tree.find(below) if below.startswith("/") else robot.tree.beside(service.source, below)
     return None
 
 
@@ -186,9 +180,7 @@ def sharing_memory(robot: Robot) -> Iterator[RosProcess]:
             continue
         if any(environment.defines(name) is not False for name in NO_SHARED_MEMORY):
             continue
-        if unit.unsure_of("User", "DynamicUser", "PrivateIPC", section="Service") or unit.has(
-            "IPCNamespacePath"
-        ):
+        if unit.unsure_of("User", "DynamicUser", "PrivateIPC", section="Service") or unit.has("IPCNamespacePath"):
             continue
         if (unit.get("PrivateIPC") or "no").lower() in ("no", "false", "off", "0"):
             yield process

@@ -141,9 +141,7 @@ def environment_files(unit: Unit, robot: Robot) -> list[EnvironmentFile]:
     for value in unit.values("EnvironmentFile", unit.section):
         optional = value.startswith("-")
         name = value.part(1, len(value)) if optional else value
-        path = (
-            None if unit.is_opaque(value) or _GLOB.search(name) else expand(name, unit_specifiers(unit.name))
-        )
+        path = None if unit.is_opaque(value) or _GLOB.search(name) else expand(name, unit_specifiers(unit.name))
         source = robot.tree.find(path) if path else None
         there = True if source else robot.tree.has(path) if path else None
         found.append(EnvironmentFile(name, optional, path, source, None if there is None else not there))
@@ -161,9 +159,7 @@ def unit_environment(unit: Unit, robot: Robot) -> Environment:
         opaque = unit.is_opaque(value)
         environment.complete &= not opaque
         for name, word in split_environment(value):
-            environment.set(
-                Variable(str(name), word, None if opaque else expand(word, known), "Environment=")
-            )
+            environment.set(Variable(str(name), word, None if opaque else expand(word, known), "Environment="))
     for file in environment_files(unit, robot):
         _read(environment, file, robot)
     for value in unit.values("UnsetEnvironment", unit.section):
@@ -207,9 +203,7 @@ def process_environment(process: Process, robot: Robot, until: Step | None = Non
     return found
 
 
-def after_commands(
-    environment: Environment, commands: Iterable[Command], known: Callable[[str], bool]
-) -> Environment:
+def after_commands(environment: Environment, commands: Iterable[Command], known: Callable[[str], bool]) -> Environment:
     """The environment after shell commands (``model.shell.Command``): assignments, ``export``, ``unset``.
     Those inside ``if``
     and the like may or may not run: they make a value unknown. ``known`` tells which sourced files hide

@@ -55,11 +55,7 @@ class UsedEnvFile:
         name = re.escape(self.source.basename)
         pattern = re.compile(rf"(?:^|[\s;&'\"(])(?:source|\.)\s+[\"']?[^\s;&|\"']*{name}\b", re.M)
         return next(
-            (
-                other
-                for other in self.robot.sources
-                if other is not self.source and pattern.search(other.text)
-            ),
+            (other for other in self.robot.sources if other is not self.source and pattern.search(other.text)),
             None,
         )
 

@@ -26,7 +26,10 @@ if TYPE_CHECKING:
 OF_ROS = re.compile(r"(?:ROS|RMW|CYCLONEDDS|FASTRTPS|FASTDDS|RCUTILS|ZENOH)_\w+")
 """Names of variables that ROS 2 or its middleware reads."""
 
-_SIMULATION = re.compile(r"(?:^|[/_.-])(?:sim|simulation|gazebo|gz|test|tests|ci|dev|devel|develop|development|example|examples)(?:[/_.-]|$)", re.I)
+_SIMULATION = re.compile(
+    r"(?:^|[/_.-])(?:sim|simulation|gazebo|gz|test|tests|ci|dev|devel|develop|development|example|examples)(?:[/_.-]|$)",
+    re.I,
+)
 
 
 class Setting(NamedTuple):
@@ -190,7 +193,13 @@ def _of_script(source: Source) -> Iterator[Setting]:
     from bringup_lint.parsers.shell import commands
 
     for command in commands(source.located(0, len(source.text))):
-        words = command.words[1:] if command.name in ("export", "declare") else command.assignments if not command.words else ()
+        words = (
+            command.words[1:]
+            if command.name in ("export", "declare")
+            else command.assignments
+            if not command.words
+            else ()
+        )
         for word in words:
             name, equals, text = word.partition("=")
             if equals and OF_ROS.fullmatch(name):

@@ -13,12 +13,8 @@ from bringup_lint import facts
 if TYPE_CHECKING:
     from bringup_lint.robot import Robot
 
-_CREATES = re.compile(
-    r"\b(?:groupadd|addgroup|useradd|adduser|newusers|dscl|ansible\.builtin\.(?:group|user))\b[^\n]*"
-)
-_MODULE = re.compile(
-    r"^[ \t]*(?:group|user):[ \t]*(?:name=(\S+))?[ \t]*$(?:\n[ \t]+name:[ \t]*[\"']?([\w-]+))?", re.M
-)
+_CREATES = re.compile(r"\b(?:groupadd|addgroup|useradd|adduser|newusers|dscl|ansible\.builtin\.(?:group|user))\b[^\n]*")
+_MODULE = re.compile(r"^[ \t]*(?:group|user):[ \t]*(?:name=(\S+))?[ \t]*$(?:\n[ \t]+name:[ \t]*[\"']?([\w-]+))?", re.M)
 _SCRIPT = re.compile(
     r"\.(?:sh|bash|mk|ya?ml|md|rst|txt|cmake|service|conf|in)$|^(?:pre|post)(?:inst|rm)|^(?:Docker|Make|Contain)file"
     r"|^[^.]+$"
@@ -83,15 +79,11 @@ class Accounts:
 
     def _database(self, path: str) -> frozenset[str]:
         source = self.robot.tree.find(path) if self.robot.tree.root is not None else None
-        return (
-            frozenset(line.partition(":")[0] for line in source.text.splitlines()) if source else frozenset()
-        )
+        return frozenset(line.partition(":")[0] for line in source.text.splitlines()) if source else frozenset()
 
     def _declared(self, kinds: str) -> frozenset[str]:
         """Names that sysusers.d(5) lines of these types create; a user comes with a group of its name."""
-        lines = (
-            line.split() for source in self.robot.of_kind("sysusers") for line in source.text.splitlines()
-        )
+        lines = (line.split() for source in self.robot.of_kind("sysusers") for line in source.text.splitlines())
         return frozenset(word[1] for word in lines if len(word) > 1 and word[0].rstrip("!") in kinds)
 
     @cached_property

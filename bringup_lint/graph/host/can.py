@@ -25,9 +25,7 @@ _USE = re.compile(
     r"(?::=|[:=])[ \t]*[\"']?(?P<name>can\d+)\b",
     re.I,
 )
-_SETS = re.compile(
-    r"\bip\s+link\s+(?:set|add)\b[^\n]*\bcan\d*\b|\bbitrate\b|\bcan[-_]?(?:up|setup|config)\b", re.I
-)
+_SETS = re.compile(r"\bip\s+link\s+(?:set|add)\b[^\n]*\bcan\d*\b|\bbitrate\b|\bcan[-_]?(?:up|setup|config)\b", re.I)
 _READERS = ("env-file", "launch-python", "launch-xml", "launch-yaml", "parameters", "compose", "shell-script")
 
 

@@ -98,16 +98,12 @@ class Daemon:
 
     def sets(self, *keys: str) -> bool:
         """Whether some line says something of one of the keys, or may once a template is filled in."""
-        return any(line.assignment.key in keys for line in self.lines) or any(
-            file.uncertain for file in self.files
-        )
+        return any(line.assignment.key in keys for line in self.lines) or any(file.uncertain for file in self.files)
 
     @property
     def where(self) -> Source | Located:
         """What a finding about something that is not set points at: the section's last header, else the file."""
-        headers = [
-            section.name for file in self.judged for section in file.sections if section.name == self.section
-        ]
+        headers = [section.name for file in self.judged for section in file.sections if section.name == self.section]
         return headers[-1] if headers else self.judged[-1].source
 
     def commented(self) -> Iterator[tuple[UnitFile, Located, Located, Located]]:
@@ -133,7 +129,7 @@ def _place(source: Source, name: str) -> tuple[str, int, bool]:
     """The root of a file, the rank of its directory, and whether it is the main file."""
     path = source.robot_path or ""
     display = f"/{source.name}"
-    folder, _, basename = display.rpartition("/")
+    folder = display.rpartition("/")[0]
     main = not folder.endswith(f"{name}.conf.d")
     directory = path.rpartition("/")[0].removesuffix(f"/{name}.conf.d")
     if directory in DIRECTORIES:

@@ -95,9 +95,7 @@ class Devices:
             return frozenset()
         from bringup_lint.model.compose import split
 
-        mappings = [
-            split(device.where) for service in self.robot.compose.services for device in service.devices
-        ]
+        mappings = [split(device.where) for service in self.robot.compose.services for device in service.devices]
         return frozenset(str(parts[1]) for parts in mappings if len(parts) > 1 and parts[0] != parts[1])
 
     @property
@@ -116,11 +114,7 @@ class Devices:
         names = {link.path: link for link in self.robot.udev.links if link.is_fixed}
         for use in self.uses:
             escaped = use.certainty == "unit" and self.meant_by(use.path.span.text) is not None
-            if (
-                use.path.rpartition("/")[0] in folders
-                and not escaped
-                and not self.robot.udev.links_to(use.path)
-            ):
+            if use.path.rpartition("/")[0] in folders and not escaped and not self.robot.udev.links_to(use.path):
                 near = nearest(use.path, names)
                 yield use, names[near[0]] if len(near) == 1 else None
 

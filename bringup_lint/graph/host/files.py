@@ -49,9 +49,7 @@ def parse_jail(source: Source) -> Jail:
 def sshd_sources(robot: Robot) -> list[Source]:
     """The sshd configuration of the tree: the main file and its drop-ins."""
     known = [
-        source
-        for source in robot.sources
-        if re.search(r"(?:^|/)ssh/sshd_config(?:\.d/[^/]+\.conf)?$", source.name)
+        source for source in robot.sources if re.search(r"(?:^|/)ssh/sshd_config(?:\.d/[^/]+\.conf)?$", source.name)
     ]
     main = robot.tree.find("/etc/ssh/sshd_config")
     return known if main is None or main in known else [*known, main]

@@ -92,7 +92,11 @@ def _bound(unit: Unit) -> Iterator[tuple[str, Located]]:
 def _is_made(robot: Robot, unit: Unit, path: str) -> bool:
     """Whether something makes a directory at boot, as far as the tree shows."""
     for other in robot.units.judged:
-        for key, base in (("LogsDirectory", "/var/log"), ("RuntimeDirectory", "/run"), ("CacheDirectory", "/var/cache")):
+        for key, base in (
+            ("LogsDirectory", "/var/log"),
+            ("RuntimeDirectory", "/run"),
+            ("CacheDirectory", "/var/cache"),
+        ):
             if any(path == f"{base}/{word.partition(':')[0]}" for word in other.words(key, other.section)):
                 return True
     for key in ("ExecStartPre", "ExecStart", "ExecCondition"):

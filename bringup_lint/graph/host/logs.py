@@ -55,9 +55,7 @@ class RosLogs:
     @cached_property
     def files(self) -> list[LogrotateFile]:
         """The judged logrotate files."""
-        sources = [
-            source for source in self.robot.of_kind("logrotate") if source.judged and not source.template
-        ]
+        sources = [source for source in self.robot.of_kind("logrotate") if source.judged and not source.template]
         return self.robot.parsed(parse, sources)
 
     @cached_property
@@ -135,9 +133,7 @@ class RosLogs:
         """Sources that may clean up: tmpfiles, cron jobs, scripts and units."""
         kinds = ("tmpfiles", "cron", "shell-script", "systemd-unit", "systemd-dropin", "logrotate")
         return [
-            source
-            for source in self.robot.of_kind(*kinds)
-            if _CLEANS.search(source.text) or _AGE.search(source.text)
+            source for source in self.robot.of_kind(*kinds) if _CLEANS.search(source.text) or _AGE.search(source.text)
         ]
 
     @staticmethod
@@ -161,11 +157,7 @@ class RosLogs:
                     mode, group = int(match["mode"].lstrip("~:"), 8), match["group"]
                     loose = mode & 0o002 or (mode & 0o020 and group not in ("root", "0", "-"))
                     where = source.located(*match.span("mode"))
-                    return (
-                        (where, f"made with mode {match['mode']}", f"{match['user']} {group}")
-                        if loose
-                        else None
-                    )
+                    return (where, f"made with mode {match['mode']}", f"{match['user']} {group}") if loose else None
         for mount in self.robot.fstabs[0].mounts if len(self.robot.fstabs) == 1 else ():
             if mount.is_tmpfs and mount.target == folder and mount.option("mode") is None:
                 return mount.target, "a tmpfs without mode= has mode 1777", ""

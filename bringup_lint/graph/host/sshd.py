@@ -118,9 +118,7 @@ class Sshd:
             if option.name in COLLECTED or not option.everywhere or option.keyword.lower() not in keywords():
                 continue
             winner = first.setdefault(option.name, option)
-            if [str(word).lower() for word in winner.arguments] != [
-                str(word).lower() for word in option.arguments
-            ]:
+            if [str(word).lower() for word in winner.arguments] != [str(word).lower() for word in option.arguments]:
                 yield option, winner
 
     def weak_algorithms(self) -> Iterator[Located]:

@@ -58,7 +58,9 @@ def _parameters(launch: Launch, node: Started, started: Node) -> Iterator[Edge]:
         found = launch.find(value)
         target = place(value)
         if found is not None and found.file is not None:
-            yield Edge("loads-params", started, Node("parameter-file", display_name(found.file)), source.span, "parameters")
+            yield Edge(
+                "loads-params", started, Node("parameter-file", display_name(found.file)), source.span, "parameters"
+            )
         elif target is not None and not target.base and target.path.startswith("/"):
             yield Edge("loads-params", started, Node("parameter-file", target.path), source.span, "parameters")
 

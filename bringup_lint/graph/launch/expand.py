@@ -198,7 +198,9 @@ class Expander:
             value = todo.pop()
             if isinstance(value, Argument):
                 if value.default is None and str(value.name) not in self.scope.arguments:
-                    self.result.unbound.append(Used(value, self.file, self.chain, self.conditions, not self.result.open))
+                    self.result.unbound.append(
+                        Used(value, self.file, self.chain, self.conditions, not self.result.open)
+                    )
                 continue
             todo.extend(children(value))
 

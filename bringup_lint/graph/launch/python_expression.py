@@ -49,7 +49,9 @@ def _value(node: ast.expr) -> Any:
         return _bool(node)
     if isinstance(node, ast.UnaryOp):
         operand = _value(node.operand)
-        return (not operand) if isinstance(node.op, ast.Not) else (-operand if isinstance(node.op, ast.USub) else +operand)
+        return (
+            (not operand) if isinstance(node.op, ast.Not) else (-operand if isinstance(node.op, ast.USub) else +operand)
+        )
     if isinstance(node, ast.Compare):
         left = _value(node.left)
         for op, right_node in zip(node.ops, node.comparators):

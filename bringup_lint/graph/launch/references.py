@@ -41,7 +41,9 @@ def references(expansion: Expansion, file: LaunchFile, find: Find) -> Iterator[R
     for include in expansion.includes:
         found = find(include.file) if include.source is file else None
         if found is not None:
-            yield Reference("include", include.file, include.action.file.span, _name(include.file), found, bool(include.conditions))
+            yield Reference(
+                "include", include.file, include.action.file.span, _name(include.file), found, bool(include.conditions)
+            )
     for node in expansion.nodes:
         if node.file is file:
             yield from _of_node(node, find)
@@ -50,7 +52,9 @@ def references(expansion: Expansion, file: LaunchFile, find: Find) -> Iterator[R
 def _of_node(node: Started, find: Find) -> Iterator[Reference]:
     optional = node.by_default is not True
     for source in node.parameters:
-        aborts = isinstance(source, DerivedFile) or (isinstance(source, ParameterFile) and source.allow_substs is not None)
+        aborts = isinstance(source, DerivedFile) or (
+            isinstance(source, ParameterFile) and source.allow_substs is not None
+        )
         value = _base(source)
         found = find(value)
         if found is not None:

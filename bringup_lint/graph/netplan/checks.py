@@ -123,16 +123,12 @@ def _vrf(interface: Interface) -> Iterator[Problem]:
 def _tokens(interface: Interface) -> Iterator[Problem]:
     token = interface.value("ipv6-address-token")
     if token is not None and interface.value("ipv6-address-generation") is not None:
-        yield Problem(
-            "incomplete", token, "ipv6-address-token and ipv6-address-generation exclude each other"
-        )
+        yield Problem("incomplete", token, "ipv6-address-token and ipv6-address-generation exclude each other")
 
 
 def _passthrough(interface: Interface) -> Iterator[Problem]:
     if interface.value("networkmanager", "passthrough", "connection.type") is None:
-        yield Problem(
-            "incomplete", interface.name, "a NetworkManager device needs connection.type in its passthrough"
-        )
+        yield Problem("incomplete", interface.name, "a NetworkManager device needs connection.type in its passthrough")
 
 
 def _tunnel(interface: Interface) -> Iterator[Problem]:
@@ -143,9 +139,7 @@ def _tunnel(interface: Interface) -> Iterator[Problem]:
         yield from _wireguard(interface)
     elif mode == "vxlan":
         if not interface.number("id") or interface.number("id") > 16777215:
-            yield Problem(
-                "incomplete", interface.value("id") or interface.name, "a VXLAN needs an id in 1..16777215"
-            )
+            yield Problem("incomplete", interface.value("id") or interface.name, "a VXLAN needs an id in 1..16777215")
     else:
         yield from _tunnel_numbers(interface)
         remote = interface.value("remote")
@@ -212,9 +206,7 @@ def _networkd(interface: Interface) -> Iterator[Problem]:
         for key in OVERRIDES:
             one, other = interface.value("dhcp4-overrides", key), interface.value("dhcp6-overrides", key)
             if _setting(one, key) != _setting(other, key):
-                yield Problem(
-                    "unsupported", one or other, f"networkd needs the same {key} for DHCPv4 and DHCPv6"
-                )
+                yield Problem("unsupported", one or other, f"networkd needs the same {key} for DHCPv4 and DHCPv6")
 
 
 def _tunnel_keys(interface: Interface, keyed: frozenset[str]) -> Iterator[Problem]:
@@ -225,9 +217,7 @@ def _tunnel_keys(interface: Interface, keyed: frozenset[str]) -> Iterator[Proble
         where = interface.key(key)
         paths = ((key,), (key, "input"), (key, "output"))
         if where is not None and any(interface.value(*path) is not None for path in paths):
-            yield Problem(
-                "unsupported", where, f"{interface.backend} takes no key for a tunnel of mode {mode}"
-            )
+            yield Problem("unsupported", where, f"{interface.backend} takes no key for a tunnel of mode {mode}")
 
 
 def _setting(text: Located | None, key: str) -> object:
@@ -237,9 +227,7 @@ def _setting(text: Located | None, key: str) -> object:
     return text is None or text.lower() in ("true", "on", "yes", "y")
 
 
-def _passphrase(
-    password: Scalar | None, management: Located | None, auth: Mapping | None
-) -> Iterator[Problem]:
+def _passphrase(password: Scalar | None, management: Located | None, auth: Mapping | None) -> Iterator[Problem]:
     """The length of a WPA passphrase, which netplan checks when networkd starts wpa_supplicant."""
     if auth is not None:
         inner = auth.scalar("password")

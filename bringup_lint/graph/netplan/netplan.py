@@ -106,9 +106,7 @@ def references(interface: Interface) -> Iterator[tuple[str, Located]]:
             yield from ((key, port.value) for port, _ in getattr(ports, "entries", ()))
 
 
-def _undefined(
-    plan: Plan, file: NetplanFile, known: dict[str, Located], files: list[NetplanFile]
-) -> Iterator[Problem]:
+def _undefined(plan: Plan, file: NetplanFile, known: dict[str, Located], files: list[NetplanFile]) -> Iterator[Problem]:
     """Names that neither this file nor one before it defines; the detail is a later file that does."""
     later = {
         str(definition.name): other.source.name

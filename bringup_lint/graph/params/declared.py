@@ -115,7 +115,9 @@ def _of_python(source: Source) -> Iterator[Declared]:
                         yield from _python_one(source, pair.elts[0], pair.elts[1], prefix, simple=True)
 
 
-def _python_one(source: Source, name: ast.expr, default: ast.expr | None, prefix: str, simple: bool) -> Iterator[Declared]:
+def _python_one(
+    source: Source, name: ast.expr, default: ast.expr | None, prefix: str, simple: bool
+) -> Iterator[Declared]:
     if isinstance(name, ast.Constant) and isinstance(name.value, str):
         start = source.line_starts[name.lineno - 1] + _column(source, name)
         span = source.span(start, min(start + len(name.value) + 2, len(source.text)))
@@ -144,7 +146,9 @@ def _python_type(default: ast.expr | None) -> str:
 
 
 def _of_cpp(source: Source) -> Iterator[Declared]:
-    text = _COMMENT.sub(lambda found: found[0] if found[0].startswith('"') else re.sub(r"[^\n]", " ", found[0]), source.text)
+    text = _COMMENT.sub(
+        lambda found: found[0] if found[0].startswith('"') else re.sub(r"[^\n]", " ", found[0]), source.text
+    )
     for found in _CPP_CALL.finditer(text):
         group = "name" if found["name"] is not None else "other"
         name = source.located(*found.span(group))

@@ -122,7 +122,5 @@ def _read_elsewhere(params: Params, file: ParameterFile, loads: list[Load]) -> b
     known = {load.node.file.source for load in loads} | {load.where.source for load in loads}
     known |= {span.source for load in loads for span in load.node.chain}
     return any(
-        name in source.text
-        for source in params.robot.sources
-        if source.kind not in ELSEWHERE and source not in known
+        name in source.text for source in params.robot.sources if source.kind not in ELSEWHERE and source not in known
     )

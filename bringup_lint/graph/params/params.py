@@ -114,7 +114,9 @@ class Params:
             return None
         found = None
         for load in self.effective(file, parameter):
-            each = self._declared_by(text_of(load.node.package) if load.node.package is not None else None).get(parameter.name)
+            each = self._declared_by(text_of(load.node.package) if load.node.package is not None else None).get(
+                parameter.name
+            )
             if each is None or (found is not None and found.type != each.type):
                 return None
             found = each
@@ -217,7 +219,8 @@ class Params:
         return [
             load
             for load in self.loads(file)
-            if (load.node.fqn is None or matches(parameter.block.name, load.node.fqn)) and not is_replaced(load, parameter.name)
+            if (load.node.fqn is None or matches(parameter.block.name, load.node.fqn))
+            and not is_replaced(load, parameter.name)
         ]
 
     def reader(self, file: ParameterFile) -> str:

@@ -75,6 +75,8 @@ def _simulates(expansion: Expansion) -> bool:
         words = [literal_text(value) for value in (node.package, node.executable, node.plugin)]
         if not node.is_node and not words[0]:
             words = [text_of(value) for value in node.arguments]
-        if any(word is None and node.is_node for word in words[:2]) or any(_SIMULATION.search(word) for word in words if word):
+        if any(word is None and node.is_node for word in words[:2]) or any(
+            _SIMULATION.search(word) for word in words if word
+        ):
             return True
     return False

@@ -106,9 +106,11 @@ def tab_width(file: ParameterFile) -> int | None:
         return None
     tables = []
     for width in WIDTHS:
-        text = TAB.sub(lambda match: match[0].replace("\t", " " * width), file.source.text)
+        text = TAB.sub(lambda match, width=width: match[0].replace("\t", " " * width), file.source.text)
         read = parse(Source(file.source.name, text))
         if read.accepted:
-            tables.append((width, [(name, [(e.name, e.value) for e in entries]) for name, entries in read.nodes.items()]))
+            tables.append(
+                (width, [(name, [(e.name, e.value) for e in entries]) for name, entries in read.nodes.items()])
+            )
     same = len(tables) == len(WIDTHS) and all(table == tables[0][1] for _, table in tables)
     return tables[0][0] if same else None

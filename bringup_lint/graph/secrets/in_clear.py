@@ -39,11 +39,12 @@ _NO_VALUE = re.compile(
     r"[/~]|\$|%|file:|env:|true$|false$|yes$|no$|on$|off$|\d{1,5}$|.*\.(?:pem|key|crt|cer|p12|env|json|ya?ml|txt)$",
     re.I,
 )
-_WEAK = re.compile(
-    r"(?:change[-_ ]?me|password|passwd|secret|admin|default|test|example|xxx+|foo|bar)\d*$", re.I
-)
+_WEAK = re.compile(r"(?:change[-_ ]?me|password|passwd|secret|admin|default|test|example|xxx+|foo|bar)\d*$", re.I)
 _OPTION = re.compile(r"--([A-Za-z][\w-]*)(?:=(.*))?$", re.S)
-_SAMPLE = re.compile(r"_(?:example|sample|template)s?\.|[.-](?:example|sample|template|dist|tmpl|default)s?(?:$|\.)|^(?:example|sample)", re.I)
+_SAMPLE = re.compile(
+    r"_(?:example|sample|template)s?\.|[.-](?:example|sample|template|dist|tmpl|default)s?(?:$|\.)|^(?:example|sample)",
+    re.I,
+)
 
 
 class Secret(NamedTuple):
@@ -160,7 +161,12 @@ def exposed(robot: Robot) -> Iterator[Indirect]:
     """Parameters with the name of a secret that are filled from the environment or from arguments."""
     for each in indirect(robot):
         source = each.where.source
-        if _NAME.search(each.name) and source.judged and not is_example(source.name) and not _SAMPLE.search(source.basename):
+        if (
+            _NAME.search(each.name)
+            and source.judged
+            and not is_example(source.name)
+            and not _SAMPLE.search(source.basename)
+        ):
             yield each
 
 

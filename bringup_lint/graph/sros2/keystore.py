@@ -23,7 +23,14 @@ REQUIRED = (
     "permissions",
 )
 """What the RMW opens in an enclave; as ``.pem`` and ``.p7s``, or as ``.p11`` since Iron."""
-_OF_ENCLAVE = {"cert.pem", "key.pem", "identity_ca.cert.pem", "permissions_ca.cert.pem", "permissions.xml", "permissions.p7s"}
+_OF_ENCLAVE = {
+    "cert.pem",
+    "key.pem",
+    "identity_ca.cert.pem",
+    "permissions_ca.cert.pem",
+    "permissions.xml",
+    "permissions.p7s",
+}
 _INDEX_VERSIONS = (2, 3)
 
 

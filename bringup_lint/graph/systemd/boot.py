@@ -31,9 +31,7 @@ def waits_for(units: Units, unit: Unit, name: str) -> list[Edge] | None:
         _nodes(units, unit),
         _named(units, unit, name),
         lambda node: (
-            (edge, edge.source)
-            for edge in graph.into.get(node, ())
-            if edge.kind == "orders" and _counts(units, edge)
+            (edge, edge.source) for edge in graph.into.get(node, ()) if edge.kind == "orders" and _counts(units, edge)
         ),
     )
 
@@ -42,14 +40,9 @@ def ordered(units: Units, unit: Unit, name: str) -> bool:
     """Whether one of the two starts after the other, over any edge: both are taken to be there."""
     graph = units.graph
     nodes, goal = _nodes(units, unit), _named(units, unit, name)
-    forward = _search(
-        nodes, goal, lambda n: ((e, e.target) for e in graph.out.get(n, ()) if e.kind == "orders")
-    )
+    forward = _search(nodes, goal, lambda n: ((e, e.target) for e in graph.out.get(n, ()) if e.kind == "orders"))
     return bool(
-        forward
-        or _search(
-            nodes, goal, lambda n: ((e, e.source) for e in graph.into.get(n, ()) if e.kind == "orders")
-        )
+        forward or _search(nodes, goal, lambda n: ((e, e.source) for e in graph.into.get(n, ()) if e.kind == "orders"))
     )
 
 
@@ -86,9 +79,7 @@ def _nodes(units: Units, unit: Unit) -> set[Node]:
     prefix, suffix = unit.stem, "." + unit.type
     known = (*units.graph.out, *units.graph.into)
     return {
-        node
-        for node in known
-        if node.place == place and node.name.startswith(prefix) and node.name.endswith(suffix)
+        node for node in known if node.place == place and node.name.startswith(prefix) and node.name.endswith(suffix)
     }
 
 

@@ -72,9 +72,7 @@ def ordering_cycles(graph: Graph, roots: Iterable[str] = ROOTS) -> Iterator[Cycl
                 members = {edge.source for edge in edges}
                 root = _common_root(graph, members, roots)
                 required = frozenset(graph.reachable(root, HARD)) if root else frozenset()
-                yield Cycle(
-                    edges, root, root is not None and members <= required, frozenset(members - required)
-                )
+                yield Cycle(edges, root, root is not None and members <= required, frozenset(members - required))
 
 
 def _is_written(graph: Graph, component: set[Node]) -> bool:
@@ -172,9 +170,7 @@ def _written_first(edge: Edge) -> tuple[bool, str]:
 def _common_root(graph: Graph, members: set[Node], roots: Iterable[str]) -> Node | None:
     """Who pulls all members into one transaction: a boot target, a member, or another unit."""
     candidates = [*(Node("unit", name) for name in roots), *sorted(members)]
-    pullers = {
-        edge.source for member in members for edge in graph.into.get(member, ()) if edge.kind in PULLING
-    }
+    pullers = {edge.source for member in members for edge in graph.into.get(member, ()) if edge.kind in PULLING}
     for root in [*candidates, *sorted(pullers)]:
         if members <= graph.reachable(root, PULLING):
             return root

@@ -110,10 +110,7 @@ def _named_instances(units: Units) -> dict[tuple[str, str], set[str]]:
     """(manager, template) -> the instances that something in the tree names."""
     found: dict[tuple[str, str], set[str]] = {}
     named = [
-        (unit.manager, word)
-        for unit in units.all
-        for key in (*PULLS, "After", "Before")
-        for word in unit.words(key)
+        (unit.manager, word) for unit in units.all for key in (*PULLS, "After", "Before") for word in unit.words(key)
     ]
     for manager, word in [*named, *((link.manager, link.name) for link in units.links)]:
         parts = split_name(word)

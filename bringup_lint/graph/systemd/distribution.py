@@ -30,11 +30,7 @@ def aliases() -> dict[str, str]:
     """Other names of units, such as ``default.target``."""
     from bringup_lint.facts import table
 
-    return {
-        row["unit"]: row["alias_of"]
-        for row in table("systemd_units")
-        if row["alias_of"] not in ("", "masked")
-    }
+    return {row["unit"]: row["alias_of"] for row in table("systemd_units") if row["alias_of"] not in ("", "masked")}
 
 
 def distribution_edges(units: Units) -> Iterator[Edge]:

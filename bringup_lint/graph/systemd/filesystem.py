@@ -52,9 +52,7 @@ def is_made(path: str, unit: Unit, robot: Robot) -> bool | None:
         there = is_there(path, robot)
         if there is not None:
             return there
-    if any((source.robot_path or "").startswith(f"{path}/") for source in robot.sources) or mentions(
-        robot.tree, path
-    ):
+    if any((source.robot_path or "").startswith(f"{path}/") for source in robot.sources) or mentions(robot.tree, path):
         return True
     return False if path.startswith(_STATE) else None
 

@@ -131,9 +131,7 @@ def _mount(unit: Unit, here: Node, enabled: bool) -> Iterator[Edge]:
         for name in ("network-online.target", "network.target"):
             yield _after(here, name, why)
     if "nofail" not in options:
-        yield Edge(
-            "orders", here, _sibling(here, "remote-fs.target" if network else "local-fs.target"), None, why
-        )
+        yield Edge("orders", here, _sibling(here, "remote-fs.target" if network else "local-fs.target"), None, why)
 
 
 def _trigger(instance: Instance, units: Units) -> Iterator[Edge]:

@@ -22,9 +22,9 @@ def granted_limits(unit: Unit, robot: Robot) -> Iterator[tuple[str, Grant]]:
     user = unit.get("User")
     if not user or user in ("root", "0"):
         return
-    groups = {
-        str(word) for word in (*unit.words("Group"), *unit.words("SupplementaryGroups"))
-    } | _memberships(str(user), robot)
+    groups = {str(word) for word in (*unit.words("Group"), *unit.words("SupplementaryGroups"))} | _memberships(
+        str(user), robot
+    )
     for grants in robot.parsed(parse, robot.of_kind("limits-conf")):
         for grant in grants:
             if grant.item in LIMIT_OF and (

@@ -14,9 +14,7 @@ if TYPE_CHECKING:
 Value = TypeVar("Value")
 
 
-def manager_setting(
-    robot: Robot, key: str, read: Callable[[str], Value | None]
-) -> tuple[Located, Value] | None:
+def manager_setting(robot: Robot, key: str, read: Callable[[str], Value | None]) -> tuple[Located, Value] | None:
     """The last value of a key of [Manager] that ``read`` accepts. Files of several robots side by side leave
     no order: none counts."""
     daemons = robot.system_conf

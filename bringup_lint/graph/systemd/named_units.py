@@ -119,13 +119,9 @@ class NamedUnits:
         if len(stem) < 6:
             return None
         own = {
-            unit.stem
-            for unit in self.all
-            if unit.type == kind and unit.manager == near.manager and unit is not near
+            unit.stem for unit in self.all if unit.type == kind and unit.manager == near.manager and unit is not near
         }
-        found = [
-            other for other in nearest(stem, sorted(own)) if _DIGITS.sub("", other) != _DIGITS.sub("", stem)
-        ]
+        found = [other for other in nearest(stem, sorted(own)) if _DIGITS.sub("", other) != _DIGITS.sub("", stem)]
         return f"{found[0]}.{kind}" if len(found) == 1 else None
 
     @staticmethod
@@ -149,8 +145,7 @@ class NamedUnits:
     def has_vendor_units(self) -> bool:
         """Whether the tree holds the distribution's own units, so that no table has to stand in for them."""
         return self.robot.tree.complete and any(
-            unit.name == "multi-user.target" and unit.fragment and unit.fragment.source.robot_path
-            for unit in self.all
+            unit.name == "multi-user.target" and unit.fragment and unit.fragment.source.robot_path for unit in self.all
         )
 
     @cached_property

@@ -20,8 +20,5 @@ def waiting_for_network(units: Units) -> list[tuple[str, Located]]:
     if any(unit.dropins for unit in units.candidates(WAITER)):
         return []
     return [
-        (unit.name, word)
-        for unit in units.judged
-        for word in unit.words("After")
-        if word == "network-online.target"
+        (unit.name, word) for unit in units.judged for word in unit.words("After") if word == "network-online.target"
     ]

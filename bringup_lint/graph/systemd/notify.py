@@ -74,9 +74,7 @@ class Notify:
             return None
         named = os.path.basename(idle[0].name) if idle else ""
         return (
-            f"{named} is in no launch file that is started"
-            if named
-            else "no code of the tree talks to systemd"
+            f"{named} is in no launch file that is started" if named else "no code of the tree talks to systemd"
         ), idle
 
     def _launched(self, ros: Ros) -> tuple[list[tuple[str, str]], set[str]] | None:
@@ -116,9 +114,9 @@ class Notify:
         stem = os.path.basename(notifier.name).rpartition(".")[0]
         if not notifier.name.endswith(".py"):
             return True
-        return bool(
-            executables & {stem, f"{stem}.py", *self._entry_points(package.folder, stem)}
-        ) or self._imported(package.folder, stem, notifier)
+        return bool(executables & {stem, f"{stem}.py", *self._entry_points(package.folder, stem)}) or self._imported(
+            package.folder, stem, notifier
+        )
 
     def _depends(self, name: str, other: str) -> bool:
         package = self.robot.launch.workspace.packages.get(name)
@@ -133,11 +131,7 @@ class Notify:
         """Whether another module of the package imports the notifier."""
         uses = re.compile(rf"^\s*(?:from|import)\s[^\n]*\b{re.escape(stem)}\b", re.M)
         for path in self.robot.tree.paths:
-            if (
-                path.startswith(folder + "/")
-                and path.endswith(".py")
-                and os.path.basename(path) != notifier.basename
-            ):
+            if path.startswith(folder + "/") and path.endswith(".py") and os.path.basename(path) != notifier.basename:
                 source = self.robot.tree.read(path, judged=False)
                 if source is not None and uses.search(source.text):
                     return True

@@ -203,11 +203,7 @@ class Process:
         -c``."""
         for step, found in self.ros:
             words = [str(word) for word in found.command.words]
-            if (
-                step.depth == 0
-                or words[0] == "exec"
-                or (step.depth == 1 and step.last and self.shell == "bash")
-            ):
+            if step.depth == 0 or words[0] == "exec" or (step.depth == 1 and step.last and self.shell == "bash"):
                 return True
         return False
 
@@ -264,9 +260,7 @@ def _followed(process: Process, command: Command, robot: Robot, depth: int) -> I
         yield from _script(process, words[1], "bash", (), robot, depth)
 
 
-def _shell(
-    process: Process, name: str, words: tuple[Located, ...], robot: Robot, depth: int
-) -> Iterator[Step]:
+def _shell(process: Process, name: str, words: tuple[Located, ...], robot: Robot, depth: int) -> Iterator[Step]:
     at = 0
     while at < len(words):
         word = words[at]

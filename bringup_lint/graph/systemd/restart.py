@@ -71,20 +71,12 @@ class RestartPolicy:
     def own_limit(self) -> bool:
         """Whether the unit sets a start limit of its own, at the right place or not, rather than none "
         "or an empty one."""
-        return bool(self.misplaced or self.interval_at or self.burst_at) and (
-            self.limited or bool(self.misplaced)
-        )
+        return bool(self.misplaced or self.interval_at or self.burst_at) and (self.limited or bool(self.misplaced))
 
     def next_delay(self, restart: int) -> float:
         """The delay before the n-th restart, counted from 1 (``service_restart_usec_next()`` of systemd "
         "254)."""
-        if (
-            restart <= 1
-            or not self.steps
-            or not self.delay
-            or math.isinf(self.longest)
-            or self.longest <= self.delay
-        ):
+        if restart <= 1 or not self.steps or not self.delay or math.isinf(self.longest) or self.longest <= self.delay:
             return self.delay
         if restart > self.steps:
             return self.longest

@@ -119,14 +119,9 @@ class Sandbox:
     def _views(self) -> Iterator[View]:
         system, home = self.protect_system, self.protect_home
         for prefix in _SYSTEM.get(system.value, ()):
-            yield View(
-                prefix, "ro", system.at, f"ProtectSystem={system.value}" if system.at else "DynamicUser="
-            )
+            yield View(prefix, "ro", system.at, f"ProtectSystem={system.value}" if system.at else "DynamicUser=")
         if system.value == "strict":
-            yield from (
-                View(prefix, "rw", None, "left alone by ProtectSystem=strict")
-                for prefix in _OPEN_UNDER_STRICT
-            )
+            yield from (View(prefix, "rw", None, "left alone by ProtectSystem=strict") for prefix in _OPEN_UNDER_STRICT)
         mode = {"yes": "hidden", "read-only": "ro", "tmpfs": "empty"}.get(home.value)
         for prefix in HOMES if mode else ():
             yield View(prefix, mode, home.at, f"ProtectHome={home.value}" if home.at else "DynamicUser=")
@@ -144,9 +139,7 @@ class Sandbox:
             for word in split_words(value).words:
                 parts = word.lstrip("-").split(":")
                 target = (
-                    parts[1]
-                    if key.startswith("Bind") and len(parts) > 1 and parts[1].startswith("/")
-                    else parts[0]
+                    parts[1] if key.startswith("Bind") and len(parts) > 1 and parts[1].startswith("/") else parts[0]
                 )
                 read_only = key == "TemporaryFileSystem" and "ro" in ":".join(parts[1:]).split(",")
                 yield View(target.rstrip("/") or "/", "ro" if read_only else kind, word, f"{key}=")
@@ -165,9 +158,7 @@ class Sandbox:
         user = self.unit.get("User")
         if self.unit.manager != "system":
             return False
-        return user is None or not (
-            "%" in user or (user.isdigit() and user != "0") or self.unit.is_opaque(user)
-        )
+        return user is None or not ("%" in user or (user.isdigit() and user != "0") or self.unit.is_opaque(user))
 
     def home(self) -> tuple[str | None, str]:
         """The home directory of the service's user and who says so; None when there is none."""
@@ -204,9 +195,7 @@ class Sandbox:
     def _default_log(self, environment: Environment) -> LogDirectory | None:
         variable = environment.get("HOME")
         if variable is not None:
-            return (
-                LogDirectory(f"{variable.text}/.ros/log", "HOME=", variable.value) if variable.text else None
-            )
+            return LogDirectory(f"{variable.text}/.ros/log", "HOME=", variable.value) if variable.text else None
         if not self.user_known:
             return None
         home, why = self.home()

@@ -164,9 +164,7 @@ class Unit:
         """The blank-separated words of a list setting."""
         return [word for value in self.values(key, section) for word in value.words()]
 
-    def naming(
-        self, key: str, *names: str, section: str | None = None
-    ) -> Iterator[tuple[Assignment, Located]]:
+    def naming(self, key: str, *names: str, section: str | None = None) -> Iterator[tuple[Assignment, Located]]:
         """The lines of a list setting that hold one of the words, with the word."""
         for assignment in self.assignments(key, section):
             for word in assignment.value.words():

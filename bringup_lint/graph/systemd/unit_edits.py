@@ -21,14 +21,10 @@ def delete_lines(assignment: Assignment) -> Edit:
     return Edit(whole_lines(assignment.span), "")
 
 
-def move_lines(
-    file: UnitFile, assignment: Assignment, section: str, text: str | None = None
-) -> tuple[Edit, ...]:
+def move_lines(file: UnitFile, assignment: Assignment, section: str, text: str | None = None) -> tuple[Edit, ...]:
     """Take an assignment out and put it (or ``text``) at the end of a section, which is made where it is missing."""
     lines = whole_lines(assignment.span)
-    moved = (
-        (text + "\n") if text is not None else lines.text if lines.text.endswith("\n") else lines.text + "\n"
-    )
+    moved = (text + "\n") if text is not None else lines.text if lines.text.endswith("\n") else lines.text + "\n"
     source = file.source
     homes = [found for found in file.sections if found.name == section]
     if homes:

@@ -98,9 +98,7 @@ def _line(file: UnitFile, assignment: Assignment, known: Directive, version: int
     comment = None
     if known.type not in _COMMENTS_ALLOWED and known.key not in _PROSE and ("#" in value or ";" in value):
         comment = trailing_comment(value, names=known.type in ("units", "install-units"))
-    variable = (
-        None if comment or known.type in _FREE_TEXT or "$" not in value else _variable(value, known.type)
-    )
+    variable = None if comment or known.type in _FREE_TEXT or "$" not in value else _variable(value, known.type)
     problems = () if comment or variable else tuple(check(known.type, value, version))
     return Line(file, assignment, known, comment, variable, problems)
 
@@ -113,9 +111,7 @@ def trailing_comment(value: Located, *, names: bool = False) -> Located | None:
         mark = value[start : start + 1]
         if mark == "#" or (mark == ";" and start):
             rest = value.part(start, len(value))
-            separator = (
-                mark == ";" and names and all(is_unit_name(word.strip(";")) for word in rest[1:].split())
-            )
+            separator = mark == ";" and names and all(is_unit_name(word.strip(";")) for word in rest[1:].split())
             return None if separator else rest
         found = extract(value, at, escapes="drop")
         if found.broken:

@@ -52,9 +52,7 @@ def load_units(robot: Robot) -> Units:
             [source for _, source in sorted(sources, key=lambda s: s[0])],
         )
     for place, name, target in aliases:
-        named = [
-            u for u in units.all if u.name == target and u.manager == place.manager and u.place == place.root
-        ]
+        named = [u for u in units.all if u.name == target and u.manager == place.manager and u.place == place.root]
         for unit in named:
             unit.aliases.append(name)
         if not named:
@@ -109,11 +107,7 @@ def _add_dropins(units: Units, robot: Robot) -> None:
         place = place_of(source, folder=(source.robot_path or "").rpartition("/")[0])
         by_folder.setdefault((place.manager, file.name), []).append((place, file))
     for (manager, name), files in by_folder.items():
-        if (
-            "." in name
-            and not name.partition(".")[0].endswith(("-", "@"))
-            and not units.candidates(name, manager)
-        ):
+        if "." in name and not name.partition(".")[0].endswith(("-", "@")) and not units.candidates(name, manager):
             _add_extended(units, name, manager, files)
     known: set[int] = set()
     for unit in units.all:
@@ -142,6 +136,4 @@ def _extend(
             known = winners.get(file.source.basename)
             if known is None or rank < known[0]:
                 winners[file.source.basename] = (rank, file)
-    unit.dropins = [
-        winners[name][1] for name in sorted(winners) if winners[name][1].source.link != "/dev/null"
-    ]
+    unit.dropins = [winners[name][1] for name in sorted(winners) if winners[name][1].source.link != "/dev/null"]

@@ -158,9 +158,7 @@ class Units(NamedUnits):
     @cached_property
     def ros(self) -> list[Unit]:
         """The services that start something of ROS 2."""
-        return [
-            unit for unit in self.services if any(process.mentions_ros for process in self.processes(unit))
-        ]
+        return [unit for unit in self.services if any(process.mentions_ros for process in self.processes(unit))]
 
     @cached_property
     def dds(self) -> list[Unit]:

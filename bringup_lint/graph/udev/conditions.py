@@ -74,9 +74,7 @@ class Conditions(NamedTuple):
 
 def own_conditions(rule: Rule) -> tuple[Condition, ...]:
     return tuple(
-        _condition(token)
-        for token in rule.tokens
-        if token.is_match and token.key not in ("PROGRAM", "IMPORT")
+        _condition(token) for token in rule.tokens if token.is_match and token.key not in ("PROGRAM", "IMPORT")
     )
 
 

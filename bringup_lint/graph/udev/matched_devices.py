@@ -63,9 +63,7 @@ def _levels_of_name(pattern: str) -> frozenset[str] | None:
 
 @cache
 def _kernel_names() -> dict[str, tuple[str, bool]]:
-    return {
-        row["name"]: (row["subsystem"], row["order"] == "yes") for row in facts.table("udev_kernel_names")
-    }
+    return {row["name"]: (row["subsystem"], row["order"] == "yes") for row in facts.table("udev_kernel_names")}
 
 
 def subsystem_of_name(pattern: str) -> str | None:
@@ -89,11 +87,7 @@ def is_tagged_by_systemd(subsystem: str, kernels: Iterable[str], systemd: int) -
         if row["subsystem"] != subsystem or (row["since"] and systemd < int(row["since"])):
             continue
         tagged = row["kernel"].split("|")
-        if (
-            any(may_overlap(one, name) for one in tagged for name in names)
-            if names
-            else row["usual"] == "yes"
-        ):
+        if any(may_overlap(one, name) for one in tagged for name in names) if names else row["usual"] == "yes":
             return True
     return False
 

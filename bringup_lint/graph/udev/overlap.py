@@ -30,8 +30,7 @@ def _jumped_over(one: UdevRule, other: UdevRule) -> bool:
     if one.file is not other.file:
         return False
     return any(
-        all(implies(one.conditions.positive, condition) for condition in jump)
-        for jump in other.conditions.jumps
+        all(implies(one.conditions.positive, condition) for condition in jump) for jump in other.conditions.jumps
     )
 
 

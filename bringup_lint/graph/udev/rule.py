@@ -62,12 +62,7 @@ class UdevRule:
 
     @property
     def judged(self) -> bool:
-        return (
-            self.source.judged
-            and not self.source.template
-            and not self.line.dropped
-            and self.conditions.known
-        )
+        return self.source.judged and not self.source.template and not self.line.dropped and self.conditions.known
 
     def on(self, key: str, attribute: str | None = None) -> tuple[Condition, ...]:
         """The conditions on a key, the rule's own and the inherited ones."""
@@ -137,9 +132,7 @@ class UdevRule:
     def usb_ids(self) -> tuple[str, ...]:
         """``vendor:product`` of the USB devices that the rule names exactly, in lower case."""
         vendors = self._usb_numbers("idVendor")
-        return tuple(
-            f"{vendor}:{product}" for vendor in vendors for product in self._usb_numbers("idProduct")
-        )
+        return tuple(f"{vendor}:{product}" for vendor in vendors for product in self._usb_numbers("idProduct"))
 
     @property
     def usb_number(self) -> Located:
@@ -177,11 +170,7 @@ class UdevRule:
     def generic_products(self) -> list[str]:
         """Names of those devices whose id says nothing of what is behind it, such as bridge chips."""
         known = ((one, usb_ids().get(one)) for one in self.usb_ids)
-        return [
-            row["product"]
-            for one, row in known
-            if row and (row["generic"] == "yes" or one.startswith("2341:"))
-        ]
+        return [row["product"] for one, row in known if row and (row["generic"] == "yes" or one.startswith("2341:"))]
 
     @property
     def is_serial(self) -> bool:
@@ -204,17 +193,13 @@ class UdevRule:
     @property
     def serials(self) -> tuple[Condition, ...]:
         """The conditions on the serial number of a USB parent."""
-        return tuple(
-            one for one in self.conditions.positive if one.subject == ("ATTRS", "serial") and one.equal
-        )
+        return tuple(one for one in self.conditions.positive if one.subject == ("ATTRS", "serial") and one.equal)
 
     @property
     def is_open_by_design(self) -> bool:
         """Whether all nodes that the rule names are meant to be writable for everybody."""
         static = [
-            option.value[12:]
-            for option in self.line.assignments("OPTIONS")
-            if option.value.startswith("static_node=")
+            option.value[12:] for option in self.line.assignments("OPTIONS") if option.value.startswith("static_node=")
         ]
         names = [*self.kernels, *(name.rpartition("/")[2] for name in static)]
         return bool(names) and all(is_open_by_design(name) for name in names)
@@ -229,20 +214,12 @@ class UdevRule:
     def commands(self) -> list[Command]:
         """The programs that the rule starts: RUN, PROGRAM and IMPORT{program}."""
         tokens = (token for token in self.line.tokens if token.attribute in (None, "program"))
-        return [
-            read_command(token)
-            for token in tokens
-            if token.key in ("RUN", "PROGRAM", "IMPORT") and token.value
-        ]
+        return [read_command(token) for token in tokens if token.key in ("RUN", "PROGRAM", "IMPORT") and token.value]
 
     @cached_property
     def impossible_parents(self) -> tuple[Token, Token] | None:
         """Two parent keys that no one device of a chain fulfils, so that the rule never fires."""
-        known = [
-            (token, found)
-            for token in self.line.tokens
-            if token.key in PARENT_KEYS and (found := levels(token))
-        ]
+        known = [(token, found) for token in self.line.tokens if token.key in PARENT_KEYS and (found := levels(token))]
         for index, (token, on) in enumerate(known):
             for other, other_on in known[:index]:
                 if not can_be_one(on, other_on):

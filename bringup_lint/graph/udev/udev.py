@@ -159,9 +159,7 @@ class Udev:
 
     def survives_change(self, link: Link) -> bool:
         """Whether another rule makes the same link at a change event."""
-        return any(
-            "change" in other.rule.actions for other in self._fixed_links.get(link.path, ()) if other != link
-        )
+        return any("change" in other.rule.actions for other in self._fixed_links.get(link.path, ()) if other != link)
 
     @staticmethod
     def is_factory_serial(serial: str) -> bool:
@@ -272,11 +270,7 @@ def _rank(source: Source) -> int:
 
 def _system_of(source: Source) -> str:
     """A root file system has one udevd; elsewhere the files of one folder belong together."""
-    if (
-        _directory(source) in DIRECTORIES
-        and source.robot_path
-        and source.name.endswith(source.robot_path.lstrip("/"))
-    ):
+    if _directory(source) in DIRECTORIES and source.robot_path and source.name.endswith(source.robot_path.lstrip("/")):
         return source.name[: -len(source.robot_path.lstrip("/"))] + "/"
     return source.name.rpartition("/")[0]
 

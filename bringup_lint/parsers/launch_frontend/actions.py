@@ -290,7 +290,9 @@ def _named_value(kind: type[Action]) -> Callable[[Builder, Entity], tuple[Action
 
 
 def _let(self: Builder, entity: Entity) -> tuple[Action, ...]:
-    return (SetArgument(**self.base(entity), name=self.value(entity, "name", "var"), value=self.value(entity, "value")),)
+    return (
+        SetArgument(**self.base(entity), name=self.value(entity, "name", "var"), value=self.value(entity, "value")),
+    )
 
 
 def _set_remap(self: Builder, entity: Entity) -> tuple[Action, ...]:

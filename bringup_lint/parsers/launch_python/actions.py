@@ -83,9 +83,7 @@ def _include(state: State, args: Arguments) -> Any:
     else:
         file = freeze.text(state, source)
     pairs, more = freeze.pairs(state, args.get("launch_arguments"))
-    return Include(
-        span=args.span, conditions=conditions(args), file=file, arguments=pairs, open=more or args.more
-    )
+    return Include(span=args.span, conditions=conditions(args), file=file, arguments=pairs, open=more or args.more)
 
 
 def _group(state: State, args: Arguments) -> Any:

@@ -25,9 +25,7 @@ from bringup_lint.parsers.launch_python.state import relative
 from bringup_lint.source import Span
 
 
-def call(
-    state: State, function: Any, positional: list[Any], keywords: dict[str, Any], more: bool, span: Span
-) -> Any:
+def call(state: State, function: Any, positional: list[Any], keywords: dict[str, Any], more: bool, span: Span) -> Any:
     """Call whatever ``function`` stands for; ``more``: further arguments may be passed than are known."""
     arguments = Arguments(positional, keywords, more, span)
     if type(function) is Symbol:

@@ -179,7 +179,7 @@ def _range(state: State, args: Arguments) -> Any:
 def _enumerate(state: State, args: Arguments) -> Any:
     items = iterate(state, args.need("iterable", 0))
     start = args.get("start", 1)
-    if items is None or not (start is None or isinstance(start, Literal) and type(start.value) is int):
+    if items is None or not (start is None or (isinstance(start, Literal) and type(start.value) is int)):
         return Unknown("enumerate", args.span)
     first = 0 if start is None else start.value
     result = Sequence([], args.span, state.guards)

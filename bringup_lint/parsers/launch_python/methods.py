@@ -14,7 +14,6 @@ from bringup_lint.model.launch_values import PackageShare
 from bringup_lint.model.launch_values import Unknown
 from bringup_lint.model.launch_values import Value
 from bringup_lint.parsers.launch_python import budget
-from bringup_lint.parsers.launch_python import freeze
 from bringup_lint.parsers.launch_python.arguments import Arguments
 from bringup_lint.parsers.launch_python.containers import append
 from bringup_lint.parsers.launch_python.containers import extend
@@ -257,5 +256,3 @@ def _join(state: State, separator: str, args: Arguments) -> Any:
             parts.append(Literal(Located(separator, args.span), args.span))
         parts.append(performed(state, item, args.span))
     return joined(parts, args.span) if parts else Literal(Located("", args.span), args.span)
-
-

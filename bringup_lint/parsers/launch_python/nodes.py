@@ -73,7 +73,9 @@ def _source(state: State, item: Any) -> Value:
     if isinstance(item, Mapping):
         return dictionary(state, item)
     if isinstance(item, Options):
-        options = [(guards, dictionary(state, one) if isinstance(one, Mapping) else one) for guards, one in item.options]
+        options = [
+            (guards, dictionary(state, one) if isinstance(one, Mapping) else one) for guards, one in item.options
+        ]
         return freeze.value(state, Options(options, item.span))
     return freeze.text(state, item)
 

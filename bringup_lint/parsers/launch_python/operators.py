@@ -186,7 +186,7 @@ def _is_object(thing: Any) -> bool:
 
 def _identity(left: Any, right: Any, negative: bool, span: Span) -> Any:
     if freeze.is_none(right):
-        if isinstance(left, Unknown) or isinstance(left, (Options, Choice)):
+        if isinstance(left, (Unknown, Options, Choice)):
             return Unknown("comparison with None", span)
         if isinstance(left, Env):
             return Unknown("environment", span)
@@ -283,4 +283,3 @@ def _item(state: State, owner: Sequence | Literal, key: Any, span: Span) -> Any:
     except IndexError:
         return Unknown("index", span)
     return Literal(Located(str(found), span), span) if isinstance(owner, Literal) else found
-

@@ -13,7 +13,6 @@ from bringup_lint.parsers.launch_python import budget
 from bringup_lint.parsers.launch_python.containers import extend
 from bringup_lint.parsers.launch_python.containers import iterate
 from bringup_lint.parsers.launch_python.expressions import located_name
-from bringup_lint.parsers.launch_python.objects import Frame
 from bringup_lint.parsers.launch_python.objects import Function
 from bringup_lint.parsers.launch_python.objects import Options
 from bringup_lint.parsers.launch_python.objects import Sequence
@@ -113,7 +112,9 @@ def _fork(state: State, condition: Condition, body: list[ast.stmt], orelse: list
     return None
 
 
-def _joined(state: State, yes: Condition, no: Condition, first: dict[str, Any], second: dict[str, Any]) -> dict[str, Any]:
+def _joined(
+    state: State, yes: Condition, no: Condition, first: dict[str, Any], second: dict[str, Any]
+) -> dict[str, Any]:
     result = dict(second)
     state.tick(len(first) // 8)
     for name, value in first.items():

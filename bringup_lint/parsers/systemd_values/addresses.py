@@ -112,6 +112,4 @@ def check_socket_bind(value: Located, version: int) -> Iterator[ValueProblem]:
 
 def _is_port_range(text: str) -> bool:
     low, dash, high = text.partition("-")
-    return is_port(low) and (
-        not dash or (is_port(high) and (parse_integer(low) or 0) <= (parse_integer(high) or 0))
-    )
+    return is_port(low) and (not dash or (is_port(high) and (parse_integer(low) or 0) <= (parse_integer(high) or 0)))

@@ -63,11 +63,7 @@ def is_calendar(text: str) -> bool:
 
 def _is_timezone(word: str) -> bool:
     """UTC, or a word shaped like a name of the time zone database (which is not asked)."""
-    return (
-        _TIMEZONE.fullmatch(word) is not None
-        and _DAY.fullmatch(word) is None
-        and word.lower() not in SHORTHANDS
-    )
+    return _TIMEZONE.fullmatch(word) is not None and _DAY.fullmatch(word) is None and word.lower() not in SHORTHANDS
 
 
 def _parse(text: str) -> bool:

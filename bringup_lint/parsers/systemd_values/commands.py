@@ -117,8 +117,7 @@ def _prefix_length(word: str) -> int:
     while at < len(word):
         char = word[at]
         if (char in "-@:" and char not in seen) or (
-            (char == "+" and not set("+!") & set(seen))
-            or (char == "!" and "+" not in seen and seen.count("!") < 2)
+            (char == "+" and not set("+!") & set(seen)) or (char == "!" and "+" not in seen and seen.count("!") < 2)
         ):
             seen += char
         else:
@@ -137,9 +136,7 @@ def check_command_line(value: Located, version: int) -> Iterator[ValueProblem]:
         if command.argv0 is not None:
             yield from check_specifiers(command.argv0, version, effect)
         elif "@" in command.prefixes:
-            yield ValueProblem(
-                "empty-command", command.where, "the name that the program sees, after the path", effect
-            )
+            yield ValueProblem("empty-command", command.where, "the name that the program sees, after the path", effect)
         for argument in command.arguments:
             yield from check_specifiers(argument, version, effect)
 

@@ -105,9 +105,7 @@ def _memory(floor: bool, value: Located, version: int) -> Iterator[ValueProblem]
     share = parse_share(value)
     bytes_ = parse_size(value) if share is None else share
     if bytes_ is None:
-        yield ValueProblem(
-            "invalid", value, f"{SIZE}, a percentage or infinity", LINE, _meant_size(value), True
-        )
+        yield ValueProblem("invalid", value, f"{SIZE}, a percentage or infinity", LINE, _meant_size(value), True)
     elif (share is not None and share > 100) or bytes_ >= 2**64 - 1 or (bytes_ == 0 and not floor):
         yield ValueProblem("out-of-range", value, f"{SIZE}, a percentage or infinity")
 
@@ -117,9 +115,7 @@ def cpu_quota(value: Located, version: int) -> Iterator[ValueProblem]:
     if share is None or share <= 0:
         bare = value.strip()
         meant = (
-            f"{bare}%"
-            if share is None and re.fullmatch(r"[0-9]+(\.[0-9]{1,2})?", bare) and float(bare) > 0
-            else None
+            f"{bare}%" if share is None and re.fullmatch(r"[0-9]+(\.[0-9]{1,2})?", bare) and float(bare) > 0 else None
         )
         yield ValueProblem("invalid", value, "a percentage of one CPU such as 50% or 200%", LINE, meant)
 
@@ -147,9 +143,7 @@ def cpu_weight(value: Located, version: int) -> Iterator[ValueProblem]:
     yield from _integer(1, 10000, value, version)
 
 
-def _limit(
-    one: Callable[[str], float | None], expected: str, value: Located, version: int
-) -> Iterator[ValueProblem]:
+def _limit(one: Callable[[str], float | None], expected: str, value: Located, version: int) -> Iterator[ValueProblem]:
     """``LIMIT`` or ``SOFT:HARD``, each with infinity."""
     parts = split_words(value, separators=":", quotes=False, coalesce=False).words
     if len(parts) == 3 and not parts[2]:
@@ -226,9 +220,7 @@ def documentation(value: Located, version: int) -> Iterator[ValueProblem]:
     yield from found.problems
     for word in found.words:
         if _URL.fullmatch(word) is None and "%" not in word[:1]:
-            yield ValueProblem(
-                "invalid", word, "a URI that starts with http://, https://, file:, man: or info:", WORD
-            )
+            yield ValueProblem("invalid", word, "a URI that starts with http://, https://, file:, man: or info:", WORD)
 
 
 def condition_string(value: Located, version: int) -> Iterator[ValueProblem]:

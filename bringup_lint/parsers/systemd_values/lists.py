@@ -115,10 +115,7 @@ def check_delegate(value: Located, version: int) -> Iterator[ValueProblem]:
 
 def check_coredump_filter(value: Located, version: int) -> Iterator[ValueProblem]:
     for word in split_words(value, quotes=False).words:
-        if (
-            word not in enumerations()["coredump-filter"]
-            and re.fullmatch(r"(0[xX])?[0-9a-fA-F]+", word) is None
-        ):
+        if word not in enumerations()["coredump-filter"] and re.fullmatch(r"(0[xX])?[0-9a-fA-F]+", word) is None:
             yield ValueProblem("invalid", word, "names such as private-anonymous, or a hexadecimal mask")
             return
 
@@ -150,10 +147,6 @@ def check_system_calls(value: Located, version: int) -> Iterator[ValueProblem]:
         name, colon, error = word.partition(":")
         if _SYSTEM_CALL.fullmatch(name) is None or (name.startswith("@") and name not in groups):
             meant = closest(name, groups)
-            yield ValueProblem(
-                "invalid", word, "a system call or a group such as @system-service", WORD, meant
-            )
+            yield ValueProblem("invalid", word, "a system call or a group such as @system-service", WORD, meant)
         elif colon and (not denied or not (error == "kill" or is_errno(error))):
-            yield ValueProblem(
-                "invalid", word, "a system call, with :ERROR only in a list that starts with ~", WORD
-            )
+            yield ValueProblem("invalid", word, "a system call, with :ERROR only in a list that starts with ~", WORD)

@@ -46,9 +46,7 @@ def is_signal(text: str) -> bool:
 def check_signal(value: Located, version: int) -> Iterator[ValueProblem]:
     if not is_signal(value):
         upper = value.upper()
-        yield ValueProblem(
-            "invalid", value, SIGNALS, suggestion=upper if is_signal(upper) else None, safe=True
-        )
+        yield ValueProblem("invalid", value, SIGNALS, suggestion=upper if is_signal(upper) else None, safe=True)
 
 
 def check_exit_statuses(value: Located, version: int) -> Iterator[ValueProblem]:
@@ -81,13 +79,7 @@ def check_user_name(name: Located, version: int) -> Iterator[ValueProblem]:
         if int(text) >= 2**32 - 1 or int(text) == 65535 or (len(text) > 1 and text[0] == "0"):
             yield ValueProblem("out-of-range", name, "a name, or a number up to 4294967294", UNIT)
     elif (
-        (
-            ":" in text
-            or "/" in text
-            or text in (".", "..")
-            or (text[0] == "-" and text[1:].isdigit())
-            or text == "-"
-        )
+        (":" in text or "/" in text or text in (".", "..") or (text[0] == "-" and text[1:].isdigit()) or text == "-")
         or any(ord(char) < 32 or ord(char) == 127 for char in text)
         or text != text.strip(" ")
     ):
@@ -118,9 +110,7 @@ def check_interfaces(value: Located, version: int) -> Iterator[ValueProblem]:
     yield from found.problems
     for word in found.words:
         if not is_interface_name(word):
-            yield ValueProblem(
-                "invalid", word, "the name of a network interface, 15 characters at most", WORD
-            )
+            yield ValueProblem("invalid", word, "the name of a network interface, 15 characters at most", WORD)
 
 
 def check_unit_name(name: Located, version: int, effect: str, suffix: str = "") -> Iterator[ValueProblem]:
@@ -197,8 +187,6 @@ def check_words_of(kind: str, value: Located, version: int, *, fold: bool = Fals
     for word in found.words:
         since = known.get(word.upper() if fold else word)
         if since is None:
-            yield ValueProblem(
-                "invalid", word, f"words such as {next(iter(known))}", WORD, closest(word, known)
-            )
+            yield ValueProblem("invalid", word, f"words such as {next(iter(known))}", WORD, closest(word, known))
         elif since > version:
             yield ValueProblem("too-new", word, "", WORD, since=since)

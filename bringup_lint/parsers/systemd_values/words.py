@@ -49,11 +49,7 @@ def decode_escape(text: str, at: int) -> tuple[str, int] | None:
     else:
         return None
     digits = text[start : start + count]
-    if (
-        len(digits) != count
-        or not set(digits) <= _HEXADECIMAL
-        or (base == 8 and not set(digits) <= set("01234567"))
-    ):
+    if len(digits) != count or not set(digits) <= _HEXADECIMAL or (base == 8 and not set(digits) <= set("01234567")):
         return None
     code = int(digits, base)
     limit = 255 if base == 8 else 0x10FFFF
@@ -134,9 +130,7 @@ def extract(
                     pieces.append((at, decoded[1] - at, decoded[0]))
                     at = decoded[1]
                 else:
-                    bad = ValueProblem(
-                        "unknown-escape", value.part(at, at + 2), suggestion="\\" + text[at : at + 2]
-                    )
+                    bad = ValueProblem("unknown-escape", value.part(at, at + 2), suggestion="\\" + text[at : at + 2])
                     problems.append(bad)
                     if escapes == DECODE:
                         return Extracted(value.part(start, size), -1, tuple(problems), True)
