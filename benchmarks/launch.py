@@ -1,7 +1,8 @@
 """How fast launch files are read: ``python benchmarks/launch.py FOLDER...``, folders with checkouts of ROS 2 packages.
 
-Python launch files are compared with the standard library's ``ast`` and YAML with PyYAML's C loader: the aim is 3 times their
-time or less. XML is compared with lxml, which keeps no columns and does not recover: no aim. CPU time, best of several rounds.
+Python launch files are compared with the standard library's ``ast`` and YAML with PyYAML's C loader: the aim is 3
+times their time or less. XML is compared with lxml, which keeps no columns and does not recover: no aim. CPU time,
+best of several rounds.
 """
 
 from __future__ import annotations

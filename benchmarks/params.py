@@ -1,7 +1,8 @@
-"""How fast parameter files are read: ``python benchmarks/params.py FOLDER...``, folders with checkouts of ROS 2 packages.
+"""How fast parameter files are read: ``python benchmarks/params.py FOLDER...``, folders with checkouts of ROS 2
+packages.
 
-Compared with PyYAML's C loader, which makes plain values without places: the aim is 3 times its time or less. Best of several
-rounds in turn.
+Compared with PyYAML's C loader, which makes plain values without places: the aim is 3 times its time or less. Best of
+several rounds in turn.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Benchmarks against peers in one run, as ratios of medians: ``python benchmarks/run.py``.
 
-Needs yamllint; systemd-analyze and systemdlint are compared when they are there, and the units of real repositories when
-BRINGUP_LINT_CORPUS names a folder of them. Aims stand behind each line; nothing fails when an aim is missed.
+Needs yamllint; systemd-analyze and systemdlint are compared when they are there, and the units of real repositories
+when BRINGUP_LINT_CORPUS names a folder of them. Aims stand behind each line; nothing fails when an aim is missed.
 """
 
 from __future__ import annotations

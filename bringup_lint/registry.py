@@ -1,7 +1,8 @@
 """Finds the rule files and loads them by path.
 
-Rules live in ``rules/<family>/<rule_name>.py``: in a wheel below this package, in a checkout beside it. A rule's id is its
-path. A family's files are loaded only when the tree holds something that concerns the family (``family.toml``).
+Rules live in ``rules/<family>/<rule_name>.py``: in a wheel below this package, in a checkout beside it. A rule's id
+is its path. A family's files are loaded only when the tree holds something that concerns the family
+(``family.toml``).
 """
 
 from __future__ import annotations

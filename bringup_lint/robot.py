@@ -120,7 +120,8 @@ class Robot:
 
     @cached_property
     def is_ros(self) -> bool:
-        """Whether the tree has to do with ROS 2: something of it names a distribution, or is a kind that only ROS has."""
+        """Whether the tree has to do with ROS 2: something of it names a distribution, or is a kind that only ROS
+        has."""
         return self.target.ros_why != "not known" or any(kind.startswith(_ROS_KINDS) for kind in self.kinds)
 
     def environment_file(self, robot_path: str) -> EnvFile | None:

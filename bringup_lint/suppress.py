@@ -1,7 +1,8 @@
 """Comments that silence findings: ``bringup-lint: ignore[systemd/root-user] -- why`` and ``ignore-file[...]``.
 
-A comment counts for its own line; on a line of its own (systemd and udev have no trailing comments) for the next line that
-is no comment. ``ignore-file`` counts for the whole file. A name may be a rule, a family, or one of a rule's older names.
+A comment counts for its own line; on a line of its own (systemd and udev have no trailing comments) for the next line
+that is no comment. ``ignore-file`` counts for the whole file. A name may be a rule, a family, or one of a rule's
+older names.
 """
 
 from __future__ import annotations

@@ -64,7 +64,8 @@ def test_files_beat_environment_and_resets_count(tmp_path, monkeypatch):
         tmp_path,
         {
             "etc/systemd/system/a.service": "[Service]\nExecStart=/bin/true\nEnvironment=X=1 Y=1\nEnvironment=\n"
-            "EnvironmentFile=/etc/robot/one.env\nEnvironment=A=unit B=unit C=%p\nUnsetEnvironment=B\nPassEnvironment=P\n",
+            "EnvironmentFile=/etc/robot/one.env\nEnvironment=A=unit B=unit "
+            "C=%p\nUnsetEnvironment=B\nPassEnvironment=P\n",
             "etc/robot/one.env": "A=file\nA=file2\n",
         },
         monkeypatch,

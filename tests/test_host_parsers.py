@@ -1,4 +1,5 @@
-"""The parsers of logrotate's and sshd's configuration: no text makes them raise, and every place lies inside the text."""
+"""The parsers of logrotate's and sshd's configuration: no text makes them raise, and every place lies inside the
+text."""
 
 from __future__ import annotations
 

@@ -1,4 +1,5 @@
-"""Over checkouts of real ROS 2 repositories, named by BRINGUP_LINT_CHECKOUTS: nothing fails, and most nodes are understood."""
+"""Over checkouts of real ROS 2 repositories, named by BRINGUP_LINT_CHECKOUTS: nothing fails, and most nodes are
+understood."""
 
 from __future__ import annotations
 

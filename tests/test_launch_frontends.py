@@ -112,7 +112,8 @@ def test_xml_node() -> None:
 
 
 def test_yaml_node() -> None:
-    text = 'launch:\n- node:\n    pkg: demo\n    exec: talker\n    name: "chat"\n    param:\n    - {name: a, value: [1, 2]}\n'
+    text = 'launch:\n- node:\n    pkg: demo\n    exec: talker\n    name: "chat"\n    param:\n'
+    text += "    - {name: a, value: [1, 2]}\n"
     file = launch_yaml.parse(Source("x.launch.yaml", text))
     (node,) = file.actions
     assert literal(node.name).span.text == "chat"

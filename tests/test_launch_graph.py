@@ -136,7 +136,8 @@ PYTHON_PACKAGE = {
         package_name = 'p'
         share = os.path.join('share', package_name)
         setup(name=package_name, packages=find_packages(exclude=['test']),
-              data_files=[(share, ['package.xml']), (share + '/launch', glob(os.path.join('launch', '*launch.[pxy][yma]*')))],
+              data_files=[(share, ['package.xml']),
+                          (share + '/launch', glob(os.path.join('launch', '*launch.[pxy][yma]*')))],
               entry_points={'console_scripts': ['run = p.run:main', f'{package_name}_two=p.two:main']})""",
     "p/launch/a.launch.py": "def generate_launch_description(): return None",
     "p/launch/notes.txt": "",
@@ -245,7 +246,8 @@ def test_edges_lead_from_units_to_parameters(tmp_path: Path) -> None:
                 <launch><arg name="on" default="true"/>
                 <include file="$(dirname)/part.launch.xml" if="$(var on)"/></launch>""",
             "r/launch/part.launch.xml": """\
-                <launch><node pkg="p" exec="e" name="n"><param from="$(find-pkg-share r)/config/a.yaml"/></node></launch>""",
+                <launch><node pkg="p" exec="e" name="n">
+                <param from="$(find-pkg-share r)/config/a.yaml"/></node></launch>""",
             "systemd/r.service": "[Service]\nExecStart=/bin/bash -c 'exec ros2 launch r top.launch.xml'\n",
         },
     )

@@ -215,7 +215,8 @@ def test_paths() -> None:
 
 def test_arguments_and_reads() -> None:
     file = described(
-        "DeclareLaunchArgument('map', default_value='', choices=['', 'a']), Node(package='p', executable='e', name=[LaunchConfiguration('map'), '_x'])"
+        "DeclareLaunchArgument('map', default_value='', choices=['', 'a']), Node(package='p', executable='e', "
+        "name=[LaunchConfiguration('map'), '_x'])"
     )
     declare, started = file.actions
     assert isinstance(declare, DeclareArgument)
@@ -268,16 +269,20 @@ def test_components_and_handlers_keep_identity() -> None:
         "def generate_launch_description():\n    return generate_launch_description()\n",
         "def generate_launch_description():\n    x = []\n    x.append(x)\n    return LaunchDescription(x)\n",
         "def generate_launch_description():\n    while True:\n        pass\n    return LaunchDescription([])\n",
-        "def generate_launch_description():\n    x = 'a'\n    for i in range(60):\n        x = x + x\n    return LaunchDescription([Node(name=x)])\n",
-        "def generate_launch_description():\n    x = LaunchConfiguration('a')\n    for i in range(60):\n        x = [x, x]\n    return LaunchDescription([Node(package='p', executable='e', name=x)])\n",
+        "def generate_launch_description():\n    x = 'a'\n    for i in range(60):\n        x = x + x\n    return "
+        "LaunchDescription([Node(name=x)])\n",
+        "def generate_launch_description():\n    x = LaunchConfiguration('a')\n    for i in range(60):\n        x = "
+        "[x, x]\n    return LaunchDescription([Node(package='p', executable='e', name=x)])\n",
         "x = [y for a in range(9999) for b in range(9999) for y in range(9999)]\n",
-        "def f(n):\n    return [f(n), f(n), f(n)]\ndef generate_launch_description():\n    return LaunchDescription(f(1))\n",
+        "def f(n):\n    return [f(n), f(n), f(n)]\ndef generate_launch_description():\n    return "
+        "LaunchDescription(f(1))\n",
         "x = " + "(" * 90 + "1" + ")" * 90,
         "x = " + "+".join(["1"] * 3000),
         "x = " + "a." * 3000 + "b",
         "x = 1 << 1000000\ny = 'a' * 10**12\nz = 10 ** 10 ** 10\n",
         "if x:\n" + "".join("  " * i + f" if x{i}:\n" for i in range(1, 30)) + "  " * 30 + " pass\n",
-        "\ufeffdef generate_launch_description():\n    return LaunchDescription([Node(package='é', executable='ü', name='ñ')])\n",
+        "\ufeffdef generate_launch_description():\n    return LaunchDescription([Node(package='é', executable='ü', "
+        "name='ñ')])\n",
         "def generate_launch_description(:\n",
         "\x00",
     ],
@@ -323,9 +328,9 @@ WORDS = st.sampled_from(
         "\n    ",
         "\n        ",
         " ",
-        *"""LaunchDescription Node LaunchConfiguration GroupAction OpaqueFunction 'x' f'{x}' x y ld [ ] ( ) { } , : = + . * ** if else
-    for in not and or lambda def return generate_launch_description os.path.join 'é' add_action append while try except
-    context perform [0] == items() 1 2.5 None True""".split(),
+        *"""LaunchDescription Node LaunchConfiguration GroupAction OpaqueFunction 'x' f'{x}' x y ld [ ] ( ) { } , :
+    = + . * ** if else for in not and or lambda def return generate_launch_description os.path.join 'é' add_action
+    append while try except context perform [0] == items() 1 2.5 None True""".split(),
     ]
 )
 

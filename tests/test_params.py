@@ -15,8 +15,9 @@ from bringup_lint.source import Located
 from bringup_lint.source import Source
 
 PIECES = [
-    "n:", "/**:", "  ros__parameters:", "    a: 1", "    b: [1, 2.0]", "    c: {}", "    d: {e: {f: 1}}", "  g: 2", "*x", "&x ",
-    "\n", "\n", "\n", "---\n", "\t", "- ", "{", "}", "[", "]", '"', "'", "#", "|\n", "? ", ": ", "é", "\0", "\ufeff", "<<: *x",
+    "n:", "/**:", "  ros__parameters:", "    a: 1", "    b: [1, 2.0]", "    c: {}", "    d: {e: {f: 1}}",
+    "  g: 2", "*x", "&x ", "<<: *x",
+    "\n", "\n", "\n", "---\n", "\t", "- ", "{", "}", "[", "]", '"', "'", "#", "|\n", "? ", ": ", "é", "\0", "\ufeff",
 ]  # fmt: skip
 
 

@@ -1,4 +1,5 @@
-"""Untrusted trees: whatever lies in the way is said or skipped, the rest is checked, nothing runs, writes or connects."""
+"""Untrusted trees: whatever lies in the way is said or skipped, the rest is checked, nothing runs, writes or
+connects."""
 
 from __future__ import annotations
 
@@ -148,8 +149,9 @@ def hook(event, arguments):
         if flags & (os.O_WRONLY | os.O_RDWR | os.O_CREAT) and "__pycache__" not in str(path):
             print("GUARD", event, path)
     elif event.startswith(("socket.", "subprocess.", "os.exec", "os.spawn", "os.posix_spawn", "os.system", "os.fork",
-                           "os.remove", "os.rename", "os.mkdir", "ctypes.dlopen")) and "__pycache__" not in str(arguments):
-        print("GUARD", event, arguments)
+                           "os.remove", "os.rename", "os.mkdir", "ctypes.dlopen")):
+        if "__pycache__" not in str(arguments):
+            print("GUARD", event, arguments)
 
 from bringup_lint.cli import dispatch
 sys.addaudithook(hook)
@@ -162,7 +164,9 @@ except SystemExit as stop:
 
 def test_nothing_is_run_written_or_connected_to(tmp_path: Path) -> None:
     evil = {
-        "etc/systemd/system/evil.service": "[Service]\nExecStart=/bin/sh -c 'touch ran'\nExecStartPre=/usr/bin/evil.sh\n",
+        "etc/systemd/system/evil.service": (
+            "[Service]\nExecStart=/bin/sh -c 'touch ran'\nExecStartPre=/usr/bin/evil.sh\n"
+        ),
         "usr/bin/evil.sh": "#!/bin/sh\ntouch ran\n",
         "launch/evil.launch.py": "open('ran', 'w')\nimport os\nos.system('touch ran')\n"
         "def generate_launch_description():\n    open('ran', 'w')\n",

@@ -1,4 +1,5 @@
-"""The command line: ``bringup-lint [OPTIONS] [PATH]...`` checks; a first word that names a command runs that command."""
+"""The command line: ``bringup-lint [OPTIONS] [PATH]...`` checks; a first word that names a command runs that
+command."""
 
 from __future__ import annotations
 

@@ -18,7 +18,8 @@ from bringup_lint.report.docs import plain
 
 _WORD = re.compile(r"[A-Za-z0-9_./=-]{2,}")
 _COMMON = frozenset(
-    "no such the and for with was not has been from this that are error failed failure warning info to of in on at is it by "
+    "no such the and for with was not has been from this that are error failed failure warning info to of in on at "
+    "is it by "
     "service unit node process systemd ros2 launch start started".split()
 )
 

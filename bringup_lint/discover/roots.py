@@ -22,10 +22,12 @@ VENDOR_FOLDERS = (
     "usr/lib/modules-load.d",
     "usr/lib/environment.d",
 )
-"""Folders of the distribution that /etc builds on, by systemd.unit(5), udev(7), netplan(5), sysctl.d(5), sysusers.d(5)."""
+"""Folders of the distribution that /etc builds on, by systemd.unit(5), udev(7), netplan(5), sysctl.d(5),
+sysusers.d(5)."""
 
 PASSED_OVER = frozenset(
-    "bin boot cdrom dev lib lib32 lib64 libx32 lost+found media mnt proc run sbin snap swapfile sys tmp usr/bin usr/games "
+    "bin boot cdrom dev lib lib32 lib64 libx32 lost+found media mnt proc run sbin snap swapfile sys tmp usr/bin "
+    "usr/games "
     "usr/include usr/lib usr/lib32 usr/lib64 usr/libexec usr/libx32 usr/sbin usr/share usr/src var/cache var/crash "
     "var/lib/apt var/lib/docker var/lib/dpkg var/lib/snapd var/log var/mail var/run var/spool var/tmp".split()
 )

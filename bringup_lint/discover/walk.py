@@ -42,7 +42,8 @@ def discover(
     deploy: dict[str, str] | None = None,
     excluded: Excluded = lambda path: False,
 ) -> Tree:
-    """Read everything below the paths that some kind claims, and the vendor's folders beside a root's /etc as context."""
+    """Read everything below the paths that some kind claims, and the vendor's folders beside a root's /etc as
+    context."""
     paths = list(paths)
     tree = Tree(deploy=deploy or {})
     if root is not None:
@@ -148,8 +149,8 @@ def _read_walked(tree: Tree, path: str, walked: set[str], judged: bool = True) -
 
 
 def _is_meant(tree: Tree, path: str, kind: str) -> bool:
-    """Whether a link says something of its own: links between units do, links to /dev/null mask udev rules, and in a root
-    file system udev reads the file behind a link. Elsewhere a link only shows a file twice."""
+    """Whether a link says something of its own: links between units do, links to /dev/null mask udev rules, and in a
+    root file system udev reads the file behind a link. Elsewhere a link only shows a file twice."""
     if kind == "udev-rules":
         return tree.root is not None or os.readlink(path) == "/dev/null"
     return kind.startswith("systemd")

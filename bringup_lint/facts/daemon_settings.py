@@ -1,4 +1,5 @@
-"""The settings of systemd's daemons: which key journald.conf, system.conf and logind.conf know, since when, with what value."""
+"""The settings of systemd's daemons: which key journald.conf, system.conf and logind.conf know, since when, with what
+value."""
 
 from __future__ import annotations
 

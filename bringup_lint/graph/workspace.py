@@ -35,8 +35,8 @@ SUBFOLDERS = 40
 
 
 class Place(NamedTuple):
-    """A path in terms of what it stands on: ``share`` or ``prefix`` of a package, ``file`` for an absolute path beside a
-    file of the tree, or ``""`` for a path as it is written."""
+    """A path in terms of what it stands on: ``share`` or ``prefix`` of a package, ``file`` for an absolute path
+    beside a file of the tree, or ``""`` for a path as it is written."""
 
     base: str
     package: str

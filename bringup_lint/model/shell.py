@@ -35,7 +35,8 @@ class Block:
     """A stretch of a script with its structure kept."""
 
     kind: str
-    """``command``, ``for``, ``loop`` (while, until), ``branches`` (if, case), ``group`` ({} and subshells), ``function``."""
+    """``command``, ``for``, ``loop`` (while, until), ``branches`` (if, case), ``group`` ({} and subshells),
+    ``function``."""
     command: Command | None = None
     name: str = ""
     """The variable of a ``for``, the name of a ``function``."""

@@ -49,7 +49,8 @@ HARMLESS = frozenset(
 
 
 _MODULES = frozenset(
-    "GNUInstallDirs CTest CMakePackageConfigHelpers CheckCXXCompilerFlag CheckCCompilerFlag CheckIPOSupported FetchContent"
+    "GNUInstallDirs CTest CMakePackageConfigHelpers CheckCXXCompilerFlag CheckCCompilerFlag CheckIPOSupported "
+    "FetchContent"
     " ExternalProject FindPkgConfig GenerateExportHeader CMakePrintHelpers".split()
 )
 

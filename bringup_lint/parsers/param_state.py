@@ -1,7 +1,8 @@
 """The state in which rcl_yaml_param_parser reads the events of a YAML file, with all that it forgets and mixes up.
 
-The real parser keeps no tree: it has a level, a depth, two name stacks and a table. What odd files lead to follows from
-these alone (an empty mapping ends the block, a dotted prefix loses one part too few), so they are kept here as they are.
+The real parser keeps no tree: it has a level, a depth, two name stacks and a table. What odd files lead to follows
+from these alone (an empty mapping ends the block, a dotted prefix loses one part too few), so they are kept here as
+they are.
 """
 
 from __future__ import annotations

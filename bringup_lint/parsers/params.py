@@ -39,10 +39,10 @@ _VERSION = re.compile(r"^%YAML[ \t]+(?!1\.1[ \t]*(?:#|$))[^\r\n]*", re.M)
 def parse(source: Source) -> ParameterFile:
     """Read a parameter file. Every problem stops the process that loads the file; the detail is in the words of rcl.
 
-    Problems: those of YAML (``syntax``, ``tab``, ``control-character``, ``yaml-version``), ``unquoted-star``, ``no-key``,
-    ``list-at-root``, ``no-node-name``, ``node-key``, ``misspelt-header``, ``value-before-parameters``, ``empty-block``,
-    ``after-empty-map``, ``no-value``, ``alias``, ``mixed-list``, ``nested-list``, ``list-of-maps``, ``list-as-key``,
-    ``list-before-parameters``, ``internal``.
+    Problems: those of YAML (``syntax``, ``tab``, ``control-character``, ``yaml-version``), ``unquoted-star``,
+    ``no-key``, ``list-at-root``, ``no-node-name``, ``node-key``, ``misspelt-header``, ``value-before-parameters``,
+    ``empty-block``, ``after-empty-map``, ``no-value``, ``alias``, ``mixed-list``, ``nested-list``, ``list-of-maps``,
+    ``list-as-key``, ``list-before-parameters``, ``internal``.
     """
     return _Reader(source).read()
 

@@ -1,5 +1,5 @@
-"""The values of ROS variables as rcl, rmw and rcutils read them (rcl ``domain_id.c``, ``localhost.c``, ``discovery_options.c``;
-rcutils ``logging.c``)."""
+"""The values of ROS variables as rcl, rmw and rcutils read them (rcl ``domain_id.c``, ``localhost.c``,
+``discovery_options.c``; rcutils ``logging.c``)."""
 
 from __future__ import annotations
 

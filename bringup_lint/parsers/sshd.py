@@ -39,8 +39,9 @@ def keywords() -> dict[str, Keyword]:
 
 
 def parse(source: Source) -> SshdFile:
-    """Read a configuration file or drop-in. Never raises; codes: ``unknown-option``, ``no-argument``, ``invalid-quotes``,
-    ``bad-value``, ``extra-arguments``, ``not-in-match``, ``bad-match``, ``duplicate-subsystem``, ``deprecated``."""
+    """Read a configuration file or drop-in. Never raises; codes: ``unknown-option``, ``no-argument``,
+    ``invalid-quotes``, ``bad-value``, ``extra-arguments``, ``not-in-match``, ``bad-match``, ``duplicate-subsystem``,
+    ``deprecated``."""
     file = SshdFile(source)
     match: Match | None = None
     for number, start in enumerate(source.line_starts, 1):

@@ -1,8 +1,8 @@
 """Unit files and drop-ins: the line grammar of systemd.syntax(7).
 
-Per the systemd source (``src/shared/conf-parser.c``): a comment is a line whose first non-blank character is ``#`` or ``;``,
-also between continued lines; an unescaped backslash before the line end becomes a blank and joins the next line without
-its leading blanks; a blank line ends a continuation.
+Per the systemd source (``src/shared/conf-parser.c``): a comment is a line whose first non-blank character is ``#`` or
+``;``, also between continued lines; an unescaped backslash before the line end becomes a blank and joins the next
+line without its leading blanks; a blank line ends a continuation.
 """
 
 from __future__ import annotations
@@ -26,8 +26,8 @@ _TEMPLATE_LINE = re.compile(r"\{%.*%\}|\{#.*#\}|@\[.*\]|(?:m4_)?(?:ifdef|ifelse|
 
 
 def parse(source: Source) -> UnitFile:
-    """Read a unit file or drop-in. Never raises; what systemd would drop is in ``problems``:
-    ``bad-section-header``, ``line-outside-section``, ``missing-equals``, ``continuation-at-end``, ``backslash-blank``."""
+    """Read a unit file or drop-in. Never raises; what systemd would drop is in ``problems``: ``bad-section-header``,
+    ``line-outside-section``, ``missing-equals``, ``continuation-at-end``, ``backslash-blank``."""
     unit = UnitFile(source, *unit_name(source))
     unit.uncertain = bool(source.template) and has_control_flow(source.text)
     section: Section | None = None
@@ -118,8 +118,8 @@ def _assignment(text: Located, section: Section | None, unit: UnitFile) -> None:
 
 
 def unit_name(source: Source) -> tuple[str, bool]:
-    """The unit that a file describes, and whether the file is a drop-in of it. A service kept under the name ``robot.conf``
-    is installed as ``robot.service``."""
+    """The unit that a file describes, and whether the file is a drop-in of it. A service kept under the name
+    ``robot.conf`` is installed as ``robot.service``."""
     *_, folder, name = ("", "", *source.name.split("/"))
     if folder.endswith(".d") and source.kind == "systemd-dropin":
         return folder[:-2], True

@@ -1,9 +1,9 @@
 """A link below /dev is used that no udev rule makes.
 
 ## What it finds
-A path in a folder where the tree's rules make links (such as /dev/robot/), used in a unit, a `.device`
-dependency, an environment, compose, launch or parameter file, that none of them makes. In a tree without any rule, paths
-in folders of one's own are told for information.
+A path in a folder where the tree's rules make links (such as /dev/robot/), used in a unit, a `.device` dependency, an
+environment, compose, launch or parameter file, that none of them makes. In a tree without any rule, paths in folders
+of one's own are told for information.
 
 ## Why it matters on a robot
 The driver waits for a device that never appears, or ends with 'no such file'. A unit that depends on the

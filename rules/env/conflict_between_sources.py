@@ -1,7 +1,8 @@
 """Processes of one robot are set up for different domains or middlewares.
 
 ## What it finds
-ROS_DOMAIN_ID or RMW_IMPLEMENTATION with different values in units that are started together, or in services of one compose file. Values that are not known, and processes that bridge domains, are left alone.
+ROS_DOMAIN_ID or RMW_IMPLEMENTATION with different values in units that are started together, or in services of one
+compose file. Values that are not known, and processes that bridge domains, are left alone.
 
 ## Why it matters on a robot
 They do not see each other: each part works for itself, topics of the other part are missing without a word.

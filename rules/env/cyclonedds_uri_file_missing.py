@@ -1,7 +1,8 @@
 """The file that CYCLONEDDS_URI names does not exist.
 
 ## What it finds
-A path in CYCLONEDDS_URI of a unit that a whole root file system does not hold. In a repository nothing can be missing for sure; containers have file systems of their own.
+A path in CYCLONEDDS_URI of a unit that a whole root file system does not hold. In a repository nothing can be missing
+for sure; containers have file systems of their own.
 
 ## Why it matters on a robot
 Cyclone DDS ends with an error when its configuration cannot be opened: no domain is created, no node starts.

@@ -1,7 +1,9 @@
 """CYCLONEDDS_URI does not lead to the file.
 
 ## What it finds
-A value that Cyclone DDS reads as another path than is meant: `file:/x`, `file://name` (relative to the working folder), `FILE://`, a `~`, or a variable in a place where nothing expands it. Inline XML and several entries between commas are fine.
+A value that Cyclone DDS reads as another path than is meant: `file:/x`, `file://name` (relative to the working
+folder), `FILE://`, a `~`, or a variable in a place where nothing expands it. Inline XML and several entries between
+commas are fine.
 
 ## Why it matters on a robot
 Cyclone DDS cannot open its configuration: no domain is created, no node starts.

@@ -1,10 +1,12 @@
 """The Fast DDS profile that the environment names does not exist.
 
 ## What it finds
-A path in FASTRTPS_DEFAULT_PROFILES_FILE or FASTDDS_DEFAULT_PROFILES_FILE of a unit that a whole root file system does not hold.
+A path in FASTRTPS_DEFAULT_PROFILES_FILE or FASTDDS_DEFAULT_PROFILES_FILE of a unit that a whole root file system does
+not hold.
 
 ## Why it matters on a robot
-Fast DDS logs one line and runs with the defaults: multicast discovery, no peers. The robot seems to work until it meets another network.
+Fast DDS logs one line and runs with the defaults: multicast discovery, no peers. The robot seems to work until it
+meets another network.
 
 ## Bad
 ```sh
@@ -36,7 +38,8 @@ def fastdds_profiles_file_missing(robot: Robot):
             if found and found.text and found.text.startswith("/") and robot.tree.has(found.text) is False:
                 yield finding(
                     found.value,
-                    f"{found.text} does not exist: {process.name} runs Fast DDS with its defaults, multicast and no peers",
+                    f"{found.text} does not exist: {process.name} runs Fast DDS with its defaults, multicast and no "
+                    "peers",
                     advice="ship the file, or correct the path",
                     related=[note(process.where, f"{process.name} gets the variable")],
                 )

@@ -1,7 +1,8 @@
 """The variable of the Fast DDS profile is not the one that this distribution reads.
 
 ## What it finds
-Only FASTDDS_DEFAULT_PROFILES_FILE on Humble to Jazzy, whose Fast DDS 2 reads FASTRTPS_DEFAULT_PROFILES_FILE, or only the latter on Kilted and newer.
+Only FASTDDS_DEFAULT_PROFILES_FILE on Humble to Jazzy, whose Fast DDS 2 reads FASTRTPS_DEFAULT_PROFILES_FILE, or only
+the latter on Kilted and newer.
 
 ## Why it matters on a robot
 The profile file is never loaded and nothing says so: multicast discovery stays on, peers and limits are not there.

@@ -1,7 +1,8 @@
 """A ROS process leaves the domain or the middleware to the defaults.
 
 ## What it finds
-A unit that runs ROS 2 and sets neither ROS_DOMAIN_ID nor RMW_IMPLEMENTATION, although all sources of its environment are known.
+A unit that runs ROS 2 and sets neither ROS_DOMAIN_ID nor RMW_IMPLEMENTATION, although all sources of its environment
+are known.
 
 ## Why it matters on a robot
 It joins domain 0 with the default middleware, together with every other robot and laptop of the network.

@@ -1,7 +1,8 @@
 """The middleware that runs does not read the configuration that is set.
 
 ## What it finds
-A process whose environment selects one middleware and configures only the other: CYCLONEDDS_URI with Fast DDS (which also runs when RMW_IMPLEMENTATION is not set, on Humble to Kilted), a Fast DDS profile with Cyclone DDS.
+A process whose environment selects one middleware and configures only the other: CYCLONEDDS_URI with Fast DDS (which
+also runs when RMW_IMPLEMENTATION is not set, on Humble to Kilted), a Fast DDS profile with Cyclone DDS.
 
 ## Why it matters on a robot
 The file is never read. The robot runs with the defaults: multicast discovery on every interface, no peers, no limits.

@@ -1,7 +1,8 @@
 """ROS_AUTOMATIC_DISCOVERY_RANGE is not one of its four words.
 
 ## What it finds
-A value other than OFF, LOCALHOST, SUBNET and SYSTEM_DEFAULT, in capitals. Only for Iron and newer, which read the variable.
+A value other than OFF, LOCALHOST, SUBNET and SYSTEM_DEFAULT, in capitals. Only for Iron and newer, which read the
+variable.
 
 ## Why it matters on a robot
 rcl warns once and falls back to LOCALHOST: all other machines vanish.

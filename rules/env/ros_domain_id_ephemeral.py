@@ -1,10 +1,12 @@
 """ROS_DOMAIN_ID uses ports that outgoing connections take.
 
 ## What it finds
-A domain from 102 to 214: its ports lie in Linux's ephemeral range. Robots that move the range or reserve the ports by sysctl are left alone.
+A domain from 102 to 214: its ports lie in Linux's ephemeral range. Robots that move the range or reserve the ports by
+sysctl are left alone.
 
 ## Why it matters on a robot
-Any outgoing connection may get a port that DDS needs. Now and then a node fails at start with an address that is in use, and nothing can be seen afterwards.
+Any outgoing connection may get a port that DDS needs. Now and then a node fails at start with an address that is in
+use, and nothing can be seen afterwards.
 
 ## Bad
 ```sh

@@ -1,7 +1,8 @@
 """ROS_DOMAIN_ID is read as another number than it shows.
 
 ## What it finds
-A value that rcl accepts but reads differently: a leading zero is octal, 0x is hexadecimal, whatever follows the digits is left out.
+A value that rcl accepts but reads differently: a leading zero is octal, 0x is hexadecimal, whatever follows the
+digits is left out.
 
 ## Why it matters on a robot
 The process joins another domain than the rest of the robot. Nothing says so: its topics are just not there.

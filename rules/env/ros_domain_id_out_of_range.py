@@ -4,7 +4,8 @@
 A domain above 232. Robots whose DDS configuration changes the port base or the domain gain are left alone.
 
 ## Why it matters on a robot
-The ports of a domain are computed from its number: no participant can be created, no node starts. Older versions of Fast DDS did not even say so.
+The ports of a domain are computed from its number: no participant can be created, no node starts. Older versions of
+Fast DDS did not even say so.
 
 ## Bad
 ```sh

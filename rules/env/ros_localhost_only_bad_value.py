@@ -1,7 +1,8 @@
 """ROS_LOCALHOST_ONLY is neither 0 nor 1.
 
 ## What it finds
-A value of ROS_LOCALHOST_ONLY other than 0 and 1. Humble compares the whole text with 1, newer distributions look at the first character only.
+A value of ROS_LOCALHOST_ONLY other than 0 and 1. Humble compares the whole text with 1, newer distributions look at
+the first character only.
 
 ## Why it matters on a robot
 `true` and `yes` mean disabled: the robot talks to the whole network although somebody meant to keep it to itself.

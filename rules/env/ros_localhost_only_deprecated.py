@@ -1,10 +1,12 @@
 """ROS_LOCALHOST_ONLY is deprecated since Iron.
 
 ## What it finds
-ROS_LOCALHOST_ONLY on a robot that runs Iron or newer. When a discovery range or static peers are set too, which it overrides, the finding is a warning.
+ROS_LOCALHOST_ONLY on a robot that runs Iron or newer. When a discovery range or static peers are set too, which it
+overrides, the finding is a warning.
 
 ## Why it matters on a robot
-Every process logs two warnings, and =1 overrides ROS_AUTOMATIC_DISCOVERY_RANGE and ROS_STATIC_PEERS: the machines that are named there are never found.
+Every process logs two warnings, and =1 overrides ROS_AUTOMATIC_DISCOVERY_RANGE and ROS_STATIC_PEERS: the machines
+that are named there are never found.
 
 ## Bad
 ```sh

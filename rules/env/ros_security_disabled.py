@@ -1,10 +1,12 @@
 """SROS2 is switched off although the robot has a keystore.
 
 ## What it finds
-A clear no in ROS_SECURITY_ENABLE of a process whose environment names a keystore, outside of files for tests, simulation and development.
+A clear no in ROS_SECURITY_ENABLE of a process whose environment names a keystore, outside of files for tests,
+simulation and development.
 
 ## Why it matters on a robot
-Any machine on the network can publish velocity commands. Security that is switched off to try something tends to stay off.
+Any machine on the network can publish velocity commands. Security that is switched off to try something tends to stay
+off.
 
 ## Bad
 ```sh

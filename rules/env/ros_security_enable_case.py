@@ -4,7 +4,8 @@
 TRUE, True, 1, yes, on or another spelling of yes. Clear negatives are the business of env/ros-security-disabled.
 
 ## Why it matters on a robot
-rcl compares the text with `true`. Everything else means off, without any warning: the nodes talk in clear text, and anybody on the network can drive the robot.
+rcl compares the text with `true`. Everything else means off, without any warning: the nodes talk in clear text, and
+anybody on the network can drive the robot.
 
 ## Bad
 ```sh

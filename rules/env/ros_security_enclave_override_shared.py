@@ -39,7 +39,8 @@ def ros_security_enclave_override_shared(robot: Robot):
         if len(processes) > 1:
             yield finding(
                 variable.value,
-                f"{' and '.join(list(processes)[:3])} all get the identity {variable.value}: each may do what any of them may",
+                f"{' and '.join(list(processes)[:3])} all get the identity {variable.value}: each may do what any of "
+                "them may",
                 advice="select the enclave per process with --ros-args --enclave",
                 related=[note(process.where, "takes it from here") for process in list(processes.values())[:3]],
             )

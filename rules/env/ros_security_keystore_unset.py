@@ -4,7 +4,8 @@
 A process with ROS_SECURITY_ENABLE=true and no ROS_SECURITY_KEYSTORE, when all sources of its environment are known.
 
 ## Why it matters on a robot
-With Enforce every node stops with "failed to initialize rcl: error not set", which says nothing; with Permissive all run unsecured.
+With Enforce every node stops with "failed to initialize rcl: error not set", which says nothing; with Permissive all
+run unsecured.
 
 ## Bad
 ```sh

@@ -1,7 +1,8 @@
 """Security is on, but permissive.
 
 ## What it finds
-A process with ROS_SECURITY_ENABLE=true and ROS_SECURITY_STRATEGY=Permissive, or without a strategy, which means the same. Files for tests and development are left alone.
+A process with ROS_SECURITY_ENABLE=true and ROS_SECURITY_STRATEGY=Permissive, or without a strategy, which means the
+same. Files for tests and development are left alone.
 
 ## Why it matters on a robot
 A node whose credentials are not found runs unsecured and can still join: the robot works, and is open.
@@ -48,7 +49,8 @@ def ros_security_permissive(robot: Robot):
         elif strategy is None and environment.complete:
             yield finding(
                 enable.value,
-                f"{process.name} has no ROS_SECURITY_STRATEGY, which means permissive: nodes without credentials still join",
+                f"{process.name} has no ROS_SECURITY_STRATEGY, which means permissive: nodes without credentials "
+                "still join",
                 advice="add ROS_SECURITY_STRATEGY=Enforce",
                 related=[note(process.where, f"{process.name} gets the variable")],
             )

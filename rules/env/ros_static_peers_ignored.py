@@ -1,7 +1,8 @@
 """Static peers that are never contacted.
 
 ## What it finds
-ROS_STATIC_PEERS in one environment with a discovery range OFF or SYSTEM_DEFAULT, or with ROS_LOCALHOST_ONLY=1, on Iron and newer.
+ROS_STATIC_PEERS in one environment with a discovery range OFF or SYSTEM_DEFAULT, or with ROS_LOCALHOST_ONLY=1, on
+Iron and newer.
 
 ## Why it matters on a robot
 The listed machines are not contacted, and nothing says so: the base station never sees the robot.

@@ -38,7 +38,8 @@ def ros_static_peers_separator(robot: Robot):
             as_written = setting.value == setting.text
             yield finding(
                 setting.value,
-                f"'{setting.text}' has blanks or commas, which become part of a host name: no node starts with Fast DDS",
+                f"'{setting.text}' has blanks or commas, which become part of a host name: no node starts with Fast "
+                "DDS",
                 advice=f"write {right}",
                 fix=fix("separate the peers by ';'", (setting.value, right)) if as_written else None,
             )

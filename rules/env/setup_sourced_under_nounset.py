@@ -1,7 +1,8 @@
 """A setup file is sourced while unset variables are errors.
 
 ## What it finds
-`source .../setup.bash` in a script after `set -u`, `set -eu...` or `set -o nounset`, when neither `set +u` stands between nor AMENT_TRACE_SETUP_FILES is set.
+`source .../setup.bash` in a script after `set -u`, `set -eu...` or `set -o nounset`, when neither `set +u` stands
+between nor AMENT_TRACE_SETUP_FILES is set.
 
 ## Why it matters on a robot
 The setup files of ROS read variables that are not set: the script ends there, and the service with it.

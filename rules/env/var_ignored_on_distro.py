@@ -1,7 +1,8 @@
 """The distribution does not read this variable.
 
 ## What it finds
-Discovery range and static peers before Iron, variables of rmw_zenoh before Jazzy, names of ROS 1 and of early ROS 2 releases that nothing reads any more.
+Discovery range and static peers before Iron, variables of rmw_zenoh before Jazzy, names of ROS 1 and of early ROS 2
+releases that nothing reads any more.
 
 ## Why it matters on a robot
 The setting has no effect, and nothing says so: discovery stays as wide as it was.

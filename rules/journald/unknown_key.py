@@ -49,7 +49,8 @@ def unknown_key(robot: Robot):
         for assignment, since in daemons.newer_keys(daemon, target.systemd) if target.systemd_known else ():
             yield finding(
                 assignment.key,
-                f"{assignment.key}= needs systemd {since}; the robot has {target.systemd} ({target.systemd_why}), which ignores it",
+                f"{assignment.key}= needs systemd {since}; the robot has {target.systemd} ({target.systemd_why}), "
+                "which ignores it",
                 advice=f"remove the line, or update to systemd {since}",
                 severity="warning",
             )

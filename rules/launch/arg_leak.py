@@ -1,8 +1,8 @@
 """An argument of one include leaks into the next.
 
 ## What it finds
-Two includes that stand side by side and declare the same argument with different defaults, where the second is not passed a
-value.
+Two includes that stand side by side and declare the same argument with different defaults, where the second is not
+passed a value.
 
 ## Why it matters on a robot
 launch has one scope for all included files. The default of the first stays bound, and the second never uses its own: it
@@ -47,7 +47,8 @@ def arg_leak(robot: Robot):
                 continue
             yield finding(
                 declared.chain[0],
-                f"'{declared.name}' of {other.basename} leaks into this include: it gets '{leaked}' and never its default '{own}'",
+                f"'{declared.name}' of {other.basename} leaks into this include: it gets '{leaked}' and never its "
+                f"default '{own}'",
                 advice="pass the argument, or put each include into a scoped group",
                 related=[
                     note(before.origin, "bound here first"),

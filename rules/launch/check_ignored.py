@@ -1,12 +1,12 @@
 """A check runs and nobody looks at its result.
 
 ## What it finds
-Processes that test something (`test -e /dev/lidar`, a script called check, verify or preflight) without an exit action or an
-`OnProcessExit` handler.
+Processes that test something (`test -e /dev/lidar`, a script called check, verify or preflight) without an exit
+action or an `OnProcessExit` handler.
 
 ## Why it matters on a robot
-A process that fails stops nothing in launch. The device is missing, the check says so to nobody, and the robot starts; a
-message such as "hardware checks passed" after a timer is even printed.
+A process that fails stops nothing in launch. The device is missing, the check says so to nobody, and the robot
+starts; a message such as "hardware checks passed" after a timer is even printed.
 
 ## Bad
 ```python

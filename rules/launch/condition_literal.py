@@ -1,8 +1,8 @@
 """A condition is neither true nor false.
 
 ## What it finds
-`IfCondition` and `UnlessCondition` (`if=`, `unless=`) on a literal, or on an argument whose default is a literal, that is
-not one of `true`, `false`, `1`, `0`.
+`IfCondition` and `UnlessCondition` (`if=`, `unless=`) on a literal, or on an argument whose default is a literal,
+that is not one of `true`, `false`, `1`, `0`.
 
 ## Why it matters on a robot
 launch accepts only these four words, in any case. `yes`, `on` or an empty text abort the launch.

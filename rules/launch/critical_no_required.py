@@ -1,8 +1,8 @@
 """Nobody notices when a driver dies.
 
 ## What it finds
-Nodes that drive hardware with neither `respawn` nor an exit action nor an `OnProcessExit` handler, in launch files that start
-more than the driver.
+Nodes that drive hardware with neither `respawn` nor an exit action nor an `OnProcessExit` handler, in launch files
+that start more than the driver.
 
 ## Why it matters on a robot
 If the driver ends, launch goes on and the service stays "active (running)": the robot is blind until somebody looks.
@@ -53,7 +53,8 @@ def critical_no_required(robot: Robot):
                 continue
             yield finding(
                 node.span,
-                f"if {node.label()} dies, launch goes on and nothing notices: a service around it stays active without its {role}",
+                f"if {node.label()} dies, launch goes on and nothing notices: a service around it stays active "
+                f"without its {role}",
                 advice="set on_exit=Shutdown() and let the unit restart with Restart=always, or set respawn",
                 related=[note(place, "started by this unit") for place in units],
             )

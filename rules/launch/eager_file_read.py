@@ -4,8 +4,8 @@
 `open()`, `yaml.safe_load()` and xacro calls in the entry function, outside of functions that launch calls later.
 
 ## Why it matters on a robot
-The file must be there before any argument is known: `ros2 launch --show-args` fails without it, and an argument cannot choose
-another one.
+The file must be there before any argument is known: `ros2 launch --show-args` fails without it, and an argument
+cannot choose another one.
 
 ## Bad
 ```python

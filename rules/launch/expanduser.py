@@ -4,7 +4,8 @@
 `os.path.expanduser()` and `Path.home()` in launch files.
 
 ## Why it matters on a robot
-Under systemd the home folder is that of `User=`, or none at all: another file than the one that was tested in the shell.
+Under systemd the home folder is that of `User=`, or none at all: another file than the one that was tested in the
+shell.
 
 ## Bad
 ```python

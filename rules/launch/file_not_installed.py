@@ -1,8 +1,8 @@
 """A file is used through the package's share folder but never installed.
 
 ## What it finds
-Launch, parameter, URDF and other files of a workspace package that a launch file names through the package's share folder
-(or by its own folder), and that exist in the source but in no `data_files` or `install()` rule.
+Launch, parameter, URDF and other files of a workspace package that a launch file names through the package's share
+folder (or by its own folder), and that exist in the source but in no `data_files` or `install()` rule.
 
 ## Why it matters on a robot
 It works in a workspace built with symbolic links and fails on the robot, where only the installed tree exists.

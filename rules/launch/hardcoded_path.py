@@ -1,7 +1,8 @@
 """A path exists on one machine only.
 
 ## What it finds
-Literal paths below `/home`, `/root` or `/opt/ros/<distribution>` in parameters, arguments, commands, includes and defaults.
+Literal paths below `/home`, `/root` or `/opt/ros/<distribution>` in parameters, arguments, commands, includes and
+defaults.
 
 ## Why it matters on a robot
 The path is right on the developer's machine. On the robot the user or the distribution is another one, and the file is
@@ -43,7 +44,8 @@ def hardcoded_path(robot: Robot):
                         yield finding(
                             text.part(*match.span()),
                             f"{match[0]} exists only on one machine or distribution",
-                            advice="find it through the package's share folder, or make it an argument without a default",
+                            advice="find it through the package's share folder, or make it an argument without a "
+                            "default",
                         )
 
 

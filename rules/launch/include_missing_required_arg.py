@@ -1,8 +1,8 @@
 """An included launch file needs an argument that is not passed.
 
 ## What it finds
-Includes of files that declare an argument without a default, where the include does not pass it and nothing before has set it;
-and units that launch such a file without it.
+Includes of files that declare an argument without a default, where the include does not pass it and nothing before
+has set it; and units that launch such a file without it.
 
 ## Why it matters on a robot
 launch checks the arguments when it reaches the include, and aborts.

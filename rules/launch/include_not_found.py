@@ -1,8 +1,8 @@
 """An included launch file does not exist.
 
 ## What it finds
-Includes of a file in a package of this workspace, or beside the launch file, that is not there; and `ros2 launch` commands of
-units that name such a file.
+Includes of a file in a package of this workspace, or beside the launch file, that is not there; and `ros2 launch`
+commands of units that name such a file.
 
 ## Why it matters on a robot
 launch aborts when it reaches the include; nothing after it starts.

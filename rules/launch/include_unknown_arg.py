@@ -5,8 +5,8 @@ Keys in `launch_arguments` (`<arg>` inside `<include>`), and `name:=value` of `r
 launched file and everything it includes neither declares nor reads.
 
 ## Why it matters on a robot
-launch accepts any name. The value is ignored without a word, and the included part runs with its default: in simulated time,
-with the wrong map, in the wrong namespace.
+launch accepts any name. The value is ignored without a word, and the included part runs with its default: in
+simulated time, with the wrong map, in the wrong namespace.
 
 ## Bad
 ```python

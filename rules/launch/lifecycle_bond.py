@@ -1,12 +1,12 @@
 """A lifecycle manager does not notice that a node dies, or waits for a bond that never comes.
 
 ## What it finds
-`bond_timeout: 0` on a lifecycle manager of nav2, managed nodes of other packages that open no bond while `bond_timeout` is
-above 0, and comments that take it for the time of a transition.
+`bond_timeout: 0` on a lifecycle manager of nav2, managed nodes of other packages that open no bond while
+`bond_timeout` is above 0, and comments that take it for the time of a transition.
 
 ## Why it matters on a robot
-Without a bond a dead node goes unnoticed: the rest of navigation drives on without its map or its controller. With a bond
-that a node does not open, the activation fails after the timeout.
+Without a bond a dead node goes unnoticed: the rest of navigation drives on without its map or its controller. With a
+bond that a node does not open, the activation fails after the timeout.
 
 ## Bad
 ```python

@@ -1,8 +1,8 @@
 """A lifecycle node is started and nobody configures it.
 
 ## What it finds
-`LifecycleNode`s and nodes that are known to be lifecycle nodes (the servers of nav2, slam_toolbox from Jazzy) that are in no
-lifecycle manager's `node_names`, get no `ChangeState` event, and do not start themselves.
+`LifecycleNode`s and nodes that are known to be lifecycle nodes (the servers of nav2, slam_toolbox from Jazzy) that
+are in no lifecycle manager's `node_names`, get no `ChangeState` event, and do not start themselves.
 
 ## Why it matters on a robot
 The process runs, looks healthy in every process list, and does nothing: it stays unconfigured and publishes nothing.

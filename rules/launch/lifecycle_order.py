@@ -4,8 +4,8 @@
 A lifecycle manager of nav2 that lists `amcl` before `map_server`, or `bt_navigator` before the servers it calls.
 
 ## Why it matters on a robot
-Nodes are configured and activated in the order of the list. A node whose partner is not there yet waits, or its activation
-fails and the whole bring-up is aborted.
+Nodes are configured and activated in the order of the list. A node whose partner is not there yet waits, or its
+activation fails and the whole bring-up is aborted.
 
 ## Bad
 ```python

@@ -5,8 +5,8 @@ Nodes and components of one launch graph with the same fully qualified name, whe
 conditions do not exclude each other.
 
 ## Why it matters on a robot
-ROS 2 lets both run. Parameters and services reach one of them by chance, lifecycle managers and monitors see one node, and
-the only hint is "Publisher already registered for node name" in a log.
+ROS 2 lets both run. Parameters and services reach one of them by chance, lifecycle managers and monitors see one
+node, and the only hint is "Publisher already registered for node name" in a log.
 
 ## Bad
 ```python

@@ -1,7 +1,8 @@
 """A node name is not valid.
 
 ## What it finds
-Literal node names that are not made of letters, digits and underscores, start with a digit, are empty or longer than 255.
+Literal node names that are not made of letters, digits and underscores, start with a digit, are empty or longer than
+255.
 
 ## Why it matters on a robot
 launch refuses the name, or the process ends at once with an error.

@@ -1,12 +1,12 @@
 """A parameter file does not exist.
 
 ## What it finds
-Parameter files in the share folder of a workspace package, or beside the launch file, that are neither in the source nor
-made by the build.
+Parameter files in the share folder of a workspace package, or beside the launch file, that are neither in the source
+nor made by the build.
 
 ## Why it matters on a robot
-launch logs a warning that scrolls by and starts the node without its parameters: the defaults of the code drive the robot.
-With `allow_substs` or `RewrittenYaml` launch opens the file itself and aborts.
+launch logs a warning that scrolls by and starts the node without its parameters: the defaults of the code drive the
+robot. With `allow_substs` or `RewrittenYaml` launch opens the file itself and aborts.
 
 ## Bad
 ```python

@@ -1,12 +1,12 @@
 """A remapping never matches.
 
 ## What it finds
-Remappings from an absolute topic (`/image_raw`) on nodes that are known to use the relative one: a warning when the node is
-in a namespace, for information when it is not yet.
+Remappings from an absolute topic (`/image_raw`) on nodes that are known to use the relative one: a warning when the
+node is in a namespace, for information when it is not yet.
 
 ## Why it matters on a robot
-In the namespace `/front` the driver publishes `/front/image_raw`. A rule for `/image_raw` does not match it: the driver goes on
-under the old name, and the consumer of the new one gets nothing.
+In the namespace `/front` the driver publishes `/front/image_raw`. A rule for `/image_raw` does not match it: the
+driver goes on under the old name, and the consumer of the new one gets nothing.
 
 ## Bad
 ```python
@@ -44,7 +44,8 @@ def remap_unused(robot: Robot):
                 source,
                 f"'{source}' matches only at the root: in {own} the node keeps using {own}{source}"
                 if own
-                else f"'{source}' matches only while the node has no namespace: in one it keeps using its own {source[1:]}",
+                else f"'{source}' matches only while the node has no namespace: in one it keeps using its own "
+                f"{source[1:]}",
                 severity=None if own else "info",
                 advice=f"remap '{source[1:]}'",
                 fix=fix(f"remap '{source[1:]}'", (source, source[1:]), safe=False)

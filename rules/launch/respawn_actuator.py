@@ -4,8 +4,8 @@
 `respawn=True` on nodes that are known to be hardware interfaces of motors.
 
 ## Why it matters on a robot
-After a crash the driver is back within seconds, in an unknown state and with whatever command comes next: the robot may jump
-while somebody looks into it.
+After a crash the driver is back within seconds, in an unknown state and with whatever command comes next: the robot
+may jump while somebody looks into it.
 
 ## Bad
 ```python

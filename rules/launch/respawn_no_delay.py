@@ -4,8 +4,8 @@
 `respawn=True` without a `respawn_delay`, or with one of 0.
 
 ## Why it matters on a robot
-A driver whose device is unplugged crashes and is restarted hundreds of times a minute: a core is lost, the log floods the
-disk, and the device gets no time to come back.
+A driver whose device is unplugged crashes and is restarted hundreds of times a minute: a core is lost, the log floods
+the disk, and the device gets no time to come back.
 
 ## Bad
 ```python

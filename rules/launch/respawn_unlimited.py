@@ -1,8 +1,8 @@
 """A process is restarted without end.
 
 ## What it finds
-`respawn=True` without `respawn_max_retries` on Jazzy and later, and the argument `respawn_max_retries` on distributions that
-do not have it.
+`respawn=True` without `respawn_max_retries` on Jazzy and later, and the argument `respawn_max_retries` on
+distributions that do not have it.
 
 ## Why it matters on a robot
 Without a limit a broken driver is restarted for ever and nobody escalates. Before Jazzy the keyword is a TypeError: the

@@ -1,8 +1,8 @@
 """A launch file uses the syntax of ROS 1.
 
 ## What it finds
-`<node type=>`, `ns=`, `required=`, `$(arg x)`, `$(find p)`, `<rosparam>`, `<machine>` and `<arg value=>` in launch files of
-ROS 2 packages.
+`<node type=>`, `ns=`, `required=`, `$(arg x)`, `$(find p)`, `<rosparam>`, `<machine>` and `<arg value=>` in launch
+files of ROS 2 packages.
 
 ## Why it matters on a robot
 ROS 2 launch rejects the file; nothing starts.

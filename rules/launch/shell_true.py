@@ -4,8 +4,8 @@
 `shell=True` on a process whose command holds a launch configuration or an environment variable.
 
 ## Why it matters on a robot
-Whatever is passed as the argument is run by the shell: a name with a blank breaks the command, one with a semicolon runs
-another.
+Whatever is passed as the argument is run by the shell: a name with a blank breaks the command, one with a semicolon
+runs another.
 
 ## Bad
 ```python

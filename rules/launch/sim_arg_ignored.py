@@ -1,11 +1,12 @@
 """The simulation switch does not switch the hardware off.
 
 ## What it finds
-Launch files that declare `use_sim`, `simulation` or the like and start hardware drivers that neither have a condition nor
-read the argument.
+Launch files that declare `use_sim`, `simulation` or the like and start hardware drivers that neither have a condition
+nor read the argument.
 
 ## Why it matters on a robot
-`use_sim:=true` on the robot still starts the real motor driver: it moves while everybody believes to be in a simulation.
+`use_sim:=true` on the robot still starts the real motor driver: it moves while everybody believes to be in a
+simulation.
 
 ## Bad
 ```python

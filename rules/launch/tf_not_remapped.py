@@ -4,12 +4,13 @@
 Launch files in which some nodes remap `/tf` into their namespace, and others of the same namespace that use tf do not.
 
 ## Why it matters on a robot
-`/tf` is an absolute name, so a namespace does not move it. Half of the nodes read and write the frames of this robot, half
-those of all robots: transforms are missing, or come from the neighbour.
+`/tf` is an absolute name, so a namespace does not move it. Half of the nodes read and write the frames of this robot,
+half those of all robots: transforms are missing, or come from the neighbour.
 
 ## Bad
 ```python
-Node(package='nav2_amcl', executable='amcl', namespace='robot1', remappings=[('/tf', 'tf'), ('/tf_static', 'tf_static')]),
+Node(package='nav2_amcl', executable='amcl', namespace='robot1',
+     remappings=[('/tf', 'tf'), ('/tf_static', 'tf_static')]),
 Node(package='nav2_planner', executable='planner_server', namespace='robot1'),
 ```
 
@@ -50,7 +51,8 @@ def tf_not_remapped(robot: Robot):
             if robot.launch.role(node).role in USES_TF or program in PUBLISHERS:
                 yield finding(
                     node.span,
-                    f"{node.label()} uses the common /tf, other nodes of {node.namespace} use their own: transforms are missing",
+                    f"{node.label()} uses the common /tf, other nodes of {node.namespace} use their own: transforms "
+                    "are missing",
                     advice="remap ('/tf', 'tf') and ('/tf_static', 'tf_static') here too",
                     related=[note(other.span, "remaps /tf")],
                 )

@@ -4,8 +4,8 @@
 `TimerAction` around nodes or includes, and timers that announce the success of checks that nobody waits for.
 
 ## Why it matters on a robot
-On a slow boot, with a full disk or a cold camera, the delay is too short and the consumer starts before the driver; on a good
-day it is wasted. A failed check before the timer does not stop it either.
+On a slow boot, with a full disk or a cold camera, the delay is too short and the consumer starts before the driver;
+on a good day it is wasted. A failed check before the timer does not stop it either.
 
 ## Bad
 ```python

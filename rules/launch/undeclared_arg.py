@@ -1,9 +1,9 @@
 """A launch configuration is read that nobody declares.
 
 ## What it finds
-`LaunchConfiguration('x')` or `$(var x)` without a default, where neither the file nor a file that includes it declares or
-sets `x`. Files that read more than two such
-names, or that another launch file names, are taken for parts of a larger launch file, and reported as info.
+`LaunchConfiguration('x')` or `$(var x)` without a default, where neither the file nor a file that includes it
+declares or sets `x`. Files that read more than two such names, or that another launch file names, are taken for parts
+of a larger launch file, and reported as info.
 
 ## Why it matters on a robot
 launch stops with "launch configuration 'x' does not exist" unless somebody happens to pass `x:=…` by hand. A unit that

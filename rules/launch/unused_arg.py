@@ -4,8 +4,8 @@
 Declared arguments that neither the file nor any file that it includes reads.
 
 ## Why it matters on a robot
-Setting the argument has no effect, and launch does not say so: the robot runs with another configuration than the operator
-believes.
+Setting the argument has no effect, and launch does not say so: the robot runs with another configuration than the
+operator believes.
 
 ## Bad
 ```python

@@ -5,8 +5,8 @@ Arguments such as `use_sim_time`, `use_sim` or `simulation` with the default tru
 simulator.
 
 ## Why it matters on a robot
-Started without arguments, as a unit does, the nodes wait for a clock that nobody publishes: nothing moves, and nothing is
-logged.
+Started without arguments, as a unit does, the nodes wait for a clock that nobody publishes: nothing moves, and
+nothing is logged.
 
 ## Bad
 ```python

@@ -1,12 +1,12 @@
 """Some nodes use the simulated clock and others do not.
 
 ## What it finds
-Launch files that give the argument `use_sim_time` to some of their nodes, while nodes that work with time (localisation,
-mapping, planning, control) get neither it nor a parameter file.
+Launch files that give the argument `use_sim_time` to some of their nodes, while nodes that work with time
+(localisation, mapping, planning, control) get neither it nor a parameter file.
 
 ## Why it matters on a robot
-In a simulation, or when a recording is replayed, half of the nodes live in another time: transforms are too old or in the
-future, and every message is dropped.
+In a simulation, or when a recording is replayed, half of the nodes live in another time: transforms are too old or in
+the future, and every message is dropped.
 
 ## Bad
 ```python

@@ -1,8 +1,8 @@
 """A file cannot be read.
 
 ## What it finds
-A file or folder that was named or met and cannot be read: no permission, a FIFO or device in the place of a file, a file
-beyond the size limit, a file that vanished during the run.
+A file or folder that was named or met and cannot be read: no permission, a FIFO or device in the place of a file, a
+file beyond the size limit, a file that vanished during the run.
 
 ## Why it matters on a robot
 What is not read is not checked: a mistake in it stays unseen.

@@ -4,8 +4,8 @@
 A name in `bringup-lint: ignore[...]` or `ignore-file[...]` for which no finding was silenced, although its rules ran.
 
 ## Why it matters on a robot
-The defect is gone, or the comment stands on the wrong line or misspells the rule: then the finding that somebody decided
-about is reported again, or a new one would be silenced unseen.
+The defect is gone, or the comment stands on the wrong line or misspells the rule: then the finding that somebody
+decided about is reported again, or a new one would be silenced unseen.
 
 ## Bad
 ```ini

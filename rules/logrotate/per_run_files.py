@@ -47,7 +47,8 @@ def per_run_files(robot: Robot):
         if reasons:
             yield finding(
                 rotate.name,
-                f"rotate {rotate.value} counts per file, and each ROS process and run has its own: none is ever deleted",
+                f"rotate {rotate.value} counts per file, and each ROS process and run has its own: none is ever "
+                "deleted",
                 advice="add maxage 14, and a tmpfiles.d line with an age",
                 related=[note(reasons[0], "ROS writes its logs here")] if hasattr(reasons[0], "span") else (),
             )

@@ -64,7 +64,8 @@ def absolute_home_path(robot: Robot):
             ):
                 yield finding(
                     item.span,
-                    f"ROS does not expand the ~ of '{parameter.name}': unless the node does, it looks for a folder called '~'",
+                    f"ROS does not expand the ~ of '{parameter.name}': unless the node does, it looks for a folder "
+                    "called '~'",
                     advice="write the whole path, or $(env HOME) in a file that is loaded with allow_substs",
                     severity="info",
                 )

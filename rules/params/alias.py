@@ -1,8 +1,8 @@
 """The parameter file uses a YAML alias.
 
 ## What it finds
-`*name` and merge keys (`<<: *name`) in a file that rcl reads itself. Anchors without an alias pass, and so do files that
-only PyYAML reads: for composable nodes, or rewritten by a launch helper.
+`*name` and merge keys (`<<: *name`) in a file that rcl reads itself. Anchors without an alias pass, and so do files
+that only PyYAML reads: for composable nodes, or rewritten by a launch helper.
 
 ## Why it matters on a robot
 rcl refuses the whole file: 'Will not support aliasing'. Every node that gets it exits at start.

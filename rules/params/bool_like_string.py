@@ -1,8 +1,8 @@
 """A word is read as a boolean where the node expects text, or the other way round.
 
 ## What it finds
-`on`, `off`, `yes`, `no`, `y`, `n`, `true` and `false` without quotes for parameters that the workspace declares as a string, and
-with quotes for those that it declares as a boolean.
+`on`, `off`, `yes`, `no`, `y`, `n`, `true` and `false` without quotes for parameters that the workspace declares as a
+string, and with quotes for those that it declares as a boolean.
 
 ## Why it matters on a robot
 ROS does not convert: the node ends with InvalidParameterTypeException at start.
@@ -42,7 +42,8 @@ def bool_like_string(robot: Robot):
             text = f'"{parameter.text}"'
             yield finding(
                 parameter.span,
-                f"'{parameter.name}: {parameter.text}' is the boolean {str(value.data).lower()}, the node expects a string: it ends "
+                f"'{parameter.name}: {parameter.text}' is the boolean {str(value.data).lower()}, the node expects a "
+                "string: it ends "
                 "with InvalidParameterTypeException",
                 advice=f"write {text}",
                 related=[note(declared.place, "declared as a string here")],
@@ -52,7 +53,8 @@ def bool_like_string(robot: Robot):
             plain = _WORDS[str(value.data).lower()]
             yield finding(
                 parameter.span,
-                f"'{parameter.name}: {parameter.text}' is text, the node expects a boolean: it ends with InvalidParameterTypeException",
+                f"'{parameter.name}: {parameter.text}' is text, the node expects a boolean: it ends with "
+                "InvalidParameterTypeException",
                 advice=f"write {plain}",
                 related=[note(declared.place, "declared as a boolean here")],
                 fix=fix(f"Write {plain}", (parameter.span, plain)),

@@ -1,8 +1,8 @@
 """A double is given for a parameter that is declared as an integer.
 
 ## What it finds
-Doubles in a parameter file for parameters that the sources of the workspace declare as an integer, with a literal name and
-type. Silent where the node allows any type, or declares the name with several types.
+Doubles in a parameter file for parameters that the sources of the workspace declare as an integer, with a literal
+name and type. Silent where the node allows any type, or declares the name with several types.
 
 ## Why it matters on a robot
 ROS does not convert: the node ends with InvalidParameterTypeException at start.

@@ -1,12 +1,12 @@
 """A parameter is set twice in one block.
 
 ## What it finds
-The same parameter twice below one `ros__parameters`: an error when the types differ, for information when the values are
-equal.
+The same parameter twice below one `ros__parameters`: an error when the types differ, for information when the values
+are equal.
 
 ## Why it matters on a robot
-With one type the last value counts. With two, rcl keeps both and hands over the one whose type comes first (bool, integer,
-double, string), wherever it stands.
+With one type the last value counts. With two, rcl keeps both and hands over the one whose type comes first (bool,
+integer, double, string), wherever it stands.
 
 ## Bad
 ```yaml

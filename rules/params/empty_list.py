@@ -1,8 +1,8 @@
 """A parameter is an empty list or mapping.
 
 ## What it finds
-`[]` and `{}` as values. An error for an empty mapping in front of other parameters: to rcl it ends the block, or it swallows
-the names that follow; for information when no source of the nodes names the parameter.
+`[]` and `{}` as values. An error for an empty mapping in front of other parameters: to rcl it ends the block, or it
+swallows the names that follow; for information when no source of the nodes names the parameter.
 
 ## Why it matters on a robot
 An empty list has no type. The parameter counts as set without a value: a node that declares it with a type ends with an
@@ -24,7 +24,8 @@ planner:
 
 ## References
 - rclcpp, `parameter_value_from`
-- rclpy, `Node.declare_parameter`: "Cannot declare a statically typed parameter with default value of type PARAMETER_NOT_SET"
+- rclpy, `Node.declare_parameter`: "Cannot declare a statically typed parameter with default value of type
+  PARAMETER_NOT_SET"
 """
 
 from bringup_lint.api import Robot
@@ -53,7 +54,8 @@ def empty_list(robot: Robot):
             kind = "list" if parameter.text.startswith("[") else "mapping"
             yield finding(
                 parameter.span,
-                f"'{parameter.name}' is an empty {kind} without a type: a node that declares it with a type ends with an exception",
+                f"'{parameter.name}' is an empty {kind} without a type: a node that declares it with a type ends "
+                "with an exception",
                 advice="leave the line out, or write a list with one value of the type"
                 if kind == "list"
                 else "leave the line out",

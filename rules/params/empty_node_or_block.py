@@ -1,8 +1,8 @@
 """A node or its parameter block is empty.
 
 ## What it finds
-A node name or `ros__parameters` with nothing below, as it is left when all parameters are commented out. An explicit `{}`
-passes.
+A node name or `ros__parameters` with nothing below, as it is left when all parameters are commented out. An explicit
+`{}` passes.
 
 ## Why it matters on a robot
 rcl refuses the whole file: 'Cannot have a value before ros__parameters'. Every node that gets it exits at start.

@@ -50,7 +50,8 @@ def exponent_pyyaml(robot: Robot):
             )
             yield finding(
                 item.span,
-                f"launch reads '{item.text}' as text for the component {composed.node.label()}: it gets a string instead of a double",
+                f"launch reads '{item.text}' as text for the component {composed.node.label()}: it gets a string "
+                "instead of a double",
                 advice=f"write {better}",
                 related=[note(composed.where, "loaded for a component here")],
                 fix=fix(f"Write {better}", (item.span, better)),

@@ -1,9 +1,9 @@
 """A node gets a parameter file in which nothing is for it.
 
 ## What it finds
-A node with a known name and namespace that is given a file of which no block and no wildcard matches its full name, though
-one is nearly it: the same name in another namespace, or misspelt. Silent for components, containers and names that are not
-known.
+A node with a known name and namespace that is given a file of which no block and no wildcard matches its full name,
+though one is nearly it: the same name in another namespace, or misspelt. Silent for components, containers and names
+that are not known.
 
 ## Why it matters on a robot
 All parameters stay at the defaults of the code, without any message. It shows when the robot drives.
@@ -40,7 +40,8 @@ def file_key_mismatch(robot: Robot):
         single = len(found.block.keys) == 1
         yield finding(
             found.load.where,
-            f"{found.file.source.basename} has a block for '{found.block.name}', the node is {found.name}: all its parameters stay "
+            f"{found.file.source.basename} has a block for '{found.block.name}', the node is {found.name}: all its "
+            "parameters stay "
             "at the defaults, without any message",
             advice=f"name the block {better}",
             related=[note(found.block.key, "the block that does not match"), note(found.load.node.span, "the node")],

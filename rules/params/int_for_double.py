@@ -1,8 +1,8 @@
 """An integer is given for a parameter that is declared as a double.
 
 ## What it finds
-Integers in a parameter file for parameters that the sources of the workspace declare as a double, with a literal name and
-type. Silent where the node allows any type, or declares the name with several types.
+Integers in a parameter file for parameters that the sources of the workspace declare as a double, with a literal name
+and type. Silent where the node allows any type, or declares the name with several types.
 
 ## Why it matters on a robot
 ROS does not convert: the node ends with InvalidParameterTypeException at start.

@@ -2,8 +2,8 @@
 
 ## What it finds
 Values between a node name and `ros__parameters` or beside it, and misspellings such as `ros_parameters` or
-`ros__parameter`, in parameter files, and files without any `ros__parameters` that a launch file gives to a node. Files that no launch file of the tree loads are judged only in a folder for
-configuration, with a warning.
+`ros__parameter`, in parameter files, and files without any `ros__parameters` that a launch file gives to a node.
+Files that no launch file of the tree loads are judged only in a folder for configuration, with a warning.
 
 ## Why it matters on a robot
 rcl refuses the whole file: 'Cannot have a value before ros__parameters'. Every node that gets it exits at start.

@@ -1,8 +1,8 @@
 """A list mixes types.
 
 ## What it finds
-Lists whose elements are of different types for rcl, such as `[0, 0.5]` or `[1, null]`; a warning in files that only PyYAML
-reads.
+Lists whose elements are of different types for rcl, such as `[0, 0.5]` or `[1, null]`; a warning in files that only
+PyYAML reads.
 
 ## Why it matters on a robot
 rcl refuses the whole file: 'Sequence should be of same type'. Every node that gets it exits at start.

@@ -1,8 +1,9 @@
 """A block of parameters matches no node that is started with the file.
 
 ## What it finds
-Node keys that no node which gets the file is called, but nearly: a misspelt name, or the right name in another namespace.
-Silent when a node's name or namespace is not known, when something else mentions the file, and for components.
+Node keys that no node which gets the file is called, but nearly: a misspelt name, or the right name in another
+namespace. Silent when a node's name or namespace is not known, when something else mentions the file, and for
+components.
 
 ## Why it matters on a robot
 No message appears. The node runs with the defaults of its code, and the tuned values are never used.
@@ -41,7 +42,8 @@ def node_not_in_launch(robot: Robot):
         single = len(found.block.keys) == 1
         yield finding(
             found.block.key,
-            f"No node is called '{found.block.name}' (there is {found.name}): these parameters are never used, the defaults stay",
+            f"No node is called '{found.block.name}' (there is {found.name}): these parameters are never used, the "
+            "defaults stay",
             advice=f"write {name}",
             related=[
                 note(found.load.node.span, f"{found.name} is started here"),

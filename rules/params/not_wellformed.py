@@ -1,8 +1,8 @@
 """rcl cannot parse the parameter file.
 
 ## What it finds
-YAML errors, tabs in the indentation, a `%YAML` directive other than 1.1 (a warning), a plain value that starts with `@` or `%`, a file
-that holds only `---`, and a list at the root.
+YAML errors, tabs in the indentation, a `%YAML` directive other than 1.1 (a warning), a plain value that starts with
+`@` or `%`, a file that holds only `---`, and a list at the root.
 
 ## Why it matters on a robot
 The process that gets the file exits at start: 'Error parsing a event near line N'.

@@ -1,7 +1,8 @@
 """A null is read as text.
 
 ## What it finds
-`null`, `~` and `None` as values; lower-case `none` for information. Silent for parameters that the node declares as text.
+`null`, `~` and `None` as values; lower-case `none` for information. Silent for parameters that the node declares as
+text.
 
 ## Why it matters on a robot
 rcl has no null: the node gets the text "null", not 'unset'.

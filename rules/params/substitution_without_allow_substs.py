@@ -1,8 +1,8 @@
 """A substitution stands in a parameter file that launch loads as it is.
 
 ## What it finds
-`$(env X)`, `$(var x)`, `$(find-pkg-share p)` and the like in the values of a file that launch files of the tree load, none of
-them with `allow_substs`.
+`$(env X)`, `$(var x)`, `$(find-pkg-share p)` and the like in the values of a file that launch files of the tree load,
+none of them with `allow_substs`.
 
 ## Why it matters on a robot
 Nobody fills it in. The node gets the text '$(find-pkg-share my_robot)/map.yaml' and finds no such file.

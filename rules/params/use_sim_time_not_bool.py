@@ -1,11 +1,12 @@
 """use_sim_time is not a boolean.
 
 ## What it finds
-`use_sim_time` with quotes, or as a number, in parameter files. Files only for composable nodes pass: launch reads the text once more.
+`use_sim_time` with quotes, or as a number, in parameter files. Files only for composable nodes pass: launch reads the
+text once more.
 
 ## Why it matters on a robot
-The node's clock refuses the value: it logs an error and stays on wall time while the others follow the simulation, or it
-ends with an exception.
+The node's clock refuses the value: it logs an error and stays on wall time while the others follow the simulation, or
+it ends with an exception.
 
 ## Bad
 ```yaml
@@ -54,7 +55,8 @@ def use_sim_time_not_bool(robot: Robot):
         plain = _PLAIN.get(str(value.data).strip().lower())
         yield finding(
             parameter.span,
-            f"use_sim_time is the {value.type.replace('_', ' ')} {parameter.text}, not a boolean: the node refuses it and stays on wall time",
+            f"use_sim_time is the {value.type.replace('_', ' ')} {parameter.text}, not a boolean: the node refuses "
+            "it and stays on wall time",
             advice=f"write {plain or 'true or false'}",
             fix=fix(f"Write {plain}", (parameter.span, plain)) if plain else None,
         )

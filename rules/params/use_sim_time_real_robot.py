@@ -1,8 +1,8 @@
 """A real robot waits for the time of a simulation.
 
 ## What it finds
-`use_sim_time: true` in a file that the bring-up of a robot loads, when everything the launch file starts is known and none of
-it simulates or sets the parameter again. Files and launch files for simulation, tests and recordings pass.
+`use_sim_time: true` in a file that the bring-up of a robot loads, when everything the launch file starts is known and
+none of it simulates or sets the parameter again. Files and launch files for simulation, tests and recordings pass.
 
 ## Why it matters on a robot
 Nobody publishes /clock: the time stays at zero and timers never fire. The nodes run and do nothing.
@@ -37,7 +37,8 @@ def use_sim_time_real_robot(robot: Robot):
     for found in robot.params.simulated:
         yield finding(
             found.parameter.span,
-            f"No /clock is published on the robot: the time of {found.load.node.label()} stays at zero, its timers never fire",
+            f"No /clock is published on the robot: the time of {found.load.node.label()} stays at zero, its timers "
+            "never fire",
             advice="write false",
             related=[note(found.load.node.span, "gets the value here")],
             fix=fix("Write false", (found.parameter.span, "false"), safe=False),

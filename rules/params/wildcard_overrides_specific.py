@@ -1,7 +1,8 @@
 """A wildcard block takes back what a specific block sets.
 
 ## What it finds
-A block with a wildcard (`/**`) behind the block of a node that it also matches, with another value for a parameter of it.
+A block with a wildcard (`/**`) behind the block of a node that it also matches, with another value for a parameter of
+it.
 
 ## Why it matters on a robot
 The last matching block counts, not the most specific one: the node runs with the general value.
@@ -38,7 +39,8 @@ def wildcard_overrides_specific(robot: Robot):
         for specific, general in robot.params.taken_back(file) if file.accepted else ():
             yield finding(
                 general.key,
-                f"'{general.block.name}' comes last and sets '{general.name}' of {specific.block.name} to {general.text} "
+                f"'{general.block.name}' comes last and sets '{general.name}' of {specific.block.name} to "
+                f"{general.text} "
                 f"instead of {specific.text}",
                 advice=f"move the block '{general.block.name}' to the top of the file",
                 related=[note(specific.key, "the value that is lost")],

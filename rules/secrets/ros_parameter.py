@@ -1,9 +1,9 @@
 """A secret is handed to a node as a parameter.
 
 ## What it finds
-Parameters with the name of a secret (`..._password`, `api_key`, `token`) that are filled from the environment or from a launch
-argument, in parameter files and launch files. A parameter that holds the path of a credential file passes; a value in clear
-text is `secrets/plain-secret`.
+Parameters with the name of a secret (`..._password`, `api_key`, `token`) that are filled from the environment or from
+a launch argument, in parameter files and launch files. A parameter that holds the path of a credential file passes; a
+value in clear text is `secrets/plain-secret`.
 
 ## Why it matters on a robot
 Parameters are public on the graph: every participant can read the value with `ros2 param get`, and it appears on
@@ -38,6 +38,7 @@ def ros_parameter(robot: Robot):
     for found in robot.exposed_secrets:
         yield finding(
             found.where,
-            f"The parameter {found.name} is public on the graph: every participant can read the secret with ros2 param get",
+            f"The parameter {found.name} is public on the graph: every participant can read the secret with ros2 "
+            "param get",
             advice="give the node the path of a credential file that only it may read",
         )

@@ -31,6 +31,7 @@ def ca_key_on_robot(robot: Robot):
         if robot.tree.complete and "/private/" in f"/{source.name}" and source.judged:
             yield finding(
                 source,
-                "The key of the certificate authority is on the robot: whoever owns it can create identities for the whole fleet",
+                "The key of the certificate authority is on the robot: whoever owns it can create identities for the "
+                "whole fleet",
                 advice="sign on a separate machine, and deploy public and enclaves only",
             )

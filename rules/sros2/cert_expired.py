@@ -32,6 +32,7 @@ def cert_expired(robot: Robot):
         if source.judged and certificate.last_day < robot.today:
             yield finding(
                 source,
-                f"The certificate expired on {certificate.last_day}: participants that use it are rejected, their nodes do not start",
+                f"The certificate expired on {certificate.last_day}: participants that use it are rejected, their "
+                "nodes do not start",
                 advice="create a new identity, and sign its permissions again",
             )

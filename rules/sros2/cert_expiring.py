@@ -33,6 +33,7 @@ def cert_expiring(robot: Robot):
         if source.judged and 0 <= left <= 30:
             yield finding(
                 source,
-                f"The certificate expires in {left} day{'s' * (left != 1)}, on {certificate.last_day}: its nodes do not start after that",
+                f"The certificate expires in {left} day{'s' * (left != 1)}, on {certificate.last_day}: its nodes do "
+                "not start after that",
                 advice="create a new identity before, and sign its permissions again",
             )

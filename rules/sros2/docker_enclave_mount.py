@@ -50,7 +50,8 @@ def docker_enclave_mount(robot: Robot):
             if inside and volume.target is not None and volume.target.rstrip("/") == keystore:
                 yield finding(
                     volume.where,
-                    f"rcl looks in {keystore}/enclaves, but {keystore} is a single enclave: the directory does not exist, and its links lead nowhere",
+                    f"rcl looks in {keystore}/enclaves, but {keystore} is a single enclave: the directory does not "
+                    "exist, and its links lead nowhere",
                     advice=f"mount public and enclaves of the keystore below {keystore}, read-only and without private",
                     related=[note(variable.value, "the keystore is expected here")],
                 )

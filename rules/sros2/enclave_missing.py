@@ -41,7 +41,8 @@ def enclave_missing(robot: Robot):
         near = nearest(name, known)
         yield finding(
             name,
-            f"Enclave {name} is not in {keystores[0].name}: with Enforce the process ends, with Permissive it runs unsecured",
+            f"Enclave {name} is not in {keystores[0].name}: with Enforce the process ends, with Permissive it runs "
+            "unsecured",
             advice=f"write {near[0]}"
             if near
             else f"create it (ros2 security create_enclave), or use one of {', '.join(known[:5])}",

@@ -15,7 +15,8 @@ Node(package="lawn", executable="driver", additional_env={"ROS_SECURITY_ENABLE":
 
 ## Good
 ```python
-Node(package="lawn", executable="driver", ros_arguments=["--enclave", "/lawn/driver"], additional_env={"ROS_SECURITY_ENABLE": "true"})
+Node(package="lawn", executable="driver", ros_arguments=["--enclave", "/lawn/driver"],
+     additional_env={"ROS_SECURITY_ENABLE": "true"})
 ```
 
 ## References
@@ -39,7 +40,8 @@ def enclave_not_selected(robot: Robot):
             continue
         yield finding(
             node.span,
-            f"{node.label()} selects no enclave: it uses '/' and not its name, with Enforce it ends, else it shares that identity",
+            f"{node.label()} selects no enclave: it uses '/' and not its name, with Enforce it ends, else it shares "
+            "that identity",
             advice="add ros_arguments=['--enclave', '/...'] with the enclave of this process",
             related=[note(switch.span, "security is switched on here")],
         )

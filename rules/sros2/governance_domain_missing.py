@@ -45,7 +45,8 @@ def governance_domain_missing(robot: Robot):
             continue
         yield finding(
             known[0].element.tag,
-            f"Could not find domain {domain} in governance (code 141), which covers {', '.join(map(str, known))}: no node starts",
+            f"Could not find domain {domain} in governance (code 141), which covers {', '.join(map(str, known))}: no "
+            "node starts",
             advice=f"add <id>{domain}</id>, and sign the document again",
             related=[note(setting, "the robot's domain")],
         )

@@ -45,7 +45,8 @@ def governance_rule_shadowed(robot: Robot):
                 if wider is not None and wider.fields != topics.fields:
                     yield finding(
                         topics.expression,
-                        f"The rule for {topics.expression} is never used: '{wider.expression}' stands before it, and the first match wins",
+                        f"The rule for {topics.expression} is never used: '{wider.expression}' stands before it, and "
+                        "the first match wins",
                         advice="put the specific rules first, and sign the document again",
                         related=[note(wider.expression, "this rule decides")],
                     )

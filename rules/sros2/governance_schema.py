@@ -54,7 +54,8 @@ def governance_schema(robot: Robot):
         elif remark.code == "order":
             yield finding(
                 remark.where,
-                f"{remark.detail} is out of order: Cyclone DDS takes it, Fast DDS rejects the document and no node starts",
+                f"{remark.detail} is out of order: Cyclone DDS takes it, Fast DDS rejects the document and no node "
+                "starts",
                 advice="keep the order of the specification, and sign the document again",
             )
         elif remark.code == "empty":

@@ -45,7 +45,8 @@ def keystore_layout(robot: Robot):
             if dangling:
                 yield finding(
                     where,
-                    f"The links {', '.join(dangling)} of enclave {enclave.path} lead nowhere: code 117, its nodes do not start",
+                    f"The links {', '.join(dangling)} of enclave {enclave.path} lead nowhere: code 117, its nodes do "
+                    "not start",
                     advice="copy the whole keystore with its links, or put the files themselves there",
                 )
             if missing and (whole or "cert.pem" in enclave.files):

@@ -34,7 +34,8 @@ def permissions_default_allow(robot: Robot):
         if grant.default == "ALLOW" and robot.sros2.is_used(permissions.source):
             yield finding(
                 grant.default,
-                "The default is ALLOW: the allow rules above have no effect, everything that is not denied is permitted",
+                "The default is ALLOW: the allow rules above have no effect, everything that is not denied is "
+                "permitted",
                 advice="write DENY, list what the enclave needs, and sign the document again",
                 fix=fix("write DENY", (grant.default, "DENY"), safe=False),
             )

@@ -45,7 +45,8 @@ def permissions_domain_mismatch(robot: Robot):
             continue
         yield finding(
             known[0].element.tag,
-            f"{grant.enclave} is allowed in domain {known[0]}, but the robot runs in {domain}: denied by default (code 145), its nodes do not start",
+            f"{grant.enclave} is allowed in domain {known[0]}, but the robot runs in {domain}: denied by default "
+            "(code 145), its nodes do not start",
             advice=f"write <id>{domain}</id>, and sign the document again",
             related=[note(setting, "the robot's domain")],
         )

@@ -34,6 +34,7 @@ def permissions_expired(robot: Robot):
         if end is not None and end.date() < robot.today:
             yield finding(
                 grant.not_after,
-                f"The permissions expired on {end.date()}: the participant is rejected (code 147), the node does not start",
+                f"The permissions expired on {end.date()}: the participant is rejected (code 147), the node does not "
+                "start",
                 advice="give the grant a new validity and sign the document again",
             )

@@ -34,6 +34,7 @@ def permissions_expiring(robot: Robot):
         if 0 <= left <= 30:
             yield finding(
                 grant.not_after,
-                f"The permissions expire in {left} day{'s' * (left != 1)}, on {end.date()}: the node does not start after that",
+                f"The permissions expire in {left} day{'s' * (left != 1)}, on {end.date()}: the node does not start "
+                "after that",
                 advice="renew the grant and sign the document again",
             )

@@ -46,6 +46,7 @@ def permissions_missing_discovery_info(robot: Robot):
         if lacks:
             yield finding(
                 grant.subject,
-                f"{grant.enclave} may not {' or '.join(lacks)} ros_discovery_info, which every process needs: none of its nodes can be created",
+                f"{grant.enclave} may not {' or '.join(lacks)} ros_discovery_info, which every process needs: none "
+                "of its nodes can be created",
                 advice="add ros_discovery_info to publish and subscribe, and sign the document again",
             )

@@ -42,7 +42,8 @@ def permissions_missing_ros_prefix(robot: Robot):
                 yield finding(
                     topic,
                     f"'{topic}' grants nothing to {grant.enclave}: the DDS name of the ROS topic is {right}",
-                    advice=f"write {right}, or rq/...Request and rr/...Reply for a service, and sign the document again",
+                    advice=f"write {right}, or rq/...Request and rr/...Reply for a service, and sign the document "
+                    "again",
                     severity=None if "//" in topic or topic.startswith("/") else "warning",
                     fix=fix(f"write {right}", (topic, right)) if topic.startswith("/") else None,
                 )

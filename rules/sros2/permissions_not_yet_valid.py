@@ -40,7 +40,8 @@ def permissions_not_yet_valid(robot: Robot):
         if end is not None and start >= end:
             yield finding(
                 grant.not_before,
-                "The validity begins when it has already ended: the participant is never accepted, the node does not start",
+                "The validity begins when it has already ended: the participant is never accepted, the node does not "
+                "start",
                 advice="write the earlier date first, and sign the document again",
                 related=[note(grant.not_after, "the validity ends here")],
             )

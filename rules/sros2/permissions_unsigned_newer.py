@@ -37,7 +37,8 @@ def permissions_unsigned_newer(robot: Robot):
             continue
         yield finding(
             document.source,
-            f"{document.source.basename} was changed but not signed again: the robot still uses the rules in {signed[0].basename}",
+            f"{document.source.basename} was changed but not signed again: the robot still uses the rules in "
+            f"{signed[0].basename}",
             advice="sign the document again (ros2 security create_permission, or openssl smime -sign)",
             related=[note(signed[0], "the signed text differs")],
         )

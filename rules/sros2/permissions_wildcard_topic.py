@@ -45,6 +45,7 @@ def permissions_wildcard_topic(robot: Robot):
                 yield finding(
                     wide[0],
                     f"{grant.enclave} may publish '{wide[0]}', every topic of the robot: /cmd_vel is among them",
-                    advice="list the topics that its nodes publish (ros2 security generate_policy), and sign the document again",
+                    advice="list the topics that its nodes publish (ros2 security generate_policy), and sign the "
+                    "document again",
                     related=[note(other, "and this one") for other in wide[1:]],
                 )

@@ -44,6 +44,7 @@ def rotation_ineffective(robot: Robot):
             if not removed and words[:2] == ["ros2", "security"] and "create_enclave" in words:
                 yield finding(
                     command.words[words.index("create_enclave")],
-                    "The rotation does nothing: an existing enclave keeps its certificate and key, and its permissions become 'allow everything'",
+                    "The rotation does nothing: an existing enclave keeps its certificate and key, and its "
+                    "permissions become 'allow everything'",
                     advice="remove cert.pem and key.pem first, and run create_permission with the policy afterwards",
                 )

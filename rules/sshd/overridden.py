@@ -54,8 +54,10 @@ def overridden(robot: Robot):
             protects = option.value.lower() in PROTECTS.get(option.name, ())
             yield finding(
                 option.keyword,
-                f"{winner.span.source.basename}:{winner.keyword.line} sets {option.name} first: this line has no effect",
-                advice="delete one of the two; what must win belongs into a drop-in that sorts first, such as 00-robot.conf",
+                f"{winner.span.source.basename}:{winner.keyword.line} sets {option.name} first: this line has no "
+                "effect",
+                advice="delete one of the two; what must win belongs into a drop-in that sorts first, such as "
+                "00-robot.conf",
                 related=[note(winner.keyword, f"this value counts: {' '.join(winner.arguments)}")],
                 severity=None if protects else "warning",
             )

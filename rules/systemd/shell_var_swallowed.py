@@ -36,7 +36,10 @@ from bringup_lint.api import rule
 
 _USE = re.compile(r"(?<!\$)(?:\$\$)*\$\{([^}:]*)\}")
 _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
-_SET = r"(?:^|[\s;&|({{])(?:(?:export|local|readonly|declare|typeset)\s+(?:-\w+\s+)*)?{0}\+?=|\bfor\s+{0}\b|\bread\s[^;|&]*\b{0}\b"
+_SET = (
+    r"(?:^|[\s;&|({{])(?:(?:export|local|readonly|declare|typeset)\s+(?:-\w+\s+)*)?{0}\+?="
+    r"|\bfor\s+{0}\b|\bread\s[^;|&]*\b{0}\b"
+)
 _SHELLS = ("sh", "bash", "dash", "zsh", "ksh")
 
 

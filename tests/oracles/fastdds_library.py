@@ -1,6 +1,7 @@
 """Asks the real Fast DDS of the ROS wheels: its profile manager for thousands of files, a node for a few.
 
-``eprosima::fastrtps::xmlparser::XMLProfileManager::loadXMLString`` is what loading a file comes to; it returns 0 when the file is dropped, 1 when all is well, 2 when some profiles are refused.
+``eprosima::fastrtps::xmlparser::XMLProfileManager::loadXMLString`` is what loading a file comes to; it returns 0 when
+the file is dropped, 1 when all is well, 2 when some profiles are refused.
 """
 
 from __future__ import annotations

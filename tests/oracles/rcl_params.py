@@ -1,7 +1,7 @@
 """A process of its own that asks the real parser: cases as JSON on stdin, what it makes of them as JSON on stdout.
 
-Two ways in: ``table`` calls rcl_yaml_param_parser's library and gives its whole table; ``node`` starts an rclpy node with
-``--params-file`` and gives the parameters that arrive.
+Two ways in: ``table`` calls rcl_yaml_param_parser's library and gives its whole table; ``node`` starts an rclpy node
+with ``--params-file`` and gives the parameters that arrive.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """rcl's own parser: the same files accepted, the same names, types and values, for every case.
 
-Needs ``pip install 'ros-jazzy-rclpy[fastrtps]'``. The first test starts real nodes with ``--params-file``; the second asks
-the parser's library for its whole table, which is quick enough for thousands of bred files.
+Needs ``pip install 'ros-jazzy-rclpy[fastrtps]'``. The first test starts real nodes with ``--params-file``; the second
+asks the parser's library for its whole table, which is quick enough for thousands of bred files.
 """
 
 from __future__ import annotations

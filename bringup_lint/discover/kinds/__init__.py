@@ -1,7 +1,7 @@
 """Recognising what a file is: one module a family, first claim wins.
 
-A kind looks at the path first and reads the head of the file only when the path does not decide. What merely looks alike
-(polkit's ``.rules``, a docs folder called ``ros2.service``) must not be claimed.
+A kind looks at the path first and reads the head of the file only when the path does not decide. What merely looks
+alike (polkit's ``.rules``, a docs folder called ``ros2.service``) must not be claimed.
 """
 
 from __future__ import annotations

@@ -1,7 +1,8 @@
 """journald.conf, system.conf and logind.conf with their drop-ins, merged as systemd reads them.
 
-Per journald.conf(5) and its likes: one main file (that of /etc hides the vendor's), then the drop-ins of all directories in the
-order of their names, where a file of the same name in a higher directory hides the others. The last valid value of a key wins.
+Per journald.conf(5) and its likes: one main file (that of /etc hides the vendor's), then the drop-ins of all
+directories in the order of their names, where a file of the same name in a higher directory hides the others. The
+last valid value of a key wins.
 """
 
 from __future__ import annotations

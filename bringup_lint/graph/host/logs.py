@@ -150,7 +150,8 @@ class RosLogs:
         )
 
     def open_folder(self, folder: str) -> tuple[Located, str, str] | None:
-        """Who makes a folder that group or others may write to: the place, a word on it, and ``USER GROUP`` to rotate as."""
+        """Who makes a folder that group or others may write to: the place, a word on it, and ``USER GROUP`` to rotate
+        as."""
         for source in self.robot.of_kind("tmpfiles"):
             for match in _MADE.finditer(source.text):
                 if match["path"].rstrip("/") == folder:

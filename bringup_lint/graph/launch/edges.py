@@ -1,4 +1,5 @@
-"""Launch files as edges of the robot's graph: units run them, they include each other, start nodes and load parameters."""
+"""Launch files as edges of the robot's graph: units run them, they include each other, start nodes and load
+parameters."""
 
 from __future__ import annotations
 

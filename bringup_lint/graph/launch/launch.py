@@ -100,8 +100,8 @@ class Launch:
         return [file for file, owner in zip(files, owners) if owner is None or not owner.manifest.is_ros1]
 
     def reads_unseen(self, files: Iterable[LaunchFile]) -> bool:
-        """Whether files may read launch configurations by names that are not in them: by computed names, or in parameter
-        files with substitutions."""
+        """Whether files may read launch configurations by names that are not in them: by computed names, or in
+        parameter files with substitutions."""
         return any(id(file) in self._unseen for file in files)
 
     @cached_property
@@ -132,7 +132,8 @@ class Launch:
         return found
 
     def is_named_elsewhere(self, file: LaunchFile) -> bool:
-        """Whether another launch file speaks of a file of this name, so that it may include it in a way that is not known."""
+        """Whether another launch file speaks of a file of this name, so that it may include it in a way that is not
+        known."""
         return bool(self._mentions.get(file.source.basename, set()) - {id(file)})
 
     @cached_property

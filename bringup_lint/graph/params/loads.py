@@ -37,8 +37,8 @@ class Load(NamedTuple):
     where: Span
     """What names the file in the launch file."""
     how: str
-    """``rcl``; ``substituted`` when launch fills in ``$(...)`` before; ``rewritten`` by a helper; ``pyyaml`` when launch
-    itself reads the values and sends them to a container."""
+    """``rcl``; ``substituted`` when launch fills in ``$(...)`` before; ``rewritten`` by a helper; ``pyyaml`` when
+    launch itself reads the values and sends them to a container."""
     root_key: Value | None
     order: int
     """Place among the node's parameters; later ones win."""

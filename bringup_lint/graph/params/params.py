@@ -108,7 +108,8 @@ class Params:
         return param_values.tab_width(file)
 
     def declared(self, parameter: Parameter) -> Declared | None:
-        """How the workspace declares a parameter: what all nodes that may get it agree on, None when that is not known."""
+        """How the workspace declares a parameter: what all nodes that may get it agree on, None when that is not
+        known."""
         file = self._by_source.get(id(parameter.span.source))
         if file is None or self.robot.target.ros in _UNTYPED:
             return None
@@ -213,7 +214,8 @@ class Params:
         return self._loads.get(id(file)) or self._unclaimed.get(os.path.abspath(file.source.name), [])
 
     def effective(self, file: ParameterFile, parameter: Parameter) -> list[Load]:
-        """The loads by which a value may reach a node: its block may be for the node, and nothing later sets it again."""
+        """The loads by which a value may reach a node: its block may be for the node, and nothing later sets it
+        again."""
         from bringup_lint.graph.params.loads import is_replaced
 
         return [
@@ -224,7 +226,8 @@ class Params:
         ]
 
     def reader(self, file: ParameterFile) -> str:
-        """``rcl`` when at least one node gets the file as it is, ``pyyaml`` when all get it through PyYAML, else empty."""
+        """``rcl`` when at least one node gets the file as it is, ``pyyaml`` when all get it through PyYAML, else
+        empty."""
         ways = {load.how for load in self.loads(file)}
         if ways & {"rcl", "substituted"}:
             return "rcl"

@@ -62,7 +62,8 @@ class Secret(NamedTuple):
 
 
 def secrets(robot: Robot) -> Iterator[Secret]:
-    """Every secret of the judged units, environment, compose, parameter and launch files and Dockerfiles, each place once."""
+    """Every secret of the judged units, environment, compose, parameter and launch files and Dockerfiles, each place
+    once."""
     seen: set[tuple[int, int]] = set()
     for found in (*_of_units(robot), *_of_env_files(robot), *_of_compose(robot), *_of_images(robot), *_of_ros(robot)):
         source = found.value.span.source

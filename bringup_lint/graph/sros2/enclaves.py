@@ -1,4 +1,5 @@
-"""Who selects which enclave: ``--enclave`` in launch files, units, compose files and scripts, and the override variable."""
+"""Who selects which enclave: ``--enclave`` in launch files, units, compose files and scripts, and the override
+variable."""
 
 from __future__ import annotations
 

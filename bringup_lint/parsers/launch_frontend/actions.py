@@ -44,7 +44,8 @@ from bringup_lint.source import Located
 _OPTIONS = {
     name: name
     for name in (
-        "respawn respawn_delay respawn_max_retries output cwd shell emulate_tty exec_name sigterm_timeout sigkill_timeout"
+        "respawn respawn_delay respawn_max_retries output cwd shell emulate_tty exec_name sigterm_timeout "
+        "sigkill_timeout"
     ).split()
 } | {"launch-prefix": "prefix"}
 _NUMBER = re.compile(r"[-+]?(?:\d+|(?P<real>\d*\.\d+|\d+\.\d*)(?:[eE][-+]?\d+)?|(?P<power>\d+[eE][-+]?\d+))\Z")

@@ -34,7 +34,8 @@ from bringup_lint.source import Located
 from bringup_lint.source import Span
 
 BUILTINS = frozenset(
-    "str int float bool len range enumerate zip list tuple dict set sorted reversed print open map filter any all min max"
+    "str int float bool len range enumerate zip list tuple dict set sorted reversed print open map filter any all "
+    "min max"
     " isinstance getattr hasattr repr type abs round sum next iter super object vars id eval exec input globals locals"
     " frozenset format callable".split()
 )

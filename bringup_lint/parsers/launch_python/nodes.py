@@ -21,7 +21,8 @@ from bringup_lint.parsers.launch_python.state import State
 from bringup_lint.parsers.launch_python.substitutions import parameter
 
 _OPTIONS = (
-    "respawn respawn_delay respawn_max_retries output output_format prefix cwd shell emulate_tty exec_name cached_output"
+    "respawn respawn_delay respawn_max_retries output output_format prefix cwd shell emulate_tty exec_name "
+    "cached_output"
     " sigterm_timeout sigkill_timeout log_cmd arguments_file"
 ).split()
 

@@ -18,8 +18,8 @@ NOTHING = "nothing"
 
 class ValueProblem(NamedTuple):
     code: str
-    """``invalid``, ``out-of-range``, ``not-absolute``, ``not-relative``, ``not-normalized``,
-    ``bad-unit-name``, ``unknown-specifier``, ``specifier-too-new``, ``too-new``, ``unbalanced-quotes``, ``unknown-escape``,
+    """``invalid``, ``out-of-range``, ``not-absolute``, ``not-relative``, ``not-normalized``, ``bad-unit-name``,
+    ``unknown-specifier``, ``specifier-too-new``, ``too-new``, ``unbalanced-quotes``, ``unknown-escape``,
     ``empty-command``, ``bad-program`` or ``odd-name``."""
     where: Located
     expected: str = ""
