@@ -105,11 +105,11 @@ class Dockerfile:
         return [instruction for stage in self.stages for instruction in stage.instructions]
 
     def expand(self, text: str) -> str:
-        """Put in the defaults of the global arguments."""
+        """Put in the defaults of the global arguments; an empty one has to be given to the build."""
 
         def value(match: re.Match[str]) -> str:
             default = self.arguments.get(match["braced"] or match["plain"])
-            return str(default) if default is not None else match["default"] or match[0]
+            return str(default or match["default"] or match[0])
 
         return _VARIABLE.sub(value, text)
 

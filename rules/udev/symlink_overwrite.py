@@ -4,8 +4,8 @@
 `SYMLINK=` with a plain equals sign.
 
 ## Why it matters on a robot
-The links that earlier rules gave the device, `/dev/serial/by-id` and `by-path` among them, are gone. Whatever
-opens the device by one of them fails.
+The links that earlier rules gave the device are gone, and whatever opens the device by one of them fails. The links
+in `/dev/serial/by-id` and `by-path` are made by `60-serial.rules`: a file that is read later drops them too.
 
 ## Bad
 ```udev
@@ -32,9 +32,11 @@ def symlink_overwrite(robot: Robot):
     for line in robot.udev.judged:
         for token in line.line.assignments("SYMLINK"):
             if token.operator == "=":
+                late = line.source.basename > "60-serial.rules"
                 yield finding(
                     token.operator,
-                    "SYMLINK= drops the links that rules before it gave the device, such as those by id",
+                    "SYMLINK= drops the links that rules before it gave the device"
+                    + (", such as those by id" if late else ""),
                     advice="write +=",
                     fix=fix("add the link", (token.operator, "+=")),
                 )
