@@ -43,6 +43,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.systemd.units import Units
     from bringup_lint.graph.systemd.watchdog import Watchdog
     from bringup_lint.graph.udev.udev import Udev
+    from bringup_lint.graph.ways import Ways
     from bringup_lint.model.dockerfile import Dockerfile
     from bringup_lint.model.env_file import EnvFile
     from bringup_lint.model.firewall import Firewall
@@ -359,3 +360,10 @@ class Robot:
         from bringup_lint.graph.sros2.sros2 import load_sros2
 
         return load_sros2(self)
+
+    @cached_property
+    def ways(self) -> Ways:
+        """How things come into effect: the chain of lines from a unit to a place."""
+        from bringup_lint.graph.ways import Ways
+
+        return Ways(self)

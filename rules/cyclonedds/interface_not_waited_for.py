@@ -2,7 +2,8 @@
 
 ## What it finds
 Cyclone DDS names an interface that the robot's netplan marks `optional: true`: the boot does not wait
-for it. `presence_required="false"` beside other interfaces is left alone.
+for it, and no unit that reads the file waits for the interface itself: for its device unit, with wait-online, or in a
+script. `presence_required="false"` beside other interfaces is left alone.
 
 ## Why it matters on a robot
 The interface is not there yet when the nodes start: `does not match an available interface`, and no
@@ -45,10 +46,19 @@ def interface_not_waited_for(robot: Robot):
             required = domain.of(setting.owner, "presence_required")
             if required is not None and (required.effective or "false").lower() == "false" and len(names) > 1:
                 continue
-            if interface is not None and interface.optional is not None and interface.optional.value:
+            optional = interface.optional if interface is not None else None
+            if optional is not None and optional.value and not robot.dds.waits_for(configuration, setting.effective):
                 yield finding(
                     setting.value,
                     f"The boot does not wait for {setting.effective}: when ROS starts first, no node starts",
                     advice="delete optional, and start ROS after network-online.target",
-                    related=[note(interface.optional.where, "netplan does not wait for it")],
+                    related=[note(optional.where, "netplan does not wait for it"), *_order(robot, configuration)],
+                    chain=robot.ways.to(setting.value, f"{setting.effective} is to carry DDS"),
                 )
+
+
+def _order(robot, configuration):
+    """What the units that read the file wait for instead."""
+    units = {reader.unit.name: reader.unit for reader in robot.dds.readers(configuration) if reader.unit}
+    words = [(unit, word) for unit in units.values() for word in unit.words("After") if "network" in word]
+    return [note(word, f"{unit.name} waits for {word} only") for unit, word in words[:3]]

@@ -40,7 +40,8 @@ from bringup_lint.api import rule
     symptoms=["failed to increase socket receive buffer size", "failed to increase socket send buffer size"],
 )
 def socket_buffer_exceeds_sysctl(robot: Robot):
-    for _configuration, domain in robot.dds.domains:
+    used = ((each, domain) for each, domain in robot.dds.domains if robot.dds.in_use(each))
+    for configuration, domain in used:
         for setting, limit_name in robot.dds.least_buffers(domain):
             wanted = robot.dds.size_of(setting)
             limit = robot.sysctl.get(limit_name)
@@ -55,7 +56,16 @@ def socket_buffer_exceeds_sysctl(robot: Robot):
                 setting.value,
                 f"At least {setting.value} needs {limit_name} >= {(wanted + 1) // 2}, but {has}: no node starts",
                 advice=f"set {limit_name} = {wanted} in /etc/sysctl.d, or ask with max instead of min",
-                related=[note(limit.value, "the limit")] if limit else (),
+                related=[*_limit(limit), *_readers(robot, configuration)],
+                chain=robot.ways.to(setting.value, f"at least {setting.value} is asked for"),
                 severity=None if known else "warning",
                 confidence="high" if known else "medium",
             )
+
+
+def _limit(limit):
+    return [note(limit.value, "the limit")] if limit else []
+
+
+def _readers(robot, configuration):
+    return [note(reader.uri, f"{reader.who} reads the file") for reader in robot.dds.readers(configuration)[:3]]

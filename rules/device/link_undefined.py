@@ -39,7 +39,8 @@ def link_undefined(robot: Robot):
             use.path,
             f"No udev rule makes {use.path}: the device never appears",
             advice=f"did you mean {near.path}?" if near else "add a rule that makes the link, or correct the name",
-            related=[note(near.name, f"makes {near.path}")] if near else _neighbours(robot, use),
+            related=[*_made(robot, use, near), *_same(robot, use)],
+            chain=robot.ways.to(use.path, f"{use.path} is opened"),
         )
     for use in robot.devices.without_rules:
         yield finding(
@@ -50,7 +51,15 @@ def link_undefined(robot: Robot):
         )
 
 
-def _neighbours(robot: Robot, use):
+def _made(robot: Robot, use, near):
+    if near:
+        return [note(near.name, f"makes {near.path}")]
     folder = use.path.rpartition("/")[0]
     links = [link for link in robot.udev.links if link.is_fixed and link.path.rpartition("/")[0] == folder]
     return [note(link.name, f"a rule for {folder} is here") for link in links[:1]]
+
+
+def _same(robot: Robot, use):
+    """The other places that name the same path."""
+    others = [each.path for each in robot.devices.uses if each.path == use.path and each.path is not use.path]
+    return [note(path, "and it is named here") for path in others[:3]]

@@ -28,6 +28,7 @@ import re
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import nearest
+from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
@@ -46,4 +47,6 @@ def enclave_missing(robot: Robot):
             advice=f"write {near[0]}"
             if near
             else f"create it (ros2 security create_enclave), or use one of {', '.join(known[:5])}",
+            related=[note(robot.sros2.anchor(keystore.folder), "the keystore") for keystore in keystores[:2]],
+            chain=robot.ways.to(name, f"{name} is selected"),
         )

@@ -43,5 +43,6 @@ def enclave_not_selected(robot: Robot):
             f"{node.label()} selects no enclave: it uses '/' and not its name, with Enforce it ends, else it shares "
             "that identity",
             advice="add ros_arguments=['--enclave', '/...'] with the enclave of this process",
+            chain=robot.ways.to_node(node),
             related=[note(switch.span, "security is switched on here")],
         )

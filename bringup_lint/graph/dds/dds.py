@@ -125,8 +125,22 @@ class Dds:
         return [each.text for one in plan.interfaces.values() for each in one.addresses] if plan else []
 
     def plan_of(self, configuration: Configuration | Profiles) -> Plan | None:
-        """The netplan of the same robot, when the tree holds exactly one."""
-        return dds_network.plan_of(self.robot, configuration.source)
+        """The netplan of the same robot, when the tree holds exactly one and the file is no unused variant."""
+        return dds_network.plan_of(self.robot, configuration.source) if self.in_use(configuration) else None
+
+    def in_use(self, configuration: Configuration | Profiles) -> bool:
+        """Whether a process of the tree reads a file, or no process is known to read any of its sort."""
+        if isinstance(configuration, Profiles):
+            return bool(self.profile_readers(configuration)) or not self._profile_selections
+        return bool(self.readers(configuration)) or not any(each.files for each in self.selections)
+
+    def waits_for(self, configuration: Configuration | Profiles, interface: str) -> bool:
+        """Whether units wait for an interface themselves: for its device, with the waiter, or in a script."""
+        if isinstance(configuration, Profiles):
+            units = [process.unit for process, _ in self.profile_readers(configuration) if process.unit]
+        else:
+            units = [each.unit for each in self.readers(configuration) if each.unit]
+        return dds_network.waits_for(self.robot, units, interface)
 
     def own_addresses(self, configuration: Configuration | Profiles) -> set[str]:
         """The robot's static addresses by that netplan; empty when nobody knows."""

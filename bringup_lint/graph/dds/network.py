@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ipaddress
+import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -13,6 +14,7 @@ from bringup_lint.model.cyclonedds import Setting
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.systemd.unit import Unit
     from bringup_lint.model.netplan import Interface
     from bringup_lint.model.netplan import Plan
     from bringup_lint.robot import Robot
@@ -96,3 +98,17 @@ def routed(plan: Plan, address: ipaddress.IPv4Address | ipaddress.IPv6Address) -
         if interface.value("gateway4") or interface.value("gateway6"):
             return True
     return False
+
+
+def waits_for(robot: Robot, units: list[Unit], name: str) -> bool:
+    """Whether one of the units, or the waiter of networkd, waits for the interface of this name."""
+    device = f"sys-subsystem-net-devices-{name}.device"
+    own = re.compile(rf"(?<![\w.-]){re.escape(name)}(?![\w-])")
+    for unit in units:
+        ordered = [word for key in ("After", "BindsTo", "Requires") for word in unit.words(key)]
+        if any(word == device or f"wait-online@{name}." in word for word in ordered):
+            return True
+        if any(own.search(text) for process in robot.units.processes(unit) for text in process.texts):
+            return True
+    waiters = [unit for unit in robot.units.judged if "wait-online" in unit.name]
+    return any(own.search(value) for unit in waiters for value in unit.values("ExecStart", "Service"))

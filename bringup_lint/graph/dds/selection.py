@@ -49,6 +49,7 @@ class Selection:
     """ROS_DOMAIN_ID as it really is; None when nobody knows."""
     domain_where: Located | None = None
     unit: Unit | None = None
+    service: Service | None = None
     processes: int = 1
     """At least so many processes take part: what the launch files of the unit start by default."""
 
@@ -108,7 +109,7 @@ def _of_services(robot: Robot) -> Iterator[Selection]:
         uri = values.get(URI)
         if uri is None or "$" in uri or not _reads_it(values.get("RMW_IMPLEMENTATION")):
             continue
-        selection = Selection(f"service {service.name}", service.name, uri)
+        selection = Selection(f"service {service.name}", service.name, uri, service=service)
         _resolve(selection, uri, lambda path, service=service: _mounted(robot, service, path))
         domain = values.get("ROS_DOMAIN_ID")
         if domain is not None and re.fullmatch(r"[1-9]?[0-9]{1,2}", domain):

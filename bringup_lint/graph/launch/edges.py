@@ -1,9 +1,7 @@
-"""Launch files as edges of the robot's graph: units run them, they include each other, start nodes and load
-parameters."""
+"""Launch files as edges of the robot's graph: units run them, they include others, start nodes, load parameters."""
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -37,8 +35,8 @@ def ros_node(node: Started) -> Node:
 def launch_edges(launch: Launch) -> Iterator[Edge]:
     """``runs`` from units, ``includes``, ``starts`` and ``loads-params``; an open condition stands in ``why``."""
     for command in launch.commands:
-        if command.file is not None:
-            unit = Node("unit", os.path.basename(command.target.path))
+        if command.file is not None and command.process is not None:
+            unit = Node("unit", command.process.unit.name)
             yield Edge("runs", unit, file_node(command.file), command.target.span, "ros2 launch")
     for expansion in launch.expansions:
         for include in expansion.includes:

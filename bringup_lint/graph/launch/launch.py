@@ -8,7 +8,6 @@ from collections.abc import Iterable
 from collections.abc import Iterator
 from functools import cached_property
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 
 from bringup_lint.facts import launch_api
 from bringup_lint.facts.node_roles import HARDWARE
@@ -16,6 +15,8 @@ from bringup_lint.facts.node_roles import Role
 from bringup_lint.facts.node_roles import packages
 from bringup_lint.facts.node_roles import role_of
 from bringup_lint.graph.graph import Edge
+from bringup_lint.graph.launch.commands import LaunchCommand
+from bringup_lint.graph.launch.commands import launch_commands
 from bringup_lint.graph.launch.edges import launch_edges
 from bringup_lint.graph.launch.expand import Expander
 from bringup_lint.graph.launch.expand import Expansion
@@ -64,16 +65,6 @@ PUBLIC = ("nav2_", "ros2_", "ros_", "rclcpp_", "tf2_", "launch_", "image_", "joi
 _LAUNCH_FILE = re.compile(r"[\w.-]+\.launch(?:\.(?:py|xml|ya?ml))?|[\w.-]+_launch\.py")
 EXPANSIONS = 2_000
 """Entries that are expanded in one run."""
-
-
-class LaunchCommand(NamedTuple):
-    """``ros2 launch package target name:=value ...`` in a unit."""
-
-    package: Located | None
-    target: Located
-    arguments: list[tuple[Located, Located]]
-    file: LaunchFile | None
-    """The launch file, when it is in the tree."""
 
 
 class Launch:
@@ -307,25 +298,14 @@ class Launch:
 
     @cached_property
     def commands(self) -> list[LaunchCommand]:
-        """The ``ros2 launch`` commands of systemd units."""
-        found: list[LaunchCommand] = []
-        if not self.robot.of_kind("systemd-unit", "systemd-dropin"):
-            return found
-        for unit in self.robot.units.judged:
-            for process in self.robot.units.processes(unit):
-                for _, ros in process.launches:
-                    if ros.target is not None:
-                        passed = [(word, word.find(":=")) for word in ros.arguments]
-                        arguments = [(word.part(0, at), word.part(at + 2, len(word))) for word, at in passed if at > 0]
-                        file = self.named(ros.package, ros.target)
-                        found.append(LaunchCommand(ros.package, ros.target, arguments, file))
-        return found
+        """The ``ros2 launch`` commands of systemd units and compose services."""
+        return list(launch_commands(self.robot, self))
 
     @cached_property
     def _units(self) -> dict[int, list[Located]]:
         found: dict[int, list[Located]] = {}
         for command in self.commands:
-            if command.file is not None:
+            if command.file is not None and command.process is not None:
                 found.setdefault(id(command.file), []).append(command.target)
         return found
 

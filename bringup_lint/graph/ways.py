@@ -1,0 +1,196 @@
+"""The way by which something comes into effect: unit, script, launch files, node, parameter file, value.
+
+Every step is a line of the tree that names the next one. Where no line leads to a place, there is no way.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from bringup_lint.finding import Related
+from bringup_lint.finding import span_of
+from bringup_lint.source import Located
+from bringup_lint.source import Source
+from bringup_lint.source import Span
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.dds.selection import Selection
+    from bringup_lint.graph.environment.ros import RosProcess
+    from bringup_lint.graph.launch.commands import LaunchCommand
+    from bringup_lint.graph.launch.expand import Expansion
+    from bringup_lint.graph.launch.started import Started
+    from bringup_lint.graph.params.loads import Load
+    from bringup_lint.graph.systemd.process import Process
+    from bringup_lint.graph.systemd.process import Step
+    from bringup_lint.graph.systemd.unit import Unit
+    from bringup_lint.model.launch import LaunchFile
+    from bringup_lint.robot import Robot
+
+Steps = tuple[Related, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Ways:
+    """Ways to places of one robot; each is empty when nothing in the tree leads there."""
+
+    robot: Robot
+
+    def to(self, where: Located | Span | Source, last: str) -> Steps:
+        """The way to a place, which is the last step and does what ``last`` says."""
+        span = span_of(where)
+        find = self._finders.get(span.source.kind)
+        steps = find(span) if find else ()
+        return (*steps, Related(span, last)) if steps else ()
+
+    def to_node(self, node: Started, *more: Related) -> Steps:
+        """The way to a node that a launch file starts."""
+        steps = self._to_node(node)
+        return (*steps, *more) if len(steps) > 1 or (steps and more) else ()
+
+    def to_load(self, load: Load, *more: Related) -> Steps:
+        """The way to a node and the parameter file that it gets."""
+        name = load.path.rpartition("/")[2]
+        return (*self._to_node(load.node), Related(load.where, f"{load.node.label()} gets {name}"), *more)
+
+    def to_variable(self, process: RosProcess | Selection, value: Located, *more: Related) -> Steps:
+        """The way to the place that gives a process the value of a variable, and on from there."""
+        steps = (*self._to_variable(process, value), *more)
+        return steps if len(steps) > 1 else ()
+
+    @cached_property
+    def _finders(self) -> dict[str, Callable[[Span], Steps]]:
+        launch = dict.fromkeys(("launch-python", "launch-xml", "launch-yaml"), self._in_launch_file)
+        dds = dict.fromkeys(("cyclonedds", "fastdds"), self._in_dds_file)
+        files = dict.fromkeys(("env-file", "shell-script"), self._in_read_file)
+        return {**launch, **dds, **files, "params": self._in_parameters}
+
+    @cached_property
+    def _starts(self) -> list[tuple[Steps, Expansion]]:
+        """Every command that starts a launch file, as steps, with what it leads to."""
+        commands = [command for command in self.robot.launch.commands if command.file is not None]
+        return [(self._to_command(command), self.robot.launch.expansion(command.file)) for command in commands]
+
+    @cached_property
+    def _nodes(self) -> dict[int, tuple[Steps, Started]]:
+        """The way to the launch file of every node, by its action, and the node as it is started there."""
+        found: dict[int, tuple[Steps, Started]] = {}
+        for steps, expansion in self._all_expansions:
+            for node in expansion.nodes:
+                found.setdefault(id(node.action), ((*steps, *_includes(node.chain, node.file)), node))
+        return found
+
+    @property
+    def _all_expansions(self) -> Iterator[tuple[Steps, Expansion]]:
+        yield from self._starts
+        for expansion in self.robot.launch.entries:
+            yield (), expansion
+
+    def _to_node(self, node: Started) -> Steps:
+        steps, _ = self._nodes.get(id(node.action), ((), node))
+        return (*steps, Related(node.span, f"{node.file.source.basename} starts {node.label()}"))
+
+    def _to_command(self, command: LaunchCommand) -> Steps:
+        file = command.target.rpartition("/")[2]
+        if command.process is None or command.step is None or command.step.script is None:
+            return (Related(command.target.span, f"{command.runner} launches {file}"),)
+        script = command.step.script
+        launches = Related(command.target.span, f"{script.basename} launches {file}")
+        return (*self._to_script(command.process, script), launches)
+
+    def _to_script(self, process: Process, script: Source) -> Steps:
+        """From the Exec line of a unit through the scripts that call each other."""
+        steps: list[Related] = []
+        seen: set[int] = set()
+        wanted: Source | None = script
+        while wanted is not None and id(wanted) not in seen:
+            seen.add(id(wanted))
+            caller = next((step for step in process.steps if step.script is not wanted and _calls(step, wanted)), None)
+            if caller is None:
+                break
+            word = next(word for word in caller.command.words if word.endswith(f"/{wanted.basename}"))
+            who = caller.script.basename if caller.script else process.unit.name
+            steps.insert(0, Related(word.span, f"{who} runs {wanted.basename}"))
+            wanted = caller.script
+        return tuple(steps)
+
+    def _to_variable(self, process: RosProcess | Selection, value: Located) -> Steps:
+        source = value.span.source
+        if process.unit is not None:
+            return self._from_unit(process.unit, source)
+        for path in process.service.env_files if process.service is not None else ():
+            if self.robot.tree.beside(process.service.source, str(path)) is source:
+                return (Related(path.span, f"service '{process.service.name}' reads {source.basename}"),)
+        return ()
+
+    def _from_unit(self, unit: Unit, source: Source) -> Steps:
+        """From a unit to an environment file that it reads, or a script that it runs."""
+        for file in self.robot.units.environment_files(unit):
+            if file.source is source:
+                return (Related(file.value.span, f"{unit.name} reads {source.basename}"),)
+        for process in self.robot.units.processes(unit):
+            if any(step.script is source for step in process.steps):
+                return self._to_script(process, source)
+        return ()
+
+    def _in_launch_file(self, span: Span) -> Steps:
+        inside = [found for found in self._nodes.values() if _holds(found[1].span, span)]
+        if inside:
+            steps, node = min(inside, key=lambda found: found[1].span.end - found[1].span.start)
+            return self._to_node(node) if steps else ()
+        for steps, expansion in self._all_expansions:
+            if any(file.source is span.source for file in expansion.files):
+                return (*steps, *self._to_file(expansion, span.source))
+        return ()
+
+    @staticmethod
+    def _to_file(expansion: Expansion, source: Source) -> Steps:
+        for include in expansion.includes:
+            if include.target is not None and include.target.source is source:
+                return _includes(include.chain, include.target)
+        return ()
+
+    def _in_parameters(self, span: Span) -> Steps:
+        params = self.robot.params
+        file = next((file for file in params.judged if file.source is span.source), None)
+        if file is None:
+            return ()
+        parameter = next((each for each in file.parameters if _holds(each.span, span)), None)
+        loads = params.effective(file, parameter) if parameter else params.loads(file)
+        load = next((load for load in loads if id(load.node.action) in self._nodes), None)
+        return self.to_load(load) if load else ()
+
+    def _in_dds_file(self, span: Span) -> Steps:
+        dds = self.robot.dds
+        readers: list = [(each, each.uri) for each in dds.selections if span.source in each.files]
+        profiles = [each for each in dds.profile_files if each.source is span.source]
+        readers += [reader for each in profiles for reader in dds.profile_readers(each)]
+        for process, value in readers:
+            named = Related(value.span, f"{value.span.source.basename} names {span.source.basename}")
+            return (*self._to_variable(process, value), named)
+        return ()
+
+    def _in_read_file(self, span: Span) -> Steps:
+        units = self.robot.units.judged if self.robot.of_kind("systemd-unit", "systemd-dropin") else ()
+        found = (self._from_unit(unit, span.source) for unit in units)
+        value = span.source.located(span.start, span.end)
+        services = (self._to_variable(process, value) for process in self.robot.ros.processes if process.service)
+        return next(filter(None, (*found, *services)), ())
+
+
+def _includes(chain: tuple[Span, ...], file: LaunchFile) -> Steps:
+    """The includes of a chain, each with the file that it leads to."""
+    names = (*(span.source.basename for span in chain[1:]), file.source.basename)
+    pairs = zip(chain, names, strict=False)
+    return tuple(Related(span, f"{span.source.basename} includes {name}") for span, name in pairs)
+
+
+def _calls(step: Step, script: Source) -> bool:
+    return any(word.endswith(f"/{script.basename}") for word in step.command.words)
+
+
+def _holds(outer: Span, inner: Span) -> bool:
+    return outer.source is inner.source and outer.start <= inner.start and inner.end <= outer.end
