@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.dds.dds import Dds
     from bringup_lint.graph.environment.env_files import UsedEnvFile
     from bringup_lint.graph.environment.ros import RosEnvironment
+    from bringup_lint.graph.graph import Graph
     from bringup_lint.graph.host.accounts import Accounts
     from bringup_lint.graph.host.can import Can
     from bringup_lint.graph.host.daemons import Daemon
@@ -346,6 +347,13 @@ class Robot:
         from bringup_lint.graph.host.can import Can
 
         return Can(self)
+
+    @cached_property
+    def graph(self) -> Graph:
+        """Everything that the files of the tree name, and how it depends on each other: from units to topics."""
+        from bringup_lint.graph.joined import joined_graph
+
+        return joined_graph(self)
 
     @cached_property
     def ros(self) -> RosEnvironment:

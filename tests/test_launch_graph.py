@@ -235,7 +235,7 @@ def test_expression_that_is_not_evaluated(text: str) -> None:
         evaluate(text)
 
 
-def test_edges_lead_from_units_to_parameters(tmp_path: Path) -> None:
+def test_edges_lead_from_launch_files_to_parameters(tmp_path: Path) -> None:
     launch = tree(
         tmp_path,
         {
@@ -248,12 +248,10 @@ def test_edges_lead_from_units_to_parameters(tmp_path: Path) -> None:
             "r/launch/part.launch.xml": """\
                 <launch><node pkg="p" exec="e" name="n">
                 <param from="$(find-pkg-share r)/config/a.yaml"/></node></launch>""",
-            "systemd/r.service": "[Service]\nExecStart=/bin/bash -c 'exec ros2 launch r top.launch.xml'\n",
         },
     )
     edges = [(edge.kind, Path(edge.source.name).name, Path(edge.target.name).name, edge.why) for edge in launch.edges]
     assert edges == [
-        ("runs", "r.service", "top.launch.xml", "ros2 launch"),
         ("includes", "top.launch.xml", "part.launch.xml", "include (if $(var on))"),
         ("starts", "part.launch.xml", "n", "node (if $(var on))"),
         ("loads-params", "n", "a.yaml", "parameters"),

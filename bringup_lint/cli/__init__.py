@@ -9,6 +9,7 @@ COMMANDS = {
     "check": "Check files and folders (the default).",
     "explain": "Print a rule's documentation, or find the rules behind a log line.",
     "rules": "List the rules.",
+    "graph": "Draw what starts what, in which order and with what.",
     "init": "Write a configuration file to start from.",
 }
 

@@ -14,13 +14,14 @@ import click
 
 from bringup_lint import __version__
 from bringup_lint.cli import COMMANDS
-from bringup_lint.cli.options import rules_option
+from bringup_lint.cli.options import configuration_options
+from bringup_lint.cli.options import root_option
+from bringup_lint.cli.options import target_options
 from bringup_lint.cli.outputs import Output
 from bringup_lint.cli.outputs import PairedOptions
 from bringup_lint.cli.outputs import file_option
 from bringup_lint.cli.outputs import format_option
 from bringup_lint.cli.outputs import write
-from bringup_lint.config import ROS_DISTROS
 from bringup_lint.config import SEVERITIES
 from bringup_lint.config import Config
 from bringup_lint.config import ConfigError
@@ -46,7 +47,7 @@ def _names(ctx: click.Context, param: click.Parameter, value: tuple[str, ...]) -
 
 @click.command(cls=PairedOptions, epilog=EPILOG, context_settings={"help_option_names": ["-h", "--help"]})
 @click.argument("paths", nargs=-1, type=click.Path(), metavar="[PATH]...")
-@click.option("--root", type=click.Path(exists=True, file_okay=False), help="Check a mounted root file system.")
+@root_option
 @format_option
 @file_option
 @click.option("--select", multiple=True, callback=_names, help="Run only these rules or families.")
@@ -54,14 +55,9 @@ def _names(ctx: click.Context, param: click.Parameter, value: tuple[str, ...]) -
 @click.option("--min-severity", type=click.Choice(SEVERITIES), help="Lowest severity to show. [default: warning]")
 @click.option("--fail-on", type=click.Choice(SEVERITIES), help="Lowest severity that fails. [default: warning]")
 @click.option("--exit-zero", is_flag=True, help="Exit with 0 whatever is found.")
-@click.option("--target-ros", type=click.Choice(ROS_DISTROS), help="The ROS distribution that the robot runs.")
-@click.option("--target-systemd", type=click.IntRange(245), help="The systemd version that the robot runs.")
-@click.option("--now", type=click.DateTime(["%Y-%m-%d"]), help="Judge validity dates as on this day. [default: today]")
+@target_options
 @click.option("--no-ignores", is_flag=True, help="Show what comments in the files suppress.")
-@click.option("--config", "config_path", type=click.Path(dir_okay=False, path_type=Path), help="Configuration file.")
-@click.option("--isolated", is_flag=True, help="Read no configuration file.")
-@rules_option
-@click.option("--exclude", multiple=True, help="Skip what matches this gitignore pattern.")
+@configuration_options
 @click.option("--stdin-filename", help="Check standard input as the file of this name.")
 @click.option("--baseline", type=click.Path(dir_okay=False, path_type=Path), help="Leave out what this file holds.")
 @click.option(

@@ -50,11 +50,26 @@ class Graph:
 
     out: dict[Node, list[Edge]] = field(default_factory=dict)
     into: dict[Node, list[Edge]] = field(default_factory=dict)
+    places: dict[Node, list[Span]] = field(default_factory=dict)
+    """Where the tree defines a node, the main place first: a whole file, or the lines of it that are about the node."""
+    ranks: dict[Node, int] = field(default_factory=dict)
+    """The place of a unit in the boot order, from 0: higher than that of every unit it starts after."""
 
     def add(self, edges: Iterable[Edge]) -> None:
         for edge in edges:
             self.out.setdefault(edge.source, []).append(edge)
             self.into.setdefault(edge.target, []).append(edge)
+
+    def define(self, places: Iterable[tuple[Node, Span]]) -> None:
+        for node, where in places:
+            known = self.places.setdefault(node, [])
+            if where not in known:
+                known.append(where)
+
+    @property
+    def nodes(self) -> list[Node]:
+        """Everything that is defined, and every end of an edge."""
+        return sorted(self.out.keys() | self.into.keys() | self.places.keys())
 
     def edges(self, *kinds: str) -> Iterator[Edge]:
         for edges in self.out.values():

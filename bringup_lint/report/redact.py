@@ -23,11 +23,12 @@ SHORTEST = 6
 """A secret of fewer characters is masked where it is marked, not in every text that happens to hold it."""
 
 
-def mask_of(findings: Iterable[Finding]) -> Mask | None:
-    """The mask for the secrets of these findings and of the files they show; None when there are none."""
+def mask_of(findings: Iterable[Finding], sources: Iterable[Source] = ()) -> Mask | None:
+    """The mask for the secrets of these findings, the files they show and these files; None when there are none."""
     findings = tuple(findings)
     marked = (inside(span) for finding in findings for span in finding.secrets)
-    named = (span for source in _shown(findings) for span in given_away(source))
+    shown = _shown(findings) | dict.fromkeys(sources)
+    named = (span for source in shown for span in given_away(source))
     secrets = [span for span in (*marked, *named) if span.text.strip("* \t\r\n")]
     return Mask(secrets) if secrets else None
 

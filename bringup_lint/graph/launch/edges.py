@@ -1,73 +1,84 @@
-"""Launch files as edges of the robot's graph: units run them, they include others, start nodes, load parameters."""
+"""Launch files as edges of the robot's graph: they include each other, start nodes and load parameters."""
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.discover.tree import display_name
+from bringup_lint.graph.files import file_place
+from bringup_lint.graph.files import is_plain
 from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.graph import Node
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.workspace import place
 from bringup_lint.model.launch import LaunchFile
 from bringup_lint.model.launch_values import Condition
-from bringup_lint.model.launch_values import DerivedFile
-from bringup_lint.model.launch_values import ParameterFile
 from bringup_lint.model.launch_values import Value
+from bringup_lint.source import Span
 
 if TYPE_CHECKING:
     from bringup_lint.graph.launch.launch import Launch
 
 
-def file_node(file: LaunchFile) -> Node:
+def launch_file_node(file: LaunchFile) -> Node:
     return Node("launch-file", file.source.name)
 
 
 def ros_node(node: Started) -> Node:
-    """By its full name; without one, by what is started and where."""
+    """By its full name and file, as one name in two files need not be one node; else by what is started, and where."""
     name = node.fqn
     if name is not None:
-        return Node("ros-node", name)
-    return Node("ros-node", node.label(), f"{node.span.path}:{node.span.line}")
+        return Node("ros-node", name, node.span.path)
+    return Node("ros-node" if node.is_node else "process", node.label(), f"{node.span.path}:{node.span.line}")
 
 
 def launch_edges(launch: Launch) -> Iterator[Edge]:
-    """``runs`` from units, ``includes``, ``starts`` and ``loads-params``; an open condition stands in ``why``."""
-    for command in launch.commands:
-        if command.file is not None and command.process is not None:
-            unit = Node("unit", command.process.unit.name)
-            yield Edge("runs", unit, file_node(command.file), command.target.span, "ros2 launch")
+    """``includes``, ``starts`` and ``loads-params``; an open condition stands in ``why``."""
+    from bringup_lint.graph.params.loads import loads_in
+
     for expansion in launch.expansions:
         for include in expansion.includes:
-            if include.source is expansion.entry and include.target is not None:
+            if include.source is expansion.entry:
                 why = f"include{_only(include.conditions)}"
-                yield Edge("includes", file_node(expansion.entry), file_node(include.target), include.action.span, why)
+                target = launch_file_node(include.target) if include.target else _elsewhere(include.file)
+                if target is not None:
+                    yield Edge("includes", launch_file_node(expansion.entry), target, include.action.span, why)
     for expansion in launch.entries:
         for node in expansion.nodes:
-            if node.is_node:
-                started = ros_node(node)
-                yield Edge("starts", file_node(node.file), started, node.span, f"node{_only(node.conditions)}")
-                yield from _parameters(launch, node, started)
-
-
-def _parameters(launch: Launch, node: Started, started: Node) -> Iterator[Edge]:
-    for source in node.parameters:
-        value = _file_of(source)
-        found = launch.find(value)
-        target = place(value)
-        if found is not None and found.file is not None:
+            what = "node" if node.is_node else "process"
             yield Edge(
-                "loads-params", started, Node("parameter-file", display_name(found.file)), source.span, "parameters"
+                "starts", launch_file_node(node.file), ros_node(node), node.span, f"{what}{_only(node.conditions)}"
             )
-        elif target is not None and not target.base and target.path.startswith("/"):
-            yield Edge("loads-params", started, Node("parameter-file", target.path), source.span, "parameters")
+        for load in loads_in(launch, expansion):
+            if load.node.is_node:
+                why = "parameters" if load.certain else "parameters (one of several)"
+                yield Edge("loads-params", ros_node(load.node), _parameter_file(launch, load.path), load.where, why)
 
 
-def _file_of(source: Value) -> Value:
-    while isinstance(source, (ParameterFile, DerivedFile)):
-        source = source.file if isinstance(source, ParameterFile) else source.base
-    return source
+def _parameter_file(launch: Launch, path: str) -> Node:
+    """By its absolute path in the tree or on the robot."""
+    source = None if os.path.lexists(path) else launch.robot.tree.find(path)
+    return Node("parameter-file", source.name if source else display_name(path))
+
+
+def launch_places(launch: Launch) -> Iterator[tuple[Node, Span]]:
+    for file in launch.files:
+        yield launch_file_node(file), file_place(file.source)
+    for expansion in launch.entries:
+        for node in expansion.nodes:
+            yield ros_node(node), node.span
+    for file in launch.robot.params.files:
+        yield Node("parameter-file", file.source.name), file_place(file.source)
+
+
+def _elsewhere(file: Value) -> Node | None:
+    """A launch file of a package that the tree does not hold."""
+    target = place(file)
+    if target is None or target.base != "share" or not is_plain(target.path):
+        return None
+    return Node("launch-file", f"{target.package}/{target.path.rpartition('/')[2]}")
 
 
 def _only(conditions: tuple[Condition, ...]) -> str:

@@ -95,7 +95,7 @@ def dependency_graph(units: Units) -> Graph:
 def instances(units: Units) -> Iterator[Instance]:
     """Every unit that can start; a template once for each instance that the tree names, or once for a
     made-up one."""
-    named = _named_instances(units)
+    named = named_instances(units)
     for unit in units.all:
         if unit.masked:
             continue
@@ -106,7 +106,7 @@ def instances(units: Units) -> Iterator[Instance]:
             yield Instance(unit, f"{unit.stem}{word}.{unit.type}", units.node(unit, word))
 
 
-def _named_instances(units: Units) -> dict[tuple[str, str], set[str]]:
+def named_instances(units: Units) -> dict[tuple[str, str], set[str]]:
     """(manager, template) -> the instances that something in the tree names."""
     found: dict[tuple[str, str], set[str]] = {}
     named = [

@@ -1,0 +1,66 @@
+"""``bringup-lint graph [PATH]...``: draw what starts what, in which order and with what."""
+
+from __future__ import annotations
+
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+import click
+
+from bringup_lint.cli.options import configuration_options
+from bringup_lint.cli.options import root_option
+from bringup_lint.cli.options import target_options
+from bringup_lint.cli.outputs import write
+from bringup_lint.config import ConfigError
+
+FORMATS = ("json",)
+UNSET = dict.fromkeys(("select", "ignore"), ()) | dict.fromkeys(
+    ("min_severity", "fail_on", "baseline", "stdin_filename")
+)
+"""Settings of a check that the command line of this command does not offer."""
+
+
+@click.command(context_settings={"help_option_names": ["-h", "--help"]})
+@click.argument("paths", nargs=-1, type=click.Path(), metavar="[PATH]...")
+@click.option(
+    "--format", "output_format", type=click.Choice(FORMATS), default="json", show_default=True, help="How to draw."
+)
+@click.option(
+    "--output-file", type=click.Path(dir_okay=False, path_type=Path), help="Where to. [default: standard output]"
+)
+@root_option
+@target_options
+@configuration_options
+@click.pass_context
+def command(ctx: click.Context, paths: tuple[str, ...], **options: Any) -> None:
+    """Draw what starts what on a robot: units, launch files, nodes and what they need, with the findings.
+
+    \b
+    bringup-lint graph --format json .
+    """
+    from bringup_lint.registry import RuleError
+
+    try:
+        drawn = _draw(paths or ("/" if options["root"] else ".",), options)
+    except (ConfigError, RuleError) as error:
+        click.echo(f"bringup-lint: {error}", err=True)
+        ctx.exit(2)
+    write(drawn, options["output_file"])
+
+
+def _draw(paths: tuple[str, ...], options: dict[str, Any]) -> str:
+    from bringup_lint.cli.check import configuration
+    from bringup_lint.cli.check import read_robot
+    from bringup_lint.engine import run
+    from bringup_lint.registry import Registry
+    from bringup_lint.report.picture.document import picture
+
+    settings = UNSET | options
+    config, rule_folders = configuration(paths, settings)
+    robot = read_robot(paths, config, settings)
+    outcome = run(robot, Registry.of(rule_folders), config)
+    for failure in outcome.failures:
+        click.echo(f"bringup-lint: {failure}", err=True)
+    document = picture(robot.graph, outcome.findings)
+    return import_module(f"bringup_lint.report.picture.{options['output_format']}").render(document)

@@ -1,0 +1,77 @@
+"""What units start: wrapper scripts of the tree, launch files, ROS nodes, other programs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.graph.files import file_node
+from bringup_lint.graph.files import file_place
+from bringup_lint.graph.files import is_plain
+from bringup_lint.graph.graph import Edge
+from bringup_lint.graph.graph import Node
+from bringup_lint.graph.systemd.edges import own_units
+from bringup_lint.source import Span
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.systemd.process import Process
+    from bringup_lint.graph.systemd.process import Ros
+    from bringup_lint.graph.systemd.process import Step
+    from bringup_lint.robot import Robot
+
+
+def run_edges(robot: Robot) -> Iterator[Edge]:
+    """``runs`` from units, and from the scripts that they run."""
+    for unit, node in own_units(robot.units):
+        if unit.type == "service":
+            for process in robot.units.processes(unit):
+                yield from _of_process(node, process, robot)
+
+
+def script_places(robot: Robot) -> Iterator[tuple[Node, Span]]:
+    for unit in robot.units.services:
+        for process in robot.units.processes(unit):
+            for step in process.steps:
+                if step.script is not None:
+                    yield file_node("script", step.script), file_place(step.script)
+
+
+def _of_process(unit: Node, process: Process, robot: Robot) -> Iterator[Edge]:
+    followed = False
+    last: dict[int, Step] = {}
+    for step in process.steps:
+        caller = last.get(step.depth - 1)
+        last[step.depth] = step
+        if step.script is not None and caller is not None and step.script is not caller.script:
+            yield _run(unit, process, caller, file_node("script", step.script), process.line.span)
+            followed = True
+    for step, ros in process.ros:
+        started = started_node(ros, robot.launch)
+        if started is not None:
+            yield _run(unit, process, step, started, ros.where.span)
+            followed = True
+    if process.key == "ExecStart" and not followed and not process.shell and is_plain(process.program):
+        yield Edge("runs", unit, Node("program", str(process.program)), process.program.span, "ExecStart=")
+
+
+def _run(unit: Node, process: Process, step: Step, target: Node, where: Span) -> Edge:
+    """From the script that holds the command, else from the unit."""
+    if step.script is None:
+        return Edge("runs", unit, target, where, f"{process.key}=")
+    words = step.command.words
+    return Edge("runs", file_node("script", step.script), target, words[0].span if words else where, "command")
+
+
+def started_node(ros: Ros, launch: Launch) -> Node | None:
+    """What ``ros2 launch``, ``ros2 run`` or an installed executable starts, when its name is known."""
+    if ros.target is None or ros.kind == "cli" or not is_plain(ros.target) or not is_plain(ros.package or ""):
+        return None
+    if ros.kind == "launch":
+        file = launch.named(ros.package, ros.target)
+        if file is not None:
+            return file_node("launch-file", file.source)
+        return Node("launch-file", f"{ros.package}/{ros.target}" if ros.package else str(ros.target))
+    if ros.kind == "run":
+        return Node("ros-node", f"{ros.package}/{ros.target}") if ros.package else None
+    return Node("ros-node", str(ros.target))

@@ -1,0 +1,39 @@
+"""What nodes of the picture are called: short, and different from one another."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable
+
+from bringup_lint.graph.graph import Graph
+from bringup_lint.graph.graph import Node
+
+
+def labels(graph: Graph) -> dict[Node, str]:
+    """Files of the tree by the shortest end of their path that tells them apart; everything else by its name."""
+    found = {node: node.name for node in graph.nodes}
+    files: dict[str, list[Node]] = defaultdict(list)
+    for node in found:
+        places = graph.places.get(node)
+        if places and places[0].path == node.name:
+            files[node.kind].append(node)
+    for nodes in files.values():
+        tails = shortest_tails({node.name for node in nodes})
+        found.update((node, tails[node.name]) for node in nodes)
+    return found
+
+
+def shortest_tails(paths: Iterable[str]) -> dict[str, str]:
+    """Each path's last components, as few as tell it from the others."""
+    found = {}
+    pending, count = set(paths), 1
+    while pending:
+        by_tail: dict[str, list[str]] = defaultdict(list)
+        for path in pending:
+            by_tail["/".join(path.split("/")[-count:])].append(path)
+        for tail, same in by_tail.items():
+            if len(same) == 1 or all(path.count("/") < count for path in same):
+                found.update((path, tail) for path in same)
+        pending -= found.keys()
+        count += 1
+    return found
