@@ -44,9 +44,32 @@ TRAPS = read_toml((ROBOTS / "guide" / "traps.toml").read_text("utf-8"))
 """Mistakes in the guides' own examples, and the rules that find them, each with its file."""
 
 
-@pytest.mark.parametrize("trap", TRAPS)
-def test_guide_robot_shows_the_trap(trap: str) -> None:
+@pytest.fixture(scope="module")
+def found() -> set[tuple[str, str]]:
+    """File and rule of what is said about the robot that follows the guides."""
     lines = (ROBOTS / "guide" / "expected.txt").read_text("utf-8").splitlines()
-    found = {(line.partition(":")[0], line.partition("[")[2].partition("]")[0]) for line in lines}
-    assert [(file, rule) for rule, file in TRAPS[trap]["rules"].items() if (file, rule) not in found] == []
-    assert TRAPS[trap]["what"]
+    return {(line.partition(":")[0], line.partition("[")[2].partition("]")[0]) for line in lines}
+
+
+@pytest.mark.parametrize("trap", TRAPS)
+def test_guide_robot_shows_the_trap(trap: str, found: set[tuple[str, str]]) -> None:
+    entry = TRAPS[trap]
+    assert entry["what"] and set(entry) - {"what"} <= {"rules", "fixtures", "silent", "reason"} and len(entry) > 1
+    assert [(file, rule) for rule, file in entry.get("rules", {}).items() if (file, rule) not in found] == []
+
+
+@pytest.mark.parametrize("trap", [trap for trap in TRAPS if "fixtures" in TRAPS[trap]])
+def test_what_the_robot_cannot_have_is_shown_by_a_fixture(trap: str) -> None:
+    for rule, folder in TRAPS[trap]["fixtures"].items():
+        assert folder.startswith(f"fixtures/{rule.replace('-', '_')}/bad") and (PROJECT / folder).is_dir()
+
+
+@pytest.mark.parametrize("trap", [trap for trap in TRAPS if "silent" in TRAPS[trap]])
+def test_what_is_right_stays_unsaid(trap: str, found: set[tuple[str, str]]) -> None:
+    for file, rules in TRAPS[trap]["silent"].items():
+        assert (ROBOTS / "guide" / "tree" / file).is_file()
+        assert [rule for rule in rules if (file, rule) in found] == []
+
+
+def test_no_trap_is_left_out() -> None:
+    assert list(TRAPS) == [*(f"T{number}" for number in range(1, 31)), *(f"R{number}" for number in range(1, 51))]

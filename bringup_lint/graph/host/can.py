@@ -26,7 +26,7 @@ _USE = re.compile(
     re.I,
 )
 _SETS = re.compile(r"\bip\s+link\s+(?:set|add)\b[^\n]*\bcan\d*\b|\bbitrate\b|\bcan[-_]?(?:up|setup|config)\b", re.I)
-_READERS = ("env-file", "launch-python", "launch-xml", "launch-yaml", "parameters", "compose", "shell-script")
+_READERS = ("env-file", "launch-python", "launch-xml", "launch-yaml", "params", "compose", "shell-script")
 
 
 @dataclass(eq=False)

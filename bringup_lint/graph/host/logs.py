@@ -30,7 +30,7 @@ _FILE = re.compile(r"append:(/[^%]+)")
 _CLEANS = re.compile(
     r"-delete\b|-mtime\b|-mmin\b|\btmpreaper\b|\btmpwatch\b|\brm\s+-|\bvacuum\b|\bshutil\.rmtree\b|\bunlink\b"
 )
-_AGE = re.compile(r"^[deDvQqRrxX]\S*\s+(?P<path>\S+)\s+\S+\s+\S+\s+\S+\s+(?P<age>[^\s-]\S*)", re.M)
+_AGE = re.compile(r"^[deDvQqRrxX]\S*[ \t]+(?P<path>\S+)(?:[ \t]+\S+){3}[ \t]+(?P<age>[^\s-]\S*)", re.M)
 _MADE = re.compile(
     r"^[dDvqQ]\S*[ \t]+(?P<path>/\S+)[ \t]+(?P<mode>[~:]?[0-7]{3,4})[ \t]+(?P<user>[\w-]+)[ \t]+(?P<group>[\w-]+)",
     re.M,
