@@ -11,7 +11,7 @@ from bringup_lint.report.model import Target
 
 __all__ = ["FORMATS", "Notification", "Report", "RuleDoc", "Target", "render"]
 
-FORMATS = ("text", "concise", "json", "sarif")
+FORMATS = ("text", "concise", "json", "sarif", "html")
 
 
 def render(output_format: str, report: Report) -> str:

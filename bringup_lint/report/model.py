@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from collections.abc import Mapping
 from dataclasses import dataclass
 from dataclasses import field
+from typing import Any
 from typing import NamedTuple
 
 from bringup_lint import __version__
@@ -88,6 +89,8 @@ class Report:
     """How many findings of each severity were left out by ``--min-severity``."""
     known: int = 0
     """How many findings were left out because the baseline holds them."""
+    picture: Mapping[str, Any] | None = None
+    """The robot as ``report.picture`` draws it, with these findings; only ``html`` shows it."""
     colour: bool = False
     width: int = 80
 

@@ -1,0 +1,254 @@
+"use strict";
+
+/* Where everything stands. Columns run from power-on at the left to the topics at the right: each layer has a column
+   for every step of its own. A link that passes over a column gets a track through it, which takes part in ordering
+   like a node, so that no line runs through a box; links of one hub share their tracks. The same graph always gives
+   the same drawing. */
+
+const SIZE = {
+  letter: 7.25, padding: 20, badge: 20, narrow: 72, wide: 250,
+  low: 24, high: 38, roomy: 60, gap: 8, track: 7,
+  margin: 16, between: 14, corridor: 46, crowd: 1.1, broad: 150, arrow: 7,
+};
+const SWEEPS = 14;
+const STEPS = 6;
+
+function arrange(nodes, links, layers) {
+  const high = nodes.length <= SIZE.roomy ? SIZE.high : SIZE.low;
+  const items = nodes.map((node, index) => ({ index, height: high, before: [], after: [], beside: [] }));
+  const columns = columnsOf(nodes, links, layers, items);
+  const paths = links.map((link) => laid(link, items, columns, hubOf(links)));
+  order(columns);
+  rest(columns);
+  const bands = spread(columns, nodes, layers);
+  const top = Math.min(...items.map((item) => item.y - item.height / 2), 0);
+  for (const column of columns) for (const item of column.items) item.y -= top;
+  return {
+    high,
+    bands,
+    width: bands.length ? bands.at(-1).x + bands.at(-1).width : 0,
+    height: Math.max(0, ...items.map((item) => item.y + item.height / 2)),
+    boxes: items.map((item) => ({
+      x: item.column.x, y: item.y - item.height / 2, width: item.column.width, height: item.height,
+    })),
+    routes: paths.map(route),
+  };
+}
+
+/* Columns */
+
+function columnsOf(nodes, links, layers, items) {
+  const columns = [];
+  const most = Math.max(14, Math.ceil(Math.sqrt(nodes.length) * 1.7));
+  const linked = new Set(links.flatMap((link) => [link.from, link.to]));
+  for (const layer of layers) {
+    const own = items.filter((item) => nodes[item.index].layer === layer);
+    const steps = stepsOf(own.map((item) => item.index), nodes, links);
+    for (const step of [...new Set(steps.values())].sort((a, b) => a - b)) {
+      const held = own.filter((item) => steps.get(item.index) === step);
+      held.sort((a, b) => linked.has(b.index) - linked.has(a.index) || byName(nodes[a.index], nodes[b.index]));
+      const parts = Math.ceil(held.length / most);
+      const size = Math.ceil(held.length / parts);
+      for (let part = 0; part < parts; part++) {
+        const column = { layer, number: columns.length, items: held.slice(part * size, (part + 1) * size) };
+        for (const item of column.items) item.column = column;
+        columns.push(column);
+      }
+    }
+  }
+  return columns;
+}
+
+function byName(a, b) {
+  const [left, right] = [`${a.kind} ${a.label}`, `${b.kind} ${b.label}`];
+  return left < right ? -1 : left > right ? 1 : 0;
+}
+
+/* The step of each node in its layer: its rank where the layer has ranks, else how many links lead to it. */
+function stepsOf(own, nodes, links) {
+  if (own.some((index) => nodes[index].rank != null)) return new Map(own.map((index) => [index, nodes[index].rank ?? 0]));
+  const inside = new Set(own);
+  const into = new Map(own.map((index) => [index, []]));
+  for (const { from, to } of links) if (inside.has(from) && inside.has(to)) into.get(to).push(from);
+  const steps = new Map();
+  const depth = (index) => {
+    if (!steps.has(index)) {
+      steps.set(index, 0);
+      steps.set(index, Math.min(STEPS, Math.max(0, ...into.get(index).map((from) => depth(from) + 1))));
+    }
+    return steps.get(index);
+  };
+  own.forEach(depth);
+  return steps;
+}
+
+/* Tracks */
+
+function hubOf(links) {
+  if (!links.degree) {
+    links.degree = new Map();
+    for (const { from, to } of links) for (const end of [from, to]) links.degree.set(end, (links.degree.get(end) ?? 0) + 1);
+  }
+  return ({ from, to }) => (links.degree.get(from) >= links.degree.get(to) ? from : to);
+}
+
+/* The items that a link runs through, from its source to its target. */
+function laid(link, items, columns, hub) {
+  const [source, target] = [items[link.from], items[link.to]];
+  const distance = target.column.number - source.column.number;
+  const path = [source];
+  const way = Math.sign(distance);
+  for (let number = source.column.number + way; way && number !== target.column.number; number += way) {
+    const column = columns[number];
+    const key = hub(link);
+    column.tracks ??= new Map();
+    if (!column.tracks.has(key)) {
+      const track = { index: -1, height: SIZE.track, column, before: [], after: [], beside: [] };
+      column.tracks.set(key, track);
+      column.items.push(track);
+    }
+    path.push(column.tracks.get(key));
+  }
+  path.push(target);
+  for (let i = 1; i < path.length; i++) {
+    const [left, right] = way < 0 ? [path[i], path[i - 1]] : [path[i - 1], path[i]];
+    if (!way) {
+      left.beside.push(right);
+      right.beside.push(left);
+    } else if (!left.after.includes(right)) {
+      left.after.push(right);
+      right.before.push(left);
+    }
+  }
+  return path;
+}
+
+/* Order and height */
+
+const middle = (items) => items.reduce((sum, item) => sum + item.y, 0) / items.length;
+const distanceOf = (a, b) => (a.height + b.height) / 2 + (a.index < 0 || b.index < 0 ? SIZE.gap / 2 : SIZE.gap);
+
+function stack(column) {
+  let y = 0;
+  column.items.forEach((item, index) => {
+    y += index ? distanceOf(column.items[index - 1], item) : 0;
+    item.y = y;
+  });
+  for (const item of column.items) item.y -= y / 2;
+}
+
+function order(columns) {
+  columns.forEach(stack);
+  for (let sweep = 0; sweep < SWEEPS; sweep++) {
+    const forward = sweep % 2 === 0;
+    for (const column of forward ? columns : [...columns].reverse()) {
+      const pull = new Map(column.items.map((item) => {
+        const near = [...(forward ? item.before : item.after), ...item.beside];
+        const lonely = !item.before.length && !item.after.length && !item.beside.length;
+        return [item, lonely ? Infinity : near.length ? middle(near) : item.y];
+      }));
+      column.items.sort((a, b) => (pull.get(a) === pull.get(b) ? 0 : pull.get(a) - pull.get(b)));
+      stack(column);
+    }
+  }
+}
+
+/* Moves each item towards what it is linked to, as far as order and distances allow: least squares by pooling. */
+function rest(columns) {
+  for (let sweep = 0; sweep < SWEEPS; sweep++) {
+    const forward = sweep % 2 === 0;
+    for (const column of forward ? columns : [...columns].reverse()) {
+      const both = sweep >= SWEEPS - 4;
+      const blocks = [];
+      let offset = 0;
+      column.items.forEach((item, index) => {
+        offset += index ? distanceOf(column.items[index - 1], item) : 0;
+        item.offset = offset;
+        const near = both ? [...item.before, ...item.after] : forward ? item.before : item.after;
+        const weight = near.length ? (item.index < 0 ? 2 : 1) : 0.02;
+        const wanted = near.length ? middle(near) : Number.isFinite(item.y) ? item.y : 0;
+        blocks.push({ sum: weight * (wanted - offset), weight, size: 1 });
+        while (blocks.length > 1 && mean(blocks.at(-2)) > mean(blocks.at(-1))) {
+          const last = blocks.pop();
+          const pooled = blocks.at(-1);
+          pooled.sum += last.sum;
+          pooled.weight += last.weight;
+          pooled.size += last.size;
+        }
+      });
+      let index = 0;
+      for (const block of blocks) {
+        for (let held = 0; held < block.size; held++, index++) column.items[index].y = mean(block) + column.items[index].offset;
+      }
+    }
+  }
+}
+
+const mean = (block) => block.sum / block.weight;
+
+/* Width */
+
+function spread(columns, nodes, layers) {
+  const bands = [];
+  let x = 0;
+  for (const column of columns) {
+    const last = bands.at(-1);
+    const previous = columns[column.number - 1];
+    const lines = previous ? previous.items.reduce((sum, item) => sum + item.after.length, 0) : 0;
+    const corridor = Math.min(SIZE.broad, SIZE.corridor + SIZE.crowd * lines);
+    if (last?.layer === column.layer) x += corridor;
+    else if (last) {
+      const free = Math.max(SIZE.between, corridor - 2 * SIZE.margin);
+      last.width = x - last.x + SIZE.margin;
+      x += 2 * SIZE.margin + free;
+      bands.push({ layer: column.layer, x: x - SIZE.margin });
+    } else {
+      x = SIZE.margin;
+      bands.push({ layer: column.layer, x: 0 });
+    }
+    column.x = x;
+    column.width = Math.max(SIZE.narrow, ...column.items.filter((item) => item.index >= 0).map((item) => widthOf(nodes[item.index])));
+    x += column.width;
+  }
+  if (bands.length) bands.at(-1).width = x - bands.at(-1).x + SIZE.margin;
+  return bands;
+}
+
+function widthOf(node) {
+  const badge = node.worst ? SIZE.badge : 0;
+  return Math.min(SIZE.wide, node.label.length * SIZE.letter + SIZE.padding + badge);
+}
+
+/* Lines */
+
+function route(path) {
+  const [source, target] = [path[0], path.at(-1)];
+  const way = Math.sign(target.column.number - source.column.number);
+  const left = (item) => item.column.x;
+  const right = (item) => item.column.x + item.column.width;
+  if (!way) {
+    const x = right(source);
+    const bow = x + 18 + Math.min(40, Math.abs(target.y - source.y) * 0.12);
+    const d = `M${x} ${num(source.y)}C${num(bow)} ${num(source.y)} ${num(bow)} ${num(target.y)} ${x + SIZE.arrow} ${num(target.y)}`;
+    return { d, arrow: arrowAt(x, target.y, -1) };
+  }
+  const [near, far] = way > 0 ? [left, right] : [right, left];
+  let [x, y] = [far(source), source.y];
+  let d = `M${num(x)} ${num(y)}`;
+  for (const item of path.slice(1)) {
+    const end = item === target ? near(item) - way * SIZE.arrow : near(item);
+    const bend = num((x + end) / 2);
+    d += `C${bend} ${num(y)} ${bend} ${num(item.y)} ${num(end)} ${num(item.y)}`;
+    if (item !== target) d += `H${num(far(item))}`;
+    [x, y] = [far(item), item.y];
+  }
+  return { d, arrow: arrowAt(near(target), target.y, way) };
+}
+
+function arrowAt(x, y, way) {
+  return `M${num(x)} ${num(y)}l${-way * SIZE.arrow} -3.5v7z`;
+}
+
+function num(value) {
+  return Math.round(value * 10) / 10;
+}

@@ -1,0 +1,210 @@
+
+/* The picture as it is drawn now. Nothing on this page is fetched, stored or evaluated. */
+
+const data = JSON.parse(document.getElementById("data").textContent);
+const SEVERITIES = ["info", "warning", "error"];
+const FAR = 0.5;
+const SVG = "http://www.w3.org/2000/svg";
+const byId = (id) => document.getElementById(id);
+const [body, canvas, scene, panel] = [document.body, byId("canvas"), byId("scene"), byId("details")];
+const pane = byId("picture");
+
+const state = { chosen: null, only: null, folded: new Set(), hidden: new Set(), query: [], at: -1 };
+const camera = { scale: 1, x: 0, y: 0 };
+let drawn = null;
+
+const [leaving, arriving] = [data.nodes.map(() => []), data.nodes.map(() => [])];
+data.edges.forEach((edge, index) => {
+  leaving[edge.source].push(index);
+  arriving[edge.target].push(index);
+});
+const worstOf = (findings) =>
+  SEVERITIES[Math.max(-1, ...findings.map((index) => SEVERITIES.indexOf(data.findings[index].severity)))] ?? "";
+
+/* Making elements; text only ever goes in as text. */
+
+function make(name, attributes = {}, ...children) {
+  const svg = ["svg", "g", "path", "rect", "text", "use", "title"].includes(name);
+  const element = svg ? document.createElementNS(SVG, name) : document.createElement(name);
+  for (const [key, value] of Object.entries(attributes)) {
+    if (key.startsWith("on")) element.addEventListener(key.slice(2), value);
+    else if (value !== null && value !== false) element.setAttribute(key, value === true ? "" : value);
+  }
+  element.append(...children.filter((child) => child !== null));
+  return element;
+}
+
+const icon = (severity) => make("svg", { class: `icon ${severity}`, "aria-hidden": "true" }, make("use", { href: `#icon-${severity}` }));
+const placeOf = ({ path, line }) => (path ? path + (line ? `:${line}` : "") : "");
+const counted = (number, word) => `${number} ${word}${number === 1 ? "" : "s"}`;
+const button = (text, action, attributes = {}) => make("button", { type: "button", onclick: action, ...attributes }, text);
+
+/* What is drawn: all, or what a node is tied to, with folded layers as one box each. */
+
+function tiedTo(start) {
+  const found = new Set([start]);
+  for (const [edges, end] of [[leaving, "target"], [arriving, "source"]]) {
+    const queue = [start];
+    const seen = new Set(queue);
+    while (queue.length) {
+      for (const index of edges[queue.pop()]) {
+        const next = data.edges[index][end];
+        if (!seen.has(next)) {
+          seen.add(next);
+          queue.push(next);
+        }
+      }
+    }
+    seen.forEach((index) => found.add(index));
+  }
+  return found;
+}
+
+function graph() {
+  const shown = state.only === null ? null : tiedTo(state.only);
+  const nodes = [];
+  const boxOf = new Map();
+  const folded = new Map();
+  data.nodes.forEach((node, index) => {
+    if (shown && !shown.has(index)) return;
+    if (!state.folded.has(node.layer)) {
+      boxOf.set(index, nodes.length);
+      nodes.push({ ...node, members: [index], worst: worstOf(node.findings), full: node.label, label: short(node.label) });
+      return;
+    }
+    if (!folded.has(node.layer)) {
+      folded.set(node.layer, nodes.length);
+      nodes.push({ layer: node.layer, kind: "folded", rank: 0, members: [], findings: [] });
+    }
+    const box = nodes[folded.get(node.layer)];
+    boxOf.set(index, folded.get(node.layer));
+    box.members.push(index);
+    box.findings = [...new Set([...box.findings, ...node.findings])];
+  });
+  for (const index of folded.values()) {
+    const box = nodes[index];
+    box.label = box.full = `${box.members.length} in ${data.layers.find((layer) => layer.id === box.layer).title}`;
+    box.worst = worstOf(box.findings);
+  }
+  const links = new Map();
+  data.edges.forEach((edge, index) => {
+    const [from, to] = [boxOf.get(edge.source), boxOf.get(edge.target)];
+    if (from === undefined || to === undefined || from === to || state.hidden.has(edge.kind)) return;
+    const key = `${from} ${to}`;
+    if (!links.has(key)) links.set(key, { from, to, edges: [] });
+    links.get(key).edges.push(index);
+  });
+  return { nodes, links: [...links.values()], boxOf };
+}
+
+/* A label without its middle: names of files and topics differ at their ends. */
+function short(label) {
+  const most = data.nodes.length > SIZE.roomy ? 24 : 32;
+  const letters = [...label];
+  if (letters.length <= most) return label;
+  return letters.slice(0, most * 0.4).join("") + "…" + letters.slice(-(most * 0.6 - 1)).join("");
+}
+
+/* Drawing */
+
+function draw() {
+  const { nodes, links, boxOf } = graph();
+  const plan = arrange(nodes, links, data.layers.map((layer) => layer.id));
+  drawn = { nodes, links, boxOf, plan };
+  const lines = make("g", { class: "edges" });
+  drawn.lines = links.map((link, index) => lines.appendChild(lineOf(link, plan.routes[index], index)));
+  const boxes = make("g", { class: "nodes" });
+  drawn.boxes = nodes.map((node, index) => boxes.appendChild(boxFor(node, plan.boxes[index], index)));
+  const stripes = make("g", { class: "stripes" }, ...plan.bands.map((band) =>
+    make("rect", { "data-layer": band.layer, x: band.x, y: -20000, width: band.width, height: 40000 })));
+  scene.replaceChildren(stripes, lines, boxes);
+  pane.querySelector(".bands").replaceChildren(...plan.bands.map(bandHead));
+  byId("whole").hidden = state.only === null;
+  roam(state.at >= 0 && state.at < nodes.length ? state.at : 0, false);
+  light();
+}
+
+function lineOf(link, { d, arrow }, index) {
+  const edges = link.edges.map((edge) => data.edges[edge]);
+  const worst = worstOf(edges.flatMap((edge) => edge.findings));
+  const said = edges.map((edge) => [edge.kind, edge.why && `(${edge.why})`, placeOf(edge)].filter(Boolean).join(" ")).join("\n");
+  const names = `${drawn.nodes[link.from].full} → ${drawn.nodes[link.to].full}`;
+  return make("g", { class: `edge ${worst}`, "data-kind": edges[0].kind, onclick: () => choose({ link: index }) },
+    make("title", {}, `${names}\n${said}`), make("path", { class: "reach", d }), make("path", { class: "line", d }),
+    make("path", { class: "arrow", d: arrow }));
+}
+
+function boxFor(node, { x, y, width, height }, index) {
+  const low = height <= SIZE.low;
+  const told = [node.full, node.kind, counted(node.findings.length, "finding"), node.worst && `worst: ${node.worst}`];
+  return make("g", {
+    class: `node ${node.worst}`, "data-layer": node.layer, "data-index": index, transform: `translate(${num(x)} ${num(y)})`,
+    tabindex: -1, role: "button", "aria-label": told.filter(Boolean).join(", "),
+    onclick: () => choose(node.kind === "folded" ? { box: index } : { node: node.members[0] }),
+    ondblclick: () => (node.kind === "folded" ? fold(node.layer) : isolate(node.members[0])),
+    onpointerenter: () => light(index), onpointerleave: () => light(),
+  },
+    make("title", {}, [node.full, node.kind, placeOf(node)].filter(Boolean).join("\n")),
+    make("rect", { class: "box", width, height, rx: 4 }),
+    make("rect", { class: "hue", width: 4, height, rx: 2 }),
+    low ? null : make("text", { class: "kind", x: 12, y: 14 }, node.kind === "folded" ? "folded" : node.kind),
+    make("text", { class: "label", x: 12, y: low ? 16 : 29 }, node.label),
+    node.worst ? make("use", { class: `icon ${node.worst}`, href: `#icon-${node.worst}`, x: width - 19, y: low ? 5 : 6, width: 14, height: 14 }) : null);
+}
+
+function bandHead(band) {
+  const layer = data.layers.find((one) => one.id === band.layer);
+  const own = data.nodes.filter((node) => node.layer === band.layer);
+  const worst = worstOf(own.flatMap((node) => node.findings));
+  const folded = state.folded.has(band.layer);
+  return button("", () => fold(band.layer), {
+    class: "band", "data-layer": band.layer, "aria-expanded": String(!folded), title: `${layer.title}: ${folded ? "unfold" : "fold"}`,
+  }).appendChild(make("span", {}, make("b", {}, layer.title), make("i", {}, String(own.length)), worst ? icon(worst) : null)).parentNode;
+}
+
+/* What is lit: the chosen or pointed-at thing with what it is tied to, and what the search found. */
+
+function light(pointed) {
+  const [boxes, lines] = [new Set(), new Set()];
+  const chosen = state.chosen;
+  const around = (index) => {
+    boxes.add(index);
+    drawn.links.forEach(({ from, to }, line) => {
+      if (from === index || to === index) [from, to].forEach((end) => boxes.add(end)), lines.add(line);
+    });
+  };
+  const own = new Set();
+  if (chosen?.node !== undefined && drawn.boxOf.has(chosen.node)) own.add(drawn.boxOf.get(chosen.node));
+  if (chosen?.box !== undefined) own.add(chosen.box);
+  if (chosen?.link !== undefined && drawn.links[chosen.link]) {
+    const { from, to } = drawn.links[chosen.link];
+    [from, to].forEach((end) => boxes.add(end));
+    lines.add(chosen.link);
+  }
+  if (chosen?.finding !== undefined) {
+    const held = holders(chosen.finding);
+    held.boxes.forEach((index) => own.add(index));
+    held.lines.forEach((index) => lines.add(index));
+    held.lines.forEach((index) => [drawn.links[index].from, drawn.links[index].to].forEach((end) => boxes.add(end)));
+    held.boxes.forEach((index) => boxes.add(index));
+  } else own.forEach(around);
+  if (!chosen && pointed !== undefined) around(pointed);
+  const found = state.query.length ? matches() : null;
+  const alone = state.only !== null && chosen?.node === state.only;
+  canvas.classList.toggle("dim", Boolean(boxes.size || lines.size) && !alone);
+  canvas.classList.toggle("searching", Boolean(found));
+  drawn.boxes.forEach((box, index) => {
+    box.classList.toggle("lit", boxes.has(index));
+    box.classList.toggle("chosen", own.has(index));
+    box.classList.toggle("found", Boolean(found?.has(index)));
+  });
+  drawn.lines.forEach((line, index) => line.classList.toggle("lit", lines.has(index)));
+  return found;
+}
+
+/* The boxes and lines that hold a finding. */
+function holders(finding) {
+  const boxes = drawn.nodes.flatMap((node, index) => (node.findings.includes(finding) ? [index] : []));
+  const lines = drawn.links.flatMap((link, index) => (link.edges.some((edge) => data.edges[edge].findings.includes(finding)) ? [index] : []));
+  return { boxes, lines };
+}

@@ -1,0 +1,53 @@
+
+/* Views, tools and start */
+
+const panes = () => ({ findings: byId("findings").offsetWidth > 0, picture: pane.offsetWidth > 0 });
+const narrow = window.matchMedia("(max-width: 900px)");
+function show(view) {
+  const wanted = view === "both" && narrow.matches ? (panes().picture ? "findings" : "picture") : view;
+  body.dataset.view = wanted;
+  document.querySelectorAll(".views button").forEach((one) => one.setAttribute("aria-pressed", String(one.dataset.show === wanted)));
+  fit();
+}
+
+function setUpLegend() {
+  const kinds = [...new Set(data.edges.map((edge) => edge.kind))].sort();
+  pane.querySelector(".kinds").append(...kinds.map((kind) => {
+    const box = make("input", { type: "checkbox", checked: true, onchange: () => {
+      if (!state.hidden.delete(kind)) state.hidden.add(kind);
+      if (state.chosen?.link !== undefined) choose(null);
+      draw();
+      place();
+    } });
+    const sample = make("svg", { class: "sample", viewBox: "0 0 26 8", "aria-hidden": "true" }, make("path", { class: "line", "data-kind": kind, d: "M0 4h26" }));
+    return make("label", {}, box, sample, kind, make("i", {}, String(data.edges.filter((edge) => edge.kind === kind).length)));
+  }));
+  pane.querySelector(".legend").hidden = !kinds.length;
+}
+
+byId("in").addEventListener("click", () => zoom(1.25));
+byId("out").addEventListener("click", () => zoom(0.8));
+byId("fit").addEventListener("click", () => fit());
+byId("whole").addEventListener("click", () => unfocus());
+byId("words").addEventListener("click", (event) => {
+  const listed = pane.classList.toggle("listed");
+  byId("outline").open = listed;
+  event.target.setAttribute("aria-pressed", String(listed));
+});
+byId("theme").addEventListener("click", () => {
+  const dark = getComputedStyle(document.documentElement).colorScheme;
+  const now = dark === "light dark" ? (window.matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light") : dark;
+  document.documentElement.dataset.theme = now === "dark" ? "light" : "dark";
+});
+document.querySelectorAll(".views button").forEach((one) => one.addEventListener("click", () => show(one.dataset.show)));
+window.addEventListener("resize", () => fit());
+window.addEventListener("beforeprint", () => fit());
+
+body.classList.add("scripted");
+body.classList.toggle("without-picture", !data.nodes.length);
+setUpFindings();
+setUpLegend();
+draw();
+show(body.classList.contains("picture") ? "picture" : !data.nodes.length || narrow.matches ? "findings" : "both");
+const linked = /^#finding-(\d+)$/.exec(location.hash);
+if (linked && byId(`finding-${linked[1]}`)) toArticle(Number(linked[1]));
