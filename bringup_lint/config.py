@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 from typing import NamedTuple
 
+from bringup_lint.spelling import meant
 from bringup_lint.toml import read_toml
 
 FILE_NAME = "bringup-lint.toml"
@@ -108,10 +109,8 @@ def read(path: Path) -> Config:
 
 
 def _did_you_mean(key: str) -> str:
-    import difflib
-
-    near = difflib.get_close_matches(key.replace("_", "-"), OPTIONS, 1)
-    return f"; did you mean '{near[0]}'?" if near else f"; known keys: {', '.join(OPTIONS)}"
+    near = meant(key.replace("_", "-"), OPTIONS)
+    return f"; did you mean '{near}'?" if near else f"; known keys: {', '.join(OPTIONS)}"
 
 
 def _checked(kind: str, value: Any) -> Any:

@@ -17,6 +17,7 @@ from bringup_lint.registry import Registry
 from bringup_lint.registry import Rule
 from bringup_lint.robot import Robot
 from bringup_lint.source import Source
+from bringup_lint.spelling import meant
 from bringup_lint.suppress import ignores_in
 
 INTERNAL_ERROR = "lint/internal-error"
@@ -57,10 +58,8 @@ class Selection:
         for rule in self.registry.all():
             if name in rule.meta.aliases:
                 return rule.id
-        import difflib
-
-        near = difflib.get_close_matches(name, [*self.families, *self.registry.paths], 1)
-        raise ConfigError(f"no rule or family is called '{name}'" + (f"; did you mean '{near[0]}'?" if near else ""))
+        near = meant(name, [*self.families, *self.registry.paths])
+        raise ConfigError(f"no rule or family is called '{name}'" + (f"; did you mean '{near}'?" if near else ""))
 
     def runs(self, rule_id: str) -> bool:
         if any(names(name, rule_id) for name in self.ignore):

@@ -5,6 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 
+def meant(name: str, known: Iterable[str]) -> str | None:
+    """The known name that somebody meant: misspelt, or the last part of a path."""
+    import difflib
+
+    known = list(known)
+    ends = [each for each in known if each.endswith(f"/{name}")]
+    near = ends if len(ends) == 1 else difflib.get_close_matches(name, known, 1, 0.8)
+    return near[0] if near else None
+
+
 def nearest(word: str, known: Iterable[str], farthest: int = 2) -> list[str]:
     """The known words with the fewest edits (a swap of neighbours is one), in the order given.
 

@@ -206,6 +206,32 @@ def test_explain_of_nothing_known(tmp_path: Path) -> None:
     assert lint("explain", "no such words anywhere", cwd=tmp_path).code == 2
 
 
+def test_explain_takes_a_rule_without_its_family(tmp_path: Path) -> None:
+    assert lint("explain", "network-target", cwd=tmp_path).stdout.startswith("systemd/network-target")
+    assert "rules explain 'root-user'" in lint("explain", "root-user", cwd=tmp_path).stdout
+
+
+@pytest.mark.parametrize(
+    ("arguments", "hint"),
+    [
+        (("explain", "systemd"), "'systemd' is a family; bringup-lint rules systemd lists its rules"),
+        (("explain", "systemd/network-targt"), "did you mean systemd/network-target?"),
+        (("rules", "sytemd"), "did you mean 'systemd'?"),
+        (("--select", "network-target"), "did you mean 'systemd/network-target'?"),
+        (("--select", "systemd/foo"), "no rule or family is called 'systemd/foo'\n"),
+        (("rulez",), "did you mean the command 'rules'?"),
+    ],
+)
+def test_what_was_meant(tmp_path: Path, arguments: tuple[str, ...], hint: str) -> None:
+    run = lint(*arguments, cwd=tmp_path)
+    assert run.code and hint in run.stderr
+
+
+def test_init_leaves_a_file_alone(tmp_path: Path) -> None:
+    assert lint("init", cwd=tmp_path).code == 0
+    assert lint("init", cwd=tmp_path).stderr == "bringup-lint: bringup-lint.toml is there already\n"
+
+
 def test_rules_lists_every_rule(tmp_path: Path) -> None:
     from bringup_lint.registry import Registry
 

@@ -4,6 +4,8 @@ command."""
 from __future__ import annotations
 
 import importlib
+import os
+import sys
 
 COMMANDS = {
     "check": "Check files and folders (the default).",
@@ -21,5 +23,15 @@ def dispatch(arguments: list[str], prog: str = "bringup-lint") -> None:
         name, *arguments = arguments
         if name != "check":
             prog = f"{prog} {name}"
+    elif arguments and not arguments[0].startswith("-") and not os.path.lexists(arguments[0]):
+        _hint(arguments[0])
     module = importlib.import_module(f"bringup_lint.cli.{name}")
     module.command.main(arguments, prog_name=prog)
+
+
+def _hint(word: str) -> None:
+    """A word that is neither a command nor a path may be a misspelt command."""
+    from bringup_lint.spelling import meant
+
+    if command := meant(word, COMMANDS):
+        print(f"bringup-lint: there is no '{word}' here; did you mean the command '{command}'?", file=sys.stderr)

@@ -15,6 +15,7 @@ from bringup_lint.cli.reporting import wants_colour
 from bringup_lint.registry import Registry
 from bringup_lint.registry import Rule
 from bringup_lint.report.docs import plain
+from bringup_lint.spelling import meant
 
 _WORD = re.compile(r"[A-Za-z0-9_./=-]{2,}")
 _COMMON = frozenset(
@@ -29,24 +30,24 @@ _COMMON = frozenset(
 @rules_option
 @click.pass_context
 def command(ctx: click.Context, what: tuple[str, ...], rule_folders: tuple[Path, ...]) -> None:
-    """Print what a rule finds and why; or, for a line of a log, the rules by which people met it.
+    """Print what a rule finds and why; or, for a line of a log, the rules that people met by it.
 
     \b
     bringup-lint explain systemd/network-target
     bringup-lint explain "does not match an available interface"
     """
     text = " ".join(what)
-    rules = list(Registry.of(rule_folders).all())
-    found = [rule for rule in rules if text in (rule.id, *rule.meta.aliases)]
-    if not found:
-        found = matching(text, rules)
-        if len(found) > 1:
-            _list(text, found)
-            return
-    if not found:
-        click.echo(f"bringup-lint: no rule and no known log line matches '{text}'{_nearest(text, rules)}", err=True)
+    registry = Registry.of(rule_folders)
+    rules = list(registry.all())
+    found = [rule for rule in rules if text in (rule.id, rule.id.partition("/")[2], *rule.meta.aliases)]
+    found = found or matching(text, rules)
+    if len(found) > 1:
+        _list(text, found)
+    elif found:
+        click.echo(plain(doc_of(found[0]), terminal_width(), wants_colour(None)), nl=False)
+    else:
+        click.echo(f"bringup-lint: {_unknown(text, registry)}", err=True)
         ctx.exit(2)
-    click.echo(plain(doc_of(found[0]), terminal_width(), wants_colour(None)), nl=False)
 
 
 def matching(line: str, rules: Iterable[Rule]) -> list[Rule]:
@@ -82,8 +83,8 @@ def _list(text: str, found: list[Rule]) -> None:
     click.echo("\nbringup-lint explain RULE prints one of them.")
 
 
-def _nearest(text: str, rules: list[Rule]) -> str:
-    import difflib
-
-    near = difflib.get_close_matches(text, [rule.id for rule in rules], 1, 0.5)
-    return f"; did you mean {near[0]}?" if near else ""
+def _unknown(text: str, registry: Registry) -> str:
+    if any(text == family.name for family in registry.families):
+        return f"'{text}' is a family; bringup-lint rules {text} lists its rules"
+    near = meant(text, registry.paths)
+    return f"no rule and no known log line matches '{text}'" + (f"; did you mean {near}?" if near else "")

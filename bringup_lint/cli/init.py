@@ -44,6 +44,9 @@ def command(ctx: click.Context, print_schema: bool) -> None:
     try:
         with path.open("x", encoding="utf-8") as file:
             file.write(START)
+    except FileExistsError:
+        click.echo(f"bringup-lint: {path} is there already", err=True)
+        ctx.exit(2)
     except OSError as error:
         click.echo(f"bringup-lint: {path}: {error.strerror}", err=True)
         ctx.exit(2)

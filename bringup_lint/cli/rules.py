@@ -13,6 +13,7 @@ from bringup_lint.cli.reporting import wants_colour
 from bringup_lint.registry import Registry
 from bringup_lint.registry import Rule
 from bringup_lint.report.paint import painter
+from bringup_lint.spelling import meant
 
 
 @click.command(context_settings={"help_option_names": ["-h", "--help"]})
@@ -25,7 +26,10 @@ def command(ctx: click.Context, families: tuple[str, ...], output_format: str, r
     registry = Registry.of(rule_folders)
     unknown = set(families) - {family.name for family in registry.families}
     if unknown:
-        click.echo(f"bringup-lint: no family is called '{sorted(unknown)[0]}'", err=True)
+        name = sorted(unknown)[0]
+        near = meant(name, [family.name for family in registry.families])
+        hint = f"did you mean '{near}'?" if near else "bringup-lint rules lists all"
+        click.echo(f"bringup-lint: no family is called '{name}'; {hint}", err=True)
         ctx.exit(2)
     rules = [rule for rule in registry.all() if not families or rule.family in families]
     if output_format == "json":
