@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.host.sshd import Sshd
     from bringup_lint.graph.host.sysctl import Sysctl
     from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.nodes.nodes import Nodes
     from bringup_lint.graph.params.params import Params
     from bringup_lint.graph.secrets.in_clear import Secret
     from bringup_lint.graph.secrets.ros import Indirect
@@ -58,6 +59,7 @@ _ROS_KINDS = (
     "launch-python",
     "launch-xml",
     "launch-yaml",
+    "python-node",
     "ros-param",
     "params",
     "cyclonedds",
@@ -214,6 +216,13 @@ class Robot:
         from bringup_lint.graph.launch.launch import load_launch
 
         return load_launch(self)
+
+    @cached_property
+    def nodes(self) -> Nodes:
+        """The Python sources of nodes, and which of them a launch file starts."""
+        from bringup_lint.graph.nodes.nodes import load_nodes
+
+        return load_nodes(self)
 
     @cached_property
     def params(self) -> Params:

@@ -81,6 +81,11 @@ class Package:
         return {name: place for build in self.builds for name, place in build.executables.items()}
 
     @cached_property
+    def entry_points(self) -> dict[str, str]:
+        """Console script -> ``package.module:function``."""
+        return {name: target for build in self.builds for name, target in build.entry_points.items()}
+
+    @cached_property
     def plugins(self) -> list[Located]:
         return [plugin for build in self.builds for plugin in build.plugins]
 
@@ -102,6 +107,8 @@ def _origin(install, path: str) -> str | None:
     source = posixpath.normpath(install.source)
     if not install.tree:
         folder, name = posixpath.split(path)
+        if install.renamed:
+            return source if posixpath.join(destination, install.renamed) == path else None
         if posixpath.normpath(folder) == destination and fnmatchcase(name, posixpath.basename(source)):
             return posixpath.join(posixpath.dirname(source), name)
         return None

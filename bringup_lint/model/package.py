@@ -42,6 +42,8 @@ class Install(NamedTuple):
     where: Span
     filtered: bool = False
     """Patterns decide what of a folder is installed."""
+    renamed: str = ""
+    """The name that a single file is installed under."""
 
 
 @dataclass(eq=False, slots=True)
@@ -53,6 +55,8 @@ class Build:
     installs_known: bool = True
     executables: dict[str, Located] = field(default_factory=dict)
     """What ``ros2 run`` finds, by name."""
+    entry_points: dict[str, str] = field(default_factory=dict)
+    """Console script -> ``package.module:function``."""
     executables_known: bool = True
     plugins: list[Located] = field(default_factory=list)
     """Component classes that are registered."""

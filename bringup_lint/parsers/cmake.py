@@ -253,8 +253,9 @@ class Reader:
 
     def files(self, kind: str, destination: str, sources: list[Located], options: list[Located]) -> None:
         renamed = [after for before, after in itertools.pairwise(options) if before == "RENAME"]
+        name = self.expand(renamed[0]) if renamed else None
         for source in sources:
-            self.install(destination, source, False, bool(renamed))
+            self.install(destination, source, False, bool(renamed), str(name or ""))
         if destination.startswith("lib/") and kind in ("PROGRAMS", "FILES"):
             for word in self.words(renamed or sources):
                 if word is None:
@@ -279,12 +280,12 @@ class Reader:
         text = expanded.strip("/")
         return "" if text.startswith("..") else text
 
-    def install(self, destination: str, source: Located, tree: bool, filtered: bool = False) -> None:
+    def install(self, destination: str, source: Located, tree: bool, filtered: bool = False, renamed: str = "") -> None:
         for word in self.words([source]):
             if word is None:
                 self.build.installs_known = False
             else:
-                self.build.installs.append(Install(destination, str(word), tree, source.span, filtered))
+                self.build.installs.append(Install(destination, str(word), tree, source.span, filtered, renamed))
 
 
 _ENDS = frozenset("endif endforeach endfunction endmacro endwhile foreach function macro while".split())

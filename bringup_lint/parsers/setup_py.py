@@ -24,15 +24,15 @@ from bringup_lint.parsers.launch_python.objects import Frame
 from bringup_lint.parsers.launch_python.objects import Mapping
 from bringup_lint.parsers.launch_python.objects import Sequence
 from bringup_lint.parsers.launch_python.objects import Symbol
-from bringup_lint.parsers.launch_python.positions import Positions
 from bringup_lint.parsers.launch_python.state import State
 from bringup_lint.parsers.launch_python.statements import run
+from bringup_lint.parsers.python_syntax import Positions
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
 _SETUP = ("setuptools.setup", "distutils.core.setup", "setup")
 _GLOB = ("glob.glob", "glob.iglob", "glob")
-_SCRIPT = re.compile(r"^\s*([\w.-]+)\s*=", re.M)
+_SCRIPT = re.compile(r"^\s*([\w.-]+)[ \t]*=[ \t]*([\w.]*(?::[\w.]*)?)", re.M)
 
 
 def parse(source: Source) -> Build:
@@ -139,6 +139,7 @@ def _scripts(build: Build, thing: Any) -> None:
         if isinstance(item, Literal) and isinstance(item.value, Located):
             name = item.value.part(0, max(item.value.find("="), 0)).strip_located()
             build.executables[str(name)] = name
+            build.entry_points[str(name)] = item.value.partition("=")[2].partition("[")[0].strip()
         else:
             build.executables_known = False
     if items is None:
@@ -156,6 +157,7 @@ def parse_cfg(source: Source) -> Build:
     scripts = parser.get("options.entry_points", "console_scripts", fallback="")
     for match in _SCRIPT.finditer(scripts):
         build.executables[match[1]] = Located(match[1], source.whole)
+        build.entry_points[match[1]] = match[2]
     if parser.has_section("options.data_files"):
         for destination, files in parser.items("options.data_files"):
             for file in files.split():

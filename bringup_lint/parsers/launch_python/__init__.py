@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ast
-import warnings
 
 from bringup_lint.model.launch import LaunchFile
 from bringup_lint.model.launch import Other
@@ -14,9 +13,11 @@ from bringup_lint.parsers.launch_python.expressions import evaluate
 from bringup_lint.parsers.launch_python.objects import Frame
 from bringup_lint.parsers.launch_python.objects import Function
 from bringup_lint.parsers.launch_python.objects import Options
-from bringup_lint.parsers.launch_python.positions import Positions
 from bringup_lint.parsers.launch_python.state import State
 from bringup_lint.parsers.launch_python.statements import run
+from bringup_lint.parsers.python_syntax import Positions
+from bringup_lint.parsers.python_syntax import byte_order_mark
+from bringup_lint.parsers.python_syntax import syntax_tree
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
 from bringup_lint.source import Span
@@ -30,11 +31,11 @@ def parse(source: Source) -> LaunchFile:
     if len(source.text) > budget.TEXT:
         file.problems.append(Problem("too-large", source.whole))
         return file
-    shift = 1 if source.text.startswith("\ufeff") else 0
-    tree = _tree(file, source.text[shift:], shift)
+    tree, problems = syntax_tree(source)
+    file.problems += problems
     if tree is None:
         return file
-    positions = Positions(source, shift)
+    positions = Positions(source, byte_order_mark(source))
     state = State(file, positions, Frame({}))
     state.evaluate = lambda node: evaluate(state, node)
     state.call = lambda *arguments: call(state, *arguments)
@@ -46,28 +47,6 @@ def parse(source: Source) -> LaunchFile:
     except RecursionError:
         file.actions += (Other(span=source.whole, why="nested too deeply"),)
     return file
-
-
-def _tree(file: LaunchFile, text: str, shift: int) -> ast.Module | None:
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            return ast.parse(text)
-    except SyntaxError as error:
-        file.problems.append(Problem("syntax", _place(file.source, error, shift), error.msg or ""))
-    except (ValueError, RecursionError, MemoryError) as error:
-        file.problems.append(Problem("syntax", file.source.whole, str(error)))
-    return None
-
-
-def _place(source: Source, error: SyntaxError, shift: int) -> Span:
-    """Where Python stopped reading; to the end of that line."""
-    starts = source.line_starts
-    line = min(max(error.lineno or 1, 1), len(starts))
-    width = len(source.line_text(line))
-    column = min(max((error.offset or 1) - 1 + (shift if line == 1 else 0), 0), width)
-    start = starts[line - 1] + column
-    return Span(source, start, max(start, starts[line - 1] + width))
 
 
 def _describe(state: State, tree: ast.Module) -> None:

@@ -30,6 +30,7 @@ from bringup_lint.parsers.launch_python.operators import unary
 from bringup_lint.parsers.launch_python.state import State
 from bringup_lint.parsers.launch_python.truth import branch
 from bringup_lint.parsers.launch_python.truth import negated
+from bringup_lint.parsers.python_syntax import located
 from bringup_lint.source import Located
 from bringup_lint.source import Span
 
@@ -59,20 +60,6 @@ def _constant(state: State, node: ast.Constant) -> Any:
     if value is None or isinstance(value, (bool, int, float)):
         return Literal(value, span)
     return Unknown("constant", span)
-
-
-def located(value: str, span: Span) -> Located:
-    """A string constant with its place: between the quotes when what stands there is the value itself."""
-    text = span.source.text
-    start, end = span.start, span.end
-    size = end - start - len(value)
-    if size == 2 and text.startswith(value, start + 1):
-        return Located(value, Span(span.source, start + 1, end - 1))
-    if size == 3 and text[start] in "rRuUbBfF" and text.startswith(value, start + 2):
-        return Located(value, Span(span.source, start + 2, end - 1))
-    if size == 6 and text.startswith(value, start + 3):
-        return Located(value, Span(span.source, start + 3, end - 3))
-    return Located(value, span)
 
 
 def located_name(state: State, alias: ast.alias, statement: ast.ImportFrom) -> Located:

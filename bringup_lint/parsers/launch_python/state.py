@@ -15,7 +15,7 @@ from bringup_lint.parsers.launch_python.budget import STEPS
 from bringup_lint.parsers.launch_python.budget import Exhausted
 from bringup_lint.parsers.launch_python.objects import Frame
 from bringup_lint.parsers.launch_python.objects import Guards
-from bringup_lint.parsers.launch_python.positions import Positions
+from bringup_lint.parsers.python_syntax import Positions
 from bringup_lint.source import Span
 
 

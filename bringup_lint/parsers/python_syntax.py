@@ -1,10 +1,13 @@
-"""From the positions of ``ast`` (lines, UTF-8 byte columns) to code point offsets."""
+"""The syntax tree of a Python file, and the way from positions of ``ast`` (lines, byte columns) to code points."""
 
 from __future__ import annotations
 
 import ast
 import re
+import warnings
 
+from bringup_lint.source import Located
+from bringup_lint.source import Problem
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 
@@ -60,3 +63,45 @@ class Positions:
             return Span(self.source, start, end)
         start = min(start, self._length)
         return Span(self.source, start, min(max(start, end), self._length))
+
+
+def byte_order_mark(source: Source) -> int:
+    """How many code points stand before the text that ``ast`` is given."""
+    return 1 if source.text.startswith("\ufeff") else 0
+
+
+def syntax_tree(source: Source) -> tuple[ast.Module | None, list[Problem]]:
+    """The tree of the text behind a byte order mark; the problem when it is not Python."""
+    shift = byte_order_mark(source)
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            return ast.parse(source.text[shift:]), []
+    except SyntaxError as error:
+        return None, [Problem("syntax", _place(source, error, shift), error.msg or "")]
+    except (ValueError, RecursionError, MemoryError) as error:
+        return None, [Problem("syntax", source.whole, str(error))]
+
+
+def _place(source: Source, error: SyntaxError, shift: int) -> Span:
+    """Where Python stopped reading; to the end of that line."""
+    starts = source.line_starts
+    line = min(max(error.lineno or 1, 1), len(starts))
+    width = len(source.line_text(line))
+    column = min(max((error.offset or 1) - 1 + (shift if line == 1 else 0), 0), width)
+    start = starts[line - 1] + column
+    return Span(source, start, max(start, starts[line - 1] + width))
+
+
+def located(value: str, span: Span) -> Located:
+    """A string constant with its place: between the quotes when what stands there is the value itself."""
+    text = span.source.text
+    start, end = span.start, span.end
+    size = end - start - len(value)
+    if size == 2 and text.startswith(value, start + 1):
+        return Located(value, Span(span.source, start + 1, end - 1))
+    if size == 3 and text[start] in "rRuUbBfF" and text.startswith(value, start + 2):
+        return Located(value, Span(span.source, start + 2, end - 1))
+    if size == 6 and text.startswith(value, start + 3):
+        return Located(value, Span(span.source, start + 3, end - 3))
+    return Located(value, span)

@@ -1,0 +1,101 @@
+"""The Python modules of a workspace: which file an import names, and classes that build on classes of other files."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING
+
+from bringup_lint.model.node_source import NodeClass
+from bringup_lint.model.node_source import NodeSource
+from bringup_lint.parsers.python_node import parse
+
+if TYPE_CHECKING:
+    from bringup_lint.robot import Robot
+
+_DEPTH = 6
+"""Files through which a class is followed."""
+
+
+class Modules:
+    def __init__(self, robot: Robot, files: list[NodeSource]) -> None:
+        self.robot = robot
+        self.by_path = {os.path.abspath(file.source.name): file for file in files}
+        self.by_source = {id(file.source): file for file in files}
+        self._files = list(files)
+        self._folders: dict[str, str | None] = {}
+
+    def link(self) -> None:
+        """Give each class the one it builds on, where that stands in another file of the tree."""
+        for file in self._files:
+            for node in file.classes:
+                self._link(file, node, 0)
+
+    def _link(self, file: NodeSource, node: NodeClass, depth: int) -> None:
+        if node.is_node is not None or node.base is not None or depth > _DEPTH:
+            if node.base is not None and node.is_node is None and depth <= _DEPTH:
+                self._link(file, node.base, depth + 1)
+                _inherit(node)
+            return
+        for name in node.bases:
+            base = self.class_named(name, file, depth + 1)
+            if base is not None and base is not node:
+                node.base = base
+                _inherit(node)
+                return
+
+    def class_named(self, dotted: str, file: NodeSource, depth: int = 0) -> NodeClass | None:
+        """The class of nodes that a dotted name means in a file; names are followed through imports."""
+        local = file.class_named(dotted)
+        if local is not None or depth > _DEPTH:
+            return local
+        module, _, name = dotted.rpartition(".")
+        if module.strip(".") == "" and module:
+            module = f"{module}."
+        other = self.module(module, file) if module else None
+        if other is None:
+            return None
+        found = other.class_named(name)
+        if found is not None:
+            self._link(other, found, depth + 1)
+            return found
+        target = other.imports.get(name)
+        return self.class_named(target, other, depth + 1) if target else None
+
+    def module(self, dotted: str, file: NodeSource) -> NodeSource | None:
+        """The file of a module as another file imports it: ``package.module`` or ``.module``."""
+        here = os.path.dirname(os.path.abspath(file.source.name))
+        level = len(dotted) - len(dotted.lstrip("."))
+        path = dotted.lstrip(".").replace(".", "/")
+        if level:
+            folder = os.path.normpath(os.path.join(here, *[".."] * (level - 1)))
+            return self._read(os.path.join(folder, path) if path else folder)
+        owner = self.robot.launch.workspace.packages.get(path.partition("/")[0])
+        for folder in (owner.folder, os.path.join(owner.folder, "src")) if owner is not None else (here,):
+            found = self._read(os.path.join(folder, path))
+            if found is not None:
+                return found
+        return None
+
+    def _read(self, stem: str) -> NodeSource | None:
+        for path in (f"{stem}.py", f"{stem}/__init__.py"):
+            found = self.at(path)
+            if found is not None:
+                return found
+        return None
+
+    def at(self, path: str) -> NodeSource | None:
+        """The file at an absolute path, read now if it was not known as a node; None when the tree does not hold it."""
+        if path not in self.by_path:
+            self.by_path[path] = None
+            if path in set(self.robot.tree.named(os.path.basename(path))):
+                source = self.robot.tree.read(path, judged=False)
+                for found in self.robot.parsed(parse, [source] if source is not None else []):
+                    self.by_path[path] = found
+                    self.by_source[id(found.source)] = found
+        return self.by_path[path]
+
+
+def _inherit(node: NodeClass) -> None:
+    if node.base is not None and node.base.is_node:
+        node.is_node = True
+        node.is_lifecycle = node.is_lifecycle or node.base.is_lifecycle

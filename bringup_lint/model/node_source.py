@@ -1,0 +1,202 @@
+"""A Python source of ROS 2 nodes: its classes, what they publish and subscribe, and with which quality of service."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Callable
+from collections.abc import Iterator
+from dataclasses import dataclass
+from dataclasses import field
+from typing import NamedTuple
+
+from bringup_lint.source import Located
+from bringup_lint.source import Problem
+from bringup_lint.source import Source
+from bringup_lint.source import Span
+
+INFINITE = float("inf")
+"""A deadline or lease duration that is not set."""
+
+
+@dataclass(frozen=True, slots=True)
+class Qos:
+    """A profile as far as it is known. None: not known. Policies by the names of ``rclpy.qos``: ``RELIABLE``,
+    ``TRANSIENT_LOCAL``, ``KEEP_LAST``, ``AUTOMATIC``, ``SYSTEM_DEFAULT``, ``BEST_AVAILABLE``."""
+
+    span: Span
+    """Where the profile, or the number that stands for one, is written."""
+    reliability: str | None = None
+    durability: str | None = None
+    history: str | None = None
+    depth: int | None = None
+    deadline: float | None = None
+    """Seconds; ``INFINITE`` when none is offered or asked for."""
+    liveliness: str | None = None
+    lease: float | None = None
+    """Seconds; ``INFINITE`` when not set."""
+
+
+class Group(NamedTuple):
+    """A callback group: ``key`` is equal for the callbacks that share it."""
+
+    key: str
+    reentrant: bool | None
+    """None when its type is not known."""
+
+
+@dataclass(frozen=True, slots=True)
+class Function:
+    """A function or method of a source."""
+
+    name: Located
+    node: ast.FunctionDef | ast.AsyncFunctionDef
+    span: Span
+    decorators: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Callback:
+    """A function that an executor calls. ``role``: ``subscription``, ``timer``, ``service``, ``action`` (the goal is
+    executed), ``action-step`` (accepted, cancelled), ``client``, ``parameters``, ``shutdown``."""
+
+    role: str
+    name: str | None
+    """The method or function; None for a lambda or what is not known."""
+    span: Span
+    """Where it is handed over."""
+    group: Group | None = None
+    """None: the default group of the node."""
+    function: ast.Lambda | None = None
+    """The lambda itself."""
+
+
+@dataclass(frozen=True, slots=True)
+class Endpoint:
+    role: str
+    """``publisher``, ``subscription``, ``client``, ``service``, ``action-client`` or ``action-server``."""
+    type: str | None
+    """``geometry_msgs/msg/Twist``, resolved through the imports of the file."""
+    name: Located | None
+    """As written, not expanded; the default of the parameter when the name comes from one."""
+    parameter: Located | None
+    """The declared parameter that gives the name."""
+    qos: Qos | None
+    """None for services and actions, and when nothing of it is known."""
+    callback: str | None
+    """The method or function that takes the messages."""
+    callback_group: Group | None
+    attribute: str | None
+    """Where it is kept: ``self.pub``, or a variable."""
+    lifecycle: bool
+    """A lifecycle publisher, silent while its node is not active."""
+    span: Span
+    """The call."""
+    conditional: bool = False
+    """Under an ``if``, in a loop or in an exception handler."""
+    method: str | None = None
+    """The function in which it is made."""
+    implied: bool = False
+    """Made inside a library class, such as the publisher of a ``TransformBroadcaster``."""
+
+
+@dataclass(frozen=True, slots=True)
+class Timer:
+    period: float | None
+    """Seconds; None when not known."""
+    callback: str | None
+    attribute: str | None
+    group: Group | None
+    span: Span
+    conditional: bool = False
+    method: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Parameter:
+    """``declare_parameter``. ``default`` is the literal value; ``known`` tells a literal None from one that is not."""
+
+    name: Located
+    default: str | int | float | bool | list | None
+    known: bool
+    span: Span
+
+
+@dataclass(eq=False, slots=True)
+class NodeClass:
+    """A class of nodes, or a single node that a function makes with ``rclpy.create_node`` or ``Node(...)``."""
+
+    source: Source
+    name: Located | None
+    """The class; None for a node without one."""
+    span: Span
+    bases: tuple[str, ...] = ()
+    """Dotted names, through the imports of the file; a class of the same file by its bare name."""
+    base: NodeClass | None = None
+    """The class it builds on, when that is in the same file or was found in the same package."""
+    is_node: bool | None = None
+    """True: a class of rclpy is among its bases. None: a base is not known."""
+    is_lifecycle: bool = False
+    node_name: Located | None = None
+    """The literal name that the node gives itself."""
+    namespace: Located | None = None
+    endpoints: list[Endpoint] = field(default_factory=list)
+    timers: list[Timer] = field(default_factory=list)
+    parameters: dict[str, Parameter] = field(default_factory=dict)
+    callbacks: list[Callback] = field(default_factory=list)
+    methods: dict[str, Function] = field(default_factory=dict)
+    variable: str | None = None
+    """For a node without a class: the variable that holds it."""
+    node: ast.ClassDef | None = None
+
+    @property
+    def lineage(self) -> Iterator[NodeClass]:
+        """The class itself, then those it builds on as far as they are known."""
+        seen: set[int] = set()
+        current: NodeClass | None = self
+        while current is not None and id(current) not in seen:
+            seen.add(id(current))
+            yield current
+            current = current.base
+
+    @property
+    def all_endpoints(self) -> list[Endpoint]:
+        """Its own endpoints and those of the classes it builds on."""
+        return [endpoint for each in self.lineage for endpoint in each.endpoints]
+
+    @property
+    def all_timers(self) -> list[Timer]:
+        return [timer for each in self.lineage for timer in each.timers]
+
+    @property
+    def all_parameters(self) -> dict[str, Parameter]:
+        return {name: found for each in reversed(list(self.lineage)) for name, found in each.parameters.items()}
+
+    def method(self, name: str) -> Function | None:
+        return next((each.methods[name] for each in self.lineage if name in each.methods), None)
+
+
+@dataclass(eq=False, slots=True)
+class NodeSource:
+    source: Source
+    classes: list[NodeClass] = field(default_factory=list)
+    """All classes of nodes, also those of which a base is not known, and the nodes that functions make."""
+    functions: dict[str, Function] = field(default_factory=dict)
+    """The functions of the module."""
+    imports: dict[str, str | None] = field(default_factory=dict)
+    """Name in the file -> dotted name; None when several imports give it different meanings."""
+    stars: list[str] = field(default_factory=list)
+    """Modules of which everything is imported, as ``from x import *``."""
+    strays: list[Endpoint] = field(default_factory=list)
+    """Endpoints whose node is not known: made through a helper, or for a node that is handed over."""
+    main: str | None = None
+    """The function that ``if __name__ == "__main__"`` calls; ``main`` when there is one and no such block."""
+    problems: list[Problem] = field(default_factory=list)
+    tree: ast.Module | None = None
+    span_of: Callable[[ast.AST], Span] = None
+    qualified: Callable[[ast.AST], str | None] = None
+    """The dotted name of a name or attribute, through the imports: ``rclpy.spin``."""
+    constant: Callable[..., object] = None
+    """``constant(expression, function, class)``: the literal value of an expression, or None."""
+
+    def class_named(self, name: str) -> NodeClass | None:
+        return next((each for each in self.classes if each.name == name), None)

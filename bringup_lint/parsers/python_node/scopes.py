@@ -1,0 +1,319 @@
+"""Names of a Python file: what is bound where, and by what. A name counts as known when it is bound exactly once."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from dataclasses import dataclass
+from dataclasses import field
+from typing import NamedTuple
+
+Def = ast.FunctionDef | ast.AsyncFunctionDef
+NODES = 400_000
+"""Syntax nodes of a file that are looked at."""
+
+
+class AttributeSet(NamedTuple):
+    """``owner.field = value``, for profiles that are filled in after they are made."""
+
+    field: str
+    value: ast.expr
+    scope: Scope
+    conditional: bool
+
+
+@dataclass(eq=False, slots=True)
+class ClassScope:
+    node: ast.ClassDef
+    outer: Scope
+    constants: dict[str, list[ast.expr | None]] = field(default_factory=dict)
+    attributes: dict[str, list[tuple[ast.expr | None, Scope]]] = field(default_factory=dict)
+    """``self.x = ...`` in any method."""
+    sets: dict[str, list[AttributeSet]] = field(default_factory=dict)
+    """``self.x.field = ...``."""
+    methods: dict[str, Def] = field(default_factory=dict)
+    scopes: dict[str, Scope] = field(default_factory=dict)
+    base: ClassScope | None = None
+
+
+@dataclass(eq=False, slots=True)
+class Scope:
+    """A module or a function. ``names``: the expressions that a name is bound to; None where there is no expression."""
+
+    node: ast.Module | Def
+    parent: Scope | None = None
+    cls: ClassScope | None = None
+    """The class whose method this is, or is nested in."""
+    self_name: str | None = None
+    names: dict[str, list[ast.expr | None]] = field(default_factory=dict)
+    sets: dict[str, list[AttributeSet]] = field(default_factory=dict)
+    arguments: frozenset[str] = frozenset()
+
+    def binding(self, name: str) -> Scope | None:
+        """The scope that binds a name, from here outwards."""
+        scope: Scope | None = self
+        while scope is not None:
+            if name in scope.names:
+                return scope
+            scope = scope.parent
+        return None
+
+    @property
+    def label(self) -> str | None:
+        """The function's name; of a nested one, that of the method it stands in."""
+        scope: Scope | None = self
+        label = None
+        while scope is not None and not isinstance(scope.node, ast.Module):
+            label = scope.node.name
+            scope = scope.parent
+        return label
+
+
+class Call(NamedTuple):
+    node: ast.Call
+    scope: Scope
+    conditional: bool
+    kept: ast.expr | None
+    """What the result is assigned to."""
+
+
+@dataclass(eq=False, slots=True)
+class Module:
+    scope: Scope
+    imports: dict[str, str | None] = field(default_factory=dict)
+    stars: list[str] = field(default_factory=list)
+    classes: dict[str, ClassScope | None] = field(default_factory=dict)
+    """Classes by name; None when two have it."""
+    all_classes: list[ClassScope] = field(default_factory=list)
+    functions: dict[str, Def] = field(default_factory=dict)
+    calls: list[Call] = field(default_factory=list)
+    main: str | None = None
+    complete: bool = True
+    """False when the file is too long to be read to the end."""
+
+
+class Todo(NamedTuple):
+    node: ast.AST
+    scope: Scope
+    cls: ClassScope | None
+    """The class body in which the node stands directly."""
+    conditional: bool
+
+
+def read_module(tree: ast.Module) -> Module:
+    """All names and calls of a file, in the order of the text."""
+    module = Module(Scope(tree))
+    stack = [Todo(node, module.scope, None, False) for node in reversed(tree.body)]
+    kept: dict[int, ast.expr] = {}
+    count = 0
+    while stack:
+        todo = stack.pop()
+        count += 1
+        if count > NODES:
+            module.complete = False
+            break
+        node = todo.node
+        if isinstance(node, Def):
+            children = _function(module, todo)
+        elif isinstance(node, ast.ClassDef):
+            children = _class(module, todo)
+        else:
+            if isinstance(node, ast.Call):
+                module.calls.append(Call(node, todo.scope, todo.conditional, kept.get(id(node))))
+            elif isinstance(node, _BINDERS):
+                _bind(module, todo, kept)
+            children = _children(module, todo)
+        stack.extend(reversed(list(children)))
+    _link_bases(module)
+    return module
+
+
+def _function(module: Module, todo: Todo) -> Iterator[Todo]:
+    node: Def = todo.node
+    inner = Scope(node, todo.scope)
+    arguments = [*node.args.posonlyargs, *node.args.args, *node.args.kwonlyargs, node.args.vararg, node.args.kwarg]
+    inner.arguments = frozenset(argument.arg for argument in arguments if argument is not None)
+    inner.names = {name: [None] for name in inner.arguments}
+    if todo.cls is not None:
+        todo.cls.methods[node.name] = node
+        todo.cls.scopes[node.name] = inner
+        inner.cls = todo.cls
+        static = any(isinstance(each, ast.Name) and each.id == "staticmethod" for each in node.decorator_list)
+        positional = [*node.args.posonlyargs, *node.args.args]
+        inner.self_name = positional[0].arg if positional and not static else None
+    else:
+        inner.cls, inner.self_name = todo.scope.cls, todo.scope.self_name
+        if inner.self_name in inner.arguments:
+            inner.self_name = None
+        todo.scope.names.setdefault(node.name, []).append(None)
+        if todo.scope is module.scope:
+            module.functions.setdefault(node.name, node)
+    for child in (*node.decorator_list, *node.args.defaults, *filter(None, node.args.kw_defaults)):
+        yield Todo(child, todo.scope, None, todo.conditional)
+    nested = todo.cls is None and todo.scope is not module.scope
+    for child in node.body:
+        yield Todo(child, inner, None, nested)
+
+
+def _class(module: Module, todo: Todo) -> Iterator[Todo]:
+    node: ast.ClassDef = todo.node
+    found = ClassScope(node, todo.scope)
+    module.all_classes.append(found)
+    module.classes[node.name] = None if node.name in module.classes else found
+    if todo.cls is None:
+        todo.scope.names.setdefault(node.name, []).append(None)
+    for child in (*node.bases, *node.keywords, *node.decorator_list):
+        yield Todo(child, todo.scope, None, todo.conditional)
+    for child in node.body:
+        yield Todo(child, todo.scope, found, todo.conditional)
+
+
+_BINDERS = (
+    ast.Assign,
+    ast.AnnAssign,
+    ast.AugAssign,
+    ast.For,
+    ast.AsyncFor,
+    ast.With,
+    ast.AsyncWith,
+    ast.ExceptHandler,
+    ast.Import,
+    ast.ImportFrom,
+    ast.Global,
+    ast.NamedExpr,
+    ast.Delete,
+)
+
+
+def _bind(module: Module, todo: Todo, kept: dict[int, ast.expr]) -> None:
+    node = todo.node
+    if isinstance(node, ast.Assign):
+        for target in node.targets:
+            _assign(todo, target, node.value)
+        _keep(kept, node.value, node.targets[0])
+    elif isinstance(node, ast.AnnAssign):
+        if node.value is not None:
+            _assign(todo, node.target, node.value)
+            _keep(kept, node.value, node.target)
+    elif isinstance(node, (ast.AugAssign, ast.For, ast.AsyncFor, ast.NamedExpr)):
+        _assign(todo, node.target, None)
+    elif isinstance(node, (ast.With, ast.AsyncWith)):
+        for item in node.items:
+            if item.optional_vars is not None:
+                _assign(todo, item.optional_vars, None)
+    elif isinstance(node, ast.Delete):
+        for target in node.targets:
+            _assign(todo, target, None)
+    elif isinstance(node, ast.ExceptHandler):
+        if node.name:
+            _names(todo).setdefault(node.name, []).append(None)
+    elif isinstance(node, ast.Global):
+        for name in node.names:
+            module.scope.names.setdefault(name, []).append(None)
+    elif isinstance(node, ast.Import):
+        for alias in node.names:
+            name = alias.asname or alias.name.partition(".")[0]
+            _import(module, name, alias.name if alias.asname else name)
+    elif isinstance(node, ast.ImportFrom):
+        prefix = "." * node.level + (node.module or "")
+        for alias in node.names:
+            if alias.name == "*":
+                module.stars.append(prefix)
+            else:
+                dotted = f"{prefix}{alias.name}" if prefix.endswith(".") else f"{prefix}.{alias.name}"
+                _import(module, alias.asname or alias.name, dotted)
+
+
+def _keep(kept: dict[int, ast.expr], value: ast.expr, target: ast.expr) -> None:
+    if isinstance(value, ast.Await):
+        value = value.value
+    kept[id(value)] = target
+
+
+def _import(module: Module, name: str, dotted: str) -> None:
+    module.imports[name] = dotted if module.imports.get(name, dotted) == dotted else None
+
+
+def _names(todo: Todo) -> dict[str, list[ast.expr | None]]:
+    return todo.cls.constants if todo.cls is not None else todo.scope.names
+
+
+def _assign(todo: Todo, target: ast.expr, value: ast.expr | None) -> None:
+    if isinstance(target, ast.Name):
+        _names(todo).setdefault(target.id, []).append(value)
+    elif isinstance(target, (ast.Tuple, ast.List)):
+        for element in target.elts:
+            _assign(todo, element, None)
+    elif isinstance(target, ast.Starred):
+        _assign(todo, target.value, None)
+    elif isinstance(target, ast.Attribute):
+        _assign_attribute(todo, target, value)
+
+
+def _assign_attribute(todo: Todo, target: ast.Attribute, value: ast.expr | None) -> None:
+    owner, scope = target.value, todo.scope
+    if isinstance(owner, ast.Name):
+        if scope.cls is not None and owner.id == scope.self_name:
+            scope.cls.attributes.setdefault(target.attr, []).append((value, scope))
+        elif value is not None:
+            home = scope.binding(owner.id) or scope
+            home.sets.setdefault(owner.id, []).append(AttributeSet(target.attr, value, scope, todo.conditional))
+    elif (
+        isinstance(owner, ast.Attribute)
+        and isinstance(owner.value, ast.Name)
+        and scope.cls is not None
+        and owner.value.id == scope.self_name
+        and value is not None
+    ):
+        sets = scope.cls.sets.setdefault(owner.attr, [])
+        sets.append(AttributeSet(target.attr, value, scope, todo.conditional))
+
+
+def _children(module: Module, todo: Todo) -> Iterator[Todo]:
+    """What stands inside a statement or expression; parts that need not run are conditional."""
+    node = todo.node
+    if isinstance(node, ast.If) and todo.scope is module.scope and _is_main_guard(node.test):
+        module.main = _called(node.body)
+        for child in node.body:
+            yield todo._replace(node=child)
+        return
+    for name, value in ast.iter_fields(node):
+        conditional = todo.conditional or _may_not_run(node, name)
+        for child in value if isinstance(value, list) else (value,):
+            if isinstance(child, ast.AST):
+                yield Todo(child, todo.scope, todo.cls, conditional)
+
+
+def _may_not_run(node: ast.AST, name: str) -> bool:
+    if isinstance(node, (ast.If, ast.For, ast.AsyncFor, ast.While, ast.IfExp)):
+        return name in ("body", "orelse")
+    return (isinstance(node, ast.Try) and name == "handlers") or isinstance(node, (ast.Lambda, ast.comprehension))
+
+
+def _is_main_guard(test: ast.expr) -> bool:
+    return (
+        isinstance(test, ast.Compare)
+        and isinstance(test.left, ast.Name)
+        and test.left.id == "__name__"
+        and len(test.ops) == 1
+        and isinstance(test.ops[0], ast.Eq)
+    )
+
+
+def _called(body: list[ast.stmt]) -> str | None:
+    """The one function of the module that a main block calls, when it does nothing else of interest."""
+    names = []
+    for statement in body:
+        for node in ast.walk(statement):
+            if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
+                names.append(node.func.id)
+    named = [name for name in names if "main" in name.lower()] or names
+    return named[0] if named else ""
+
+
+def _link_bases(module: Module) -> None:
+    for each in module.all_classes:
+        for base in each.node.bases:
+            if isinstance(base, ast.Name) and module.classes.get(base.id) not in (None, each):
+                each.base = module.classes[base.id]
+                break
