@@ -155,6 +155,8 @@ class SetEnv(Action):
     value: Value
     mode: str = "set"
     """``set``, ``append`` or ``prepend``."""
+    separator: Value | None = None
+    """What stands between the old text and the new; a colon when it is not given."""
 
 
 @dataclass(eq=False, slots=True, kw_only=True)

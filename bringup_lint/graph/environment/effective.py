@@ -195,12 +195,17 @@ def process_environment(process: Process, robot: Robot, until: Step | None = Non
         lambda path: bool(SETUP_FILE.search(path)) or robot.tree.find(path) is not None,
     )
     if until is not None:
-        for word in (*until.command.assignments, *until.command.words):
-            if not _ASSIGNMENT.match(word) and word not in ("env", "exec"):
-                break
-            if "=" in word:
-                _assign(found, word, "shell", 0)
+        assign_before(found, until.command)
     return found
+
+
+def assign_before(environment: Environment, command: Command) -> None:
+    """Add what stands before a program on its own command line: ``NAME=value program``, ``env NAME=value program``."""
+    for word in (*command.assignments, *command.words):
+        if not _ASSIGNMENT.match(word) and word not in ("env", "exec"):
+            break
+        if "=" in word:
+            _assign(environment, word, "shell", 0)
 
 
 def after_commands(environment: Environment, commands: Iterable[Command], known: Callable[[str], bool]) -> Environment:

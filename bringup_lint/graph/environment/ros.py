@@ -12,6 +12,16 @@ from typing import NamedTuple
 from bringup_lint.graph.environment.effective import Environment
 from bringup_lint.graph.environment.effective import Variable
 from bringup_lint.graph.environment.effective import process_environment
+from bringup_lint.graph.environment.launched import UNKNOWN
+from bringup_lint.graph.environment.launched import launch_variables
+from bringup_lint.graph.environment.launching import Launched
+from bringup_lint.graph.environment.launching import Launching
+from bringup_lint.graph.environment.launching import alike
+from bringup_lint.graph.environment.launching import expansion_of
+from bringup_lint.graph.environment.launching import launched
+from bringup_lint.graph.environment.launching import of_script
+from bringup_lint.graph.environment.launching import of_service
+from bringup_lint.graph.environment.launching import of_unit
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.parsers.env_file import parse
 from bringup_lint.source import Located
@@ -20,11 +30,16 @@ from bringup_lint.source import Span
 from bringup_lint.templates import has_placeholder
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.launch.expand import Expansion
+    from bringup_lint.graph.systemd.process import Step
     from bringup_lint.model.compose import Service
     from bringup_lint.robot import Robot
 
 OF_ROS = re.compile(r"(?:ROS|RMW|CYCLONEDDS|FASTRTPS|FASTDDS|RCUTILS|ZENOH)_\w+")
 """Names of variables that ROS 2 or its middleware reads."""
+
+LAUNCH = ("launch-python", "launch-xml", "launch-yaml")
+_ROS2 = re.compile(r"\bros2[ \t]+(?:launch|run)\b")
 
 _SIMULATION = re.compile(
     r"(?:^|[/_.-])(?:sim|simulation|gazebo|gz|test|tests|ci|dev|devel|develop|development|example|examples)(?:[/_.-]|$)",
@@ -56,11 +71,17 @@ class RosProcess:
     """A process, or a group of them, that runs ROS 2, and its environment."""
 
     name: str
-    """How a message calls it: ``robot.service``, ``service 'driver'``."""
+    """How a message calls it: ``robot.service``, ``service 'driver'``, ``camera of robot.service``."""
     where: Span
     environment: Environment
     unit: Unit | None = None
     service: Service | None = None
+    starts: tuple[Launching, ...] = ()
+    """The ROS programs on its command lines."""
+    launched: tuple[Launched, ...] = ()
+    """The processes of a launch file, when launch gives them another environment than it has itself."""
+    launcher: RosProcess | None = None
+    """Who runs ``ros2 launch``; None when nothing of the tree does."""
 
     @property
     def source(self) -> Source:
@@ -104,6 +125,8 @@ class RosEnvironment:
             yield from _of_file(source)
         for source in self.robot.of_kind("shell-script"):
             yield from _of_script(source)
+        if self._set_in_launch:
+            yield from map(_setting, launch_variables(self.robot))
         if self.robot.of_kind("dockerfile"):
             for dockerfile in self.robot.dockerfiles:
                 for stage in dockerfile.stages:
@@ -111,13 +134,69 @@ class RosEnvironment:
 
     @cached_property
     def processes(self) -> list[RosProcess]:
-        """The units and compose services that run ROS 2."""
+        """Everything that runs ROS 2: units, compose services and scripts, and apart from them those processes of their
+        launch files to which launch gives another environment."""
+        return [process for launcher in self.launchers for process in self._apart(launcher)] + list(self._by_hand())
+
+    @cached_property
+    def launchers(self) -> list[RosProcess]:
+        """The units, compose services and scripts that run ROS 2."""
         found = []
         if self.robot.of_kind("systemd-unit", "systemd-dropin"):
             found += list(self._units())
         if self.robot.of_kind("compose"):
             found += list(self._services())
+        if self.robot.of_kind("shell-script"):
+            found += list(self._scripts(found))
         return found
+
+    def launched_by(self, launcher: RosProcess) -> list[Launched]:
+        """Every process that the launch files of a unit, service or script start, with its environment."""
+        return [each for expansion, base in self._expansions(launcher) for each in launched(expansion, base)]
+
+    def _expansions(self, launcher: RosProcess) -> list[tuple[Expansion, Environment]]:
+        if not self.robot.of_kind(*LAUNCH):
+            return []
+        found = ((expansion_of(start.ros, self.robot), start.environment) for start in launcher.starts)
+        return [(expansion, base) for expansion, base in found if expansion is not None]
+
+    @cached_property
+    def _set_in_launch(self) -> bool:
+        """Whether launch files have anything to do with variables of ROS."""
+        return any(OF_ROS.search(source.text) for source in self.robot.of_kind(*LAUNCH))
+
+    def _apart(self, launcher: RosProcess) -> Iterator[RosProcess]:
+        """The launcher for all that has its environment, then those that have another one."""
+        expansions = self._expansions(launcher) if self._set_in_launch else []
+        groups: dict[tuple, list[Launched]] = {}
+        own = len(expansions) < len(launcher.starts) or not expansions
+        for expansion, base in expansions:
+            found = list(launched(expansion, base))
+            same = [each for each in found if each.environment is base]
+            own |= bool(same) or expansion.open or not found
+            for view, members in alike((each for each in found if each.environment is not base), OF_ROS).items():
+                if view == next(iter(alike([Launched(members[0].node, base, expansion)], OF_ROS))):
+                    own = True
+                else:
+                    groups.setdefault(view, []).extend(members)
+        if own:
+            yield launcher
+        for members in groups.values():
+            yield _group(members, launcher)
+
+    def _by_hand(self) -> Iterator[RosProcess]:
+        """The processes of launch files that nothing of the tree starts, as far as they set variables of ROS."""
+        if not self._set_in_launch:
+            return
+        run = {
+            id(file) for each in self.launchers for expansion, _ in self._expansions(each) for file in expansion.files
+        }
+        for expansion in self.robot.launch.entries:
+            if id(expansion.entry) in run or not expansion.entry.source.judged:
+                continue
+            found = (each for each in launched(expansion, UNKNOWN) if any(map(OF_ROS.fullmatch, each.node.env)))
+            for members in alike(found, OF_ROS).values():
+                yield _group(members, None)
 
     def _units(self) -> Iterator[RosProcess]:
         for unit in self.robot.units.dds:
@@ -126,7 +205,8 @@ class RosEnvironment:
                 until = process.ros[0][0] if process.ros else None
                 environment = process_environment(process, self.robot, until)
                 environment.complete &= not process.opaque
-                yield RosProcess(unit.name, unit.where, environment, unit=unit)
+                starts = tuple(of_unit(process, self.robot))
+                yield RosProcess(unit.name, unit.where, environment, unit=unit, starts=starts)
             if not started:
                 yield RosProcess(unit.name, unit.where, self.robot.units.environment(unit), unit=unit)
 
@@ -135,8 +215,24 @@ class RosEnvironment:
         for service in compose.services:
             if service.source.judged and service.is_ros:
                 environment = self._service_environment(service)
+                starts = tuple(of_service(service, compose.stage(service), environment))
+                if starts:
+                    environment = starts[0].environment
                 name = service.name
-                yield RosProcess(f"service '{name}'", name.span, environment, service=service)
+                yield RosProcess(f"service '{name}'", name.span, environment, service=service, starts=starts)
+
+    def _scripts(self, found: list[RosProcess]) -> Iterator[RosProcess]:
+        """The scripts that no unit runs."""
+        run = {id(step.script) for each in found if each.unit for step in self._steps(each.unit) if step.script}
+        for source in self.robot.of_kind("shell-script"):
+            if source.judged and not source.template and id(source) not in run and _ROS2.search(source.text):
+                starts = tuple(of_script(source.located(0, len(source.text)), UNKNOWN))
+                if starts:
+                    where = starts[0].ros.program.span
+                    yield RosProcess(source.basename, where, starts[0].environment, starts=starts)
+
+    def _steps(self, unit: Unit) -> Iterator[Step]:
+        return (step for process in self.robot.units.processes(unit) for step in process.steps)
 
     def _service_environment(self, service: Service) -> Environment:
         """Dockerfile ENV, then env files, then ``environment:``."""
@@ -159,6 +255,22 @@ class RosEnvironment:
             else:
                 environment.set(Variable(name, value, None if "$" in value else str(value), "environment:"))
         return environment
+
+
+def _group(members: list[Launched], launcher: RosProcess | None) -> RosProcess:
+    """Processes with one environment, called by the first of them."""
+    first = members[0]
+    holder = launcher.name if launcher else first.expansion.entry.source.basename
+    name = first.node.label() + (f" and {len(members) - 1} more" if len(members) > 1 else "")
+    return RosProcess(
+        f"{name} of {holder}",
+        first.node.span,
+        first.environment,
+        launcher.unit if launcher else None,
+        launcher.service if launcher else None,
+        launched=tuple(members),
+        launcher=launcher,
+    )
 
 
 def image_variables(stage) -> Iterator[Variable]:

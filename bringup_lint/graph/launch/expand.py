@@ -14,7 +14,11 @@ from bringup_lint.graph.launch.resolve import Resolver
 from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.resolve import truth
 from bringup_lint.graph.launch.scope import Binding
+from bringup_lint.graph.launch.scope import EnvChange
+from bringup_lint.graph.launch.scope import EnvChanges
 from bringup_lint.graph.launch.scope import Scope
+from bringup_lint.graph.launch.scope import later
+from bringup_lint.graph.launch.scope import perhaps
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import started
 from bringup_lint.model.launch import Action
@@ -44,7 +48,6 @@ from bringup_lint.model.launch_values import Choice
 from bringup_lint.model.launch_values import Condition
 from bringup_lint.model.launch_values import DictValue
 from bringup_lint.model.launch_values import ParameterFile
-from bringup_lint.model.launch_values import Unknown
 from bringup_lint.model.launch_values import Value
 from bringup_lint.model.launch_values import children
 from bringup_lint.model.launch_values import same
@@ -136,7 +139,12 @@ class Expander:
         self.result = Expansion(entry)
         self.locate = locate
         self.scope = Scope()
-        self.scopes: list[Scope] = []
+        self.pushed: dict[str, list[Scope]] = {}
+        """What ``PushEnvironment`` and ``PushLaunchConfigurations`` keep."""
+        self.delayed: list[tuple[Started, dict[str, EnvChanges]]] = []
+        """What timers and handlers start, with the environment in which they were set up."""
+        self.changed_later: set[str] = set()
+        """The variables that timers and handlers change."""
         self.file = entry
         self.conditions: tuple[Condition, ...] = ()
         """Open ones, in terms of what the user may pass."""
@@ -154,6 +162,9 @@ class Expander:
             self.scope.arguments[name] = Binding(value, value, value.span, False)
         self.visit(self.file.actions)
         self.result.arguments = self.scope.arguments
+        for node, before in self.delayed:
+            if not node.own_env:
+                node.env = later(node.env, before, self.scope.env, self.changed_later)
         return self.result
 
     def visit(self, actions: Iterable[Action]) -> None:
@@ -186,9 +197,12 @@ class Expander:
             if own is False:
                 self.scope = scope.copy()
                 resolver, symbolic = Resolver(self.scope), Resolver(self.scope, symbolic=True)
+            env = dict(self.scope.env) if own is None else None
             handler(self, action, resolver, symbolic)
             if own is False:
                 self.scope = scope
+            elif env is not None:
+                self.scope.env = perhaps(env, self.scope.env)
         self.conditions, self.by_default = outer, by_default
 
     def note_unbound(self, *values: Value | None) -> None:
@@ -219,10 +233,14 @@ class Expander:
         self.scope = outer
 
     def inside(self, action: Action, actions: Iterable[Action]) -> None:
-        """Actions that happen later, in a timer or handler."""
+        """Actions that happen later, in a timer or handler: with the environment that is there at the end."""
         outer, self.context = self.context, (*self.context, action)
+        before, first = dict(self.scope.env), len(self.result.nodes)
         self.visit(actions)
         self.context = outer
+        self.delayed += [(node, before) for node in self.result.nodes[first:]]
+        self.changed_later |= {name for name, changes in self.scope.env.items() if changes is not before.get(name)}
+        self.scope.env = dict(before)
 
     def start(self, node: Any, container: Started | None = None) -> Started:
         resolver = Resolver(self.scope)
@@ -343,27 +361,32 @@ def _group(self: Expander, action: Group, resolver: Resolver, symbolic: Resolver
 
 
 def _scope(self: Expander, action: ScopeAction, resolver: Resolver, symbolic: Resolver) -> None:
+    stack = self.pushed.setdefault(action.what, [])
     if action.push:
-        self.scopes.append(self.scope.copy())
-    elif self.scopes:
-        self.scope = self.scopes.pop()
+        stack.append(self.scope.copy())
+    elif stack and action.what == "environment":
+        self.scope.env = stack.pop().env
+    elif stack:
+        env, self.scope = self.scope.env, stack.pop()
+        self.scope.env = env
 
 
 def _env(self: Expander, action: SetEnv, resolver: Resolver, symbolic: Resolver) -> None:
     name = text_of(resolver.value(action.name))
     self.note_unbound(action.value)
     if name is not None:
-        value = resolver.value(action.value)
-        plain = action.mode == "set" and self.by_default is not None
-        self.scope.env[name] = value if plain else Unknown("extended environment", action.span)
+        value, separator = resolver.value(action.value), resolver.optional(action.separator)
+        origin = "SetEnvironmentVariable" if action.mode == "set" else "AppendEnvironmentVariable"
+        self.scope.change(name, EnvChange(value, origin, action.span, action.mode, separator))
 
 
 def _unset_env(self: Expander, action: UnsetEnv, resolver: Resolver, symbolic: Resolver) -> None:
-    name = None if action.name is None else text_of(resolver.value(action.name))
     if action.name is None:
         self.scope.env.clear()
-    elif name is not None:
-        self.scope.env.pop(name, None)
+        return
+    name = text_of(resolver.value(action.name))
+    if name is not None:
+        self.scope.change(name, EnvChange(None, "UnsetEnvironmentVariable", action.span))
 
 
 def _namespace(self: Expander, action: PushNamespace, resolver: Resolver, symbolic: Resolver) -> None:

@@ -8,6 +8,7 @@ from collections.abc import Iterable
 
 from bringup_lint.graph.launch.python_expression import NotEvaluated
 from bringup_lint.graph.launch.python_expression import evaluate
+from bringup_lint.graph.launch.scope import EnvChange
 from bringup_lint.graph.launch.scope import Scope
 from bringup_lint.model.launch_values import Argument
 from bringup_lint.model.launch_values import Choice
@@ -103,10 +104,28 @@ def _argument(self: Resolver, value: Argument) -> Value:
 
 
 def _env(self: Resolver, value: Env) -> Value:
-    known = self.scope.env.get(str(value.name))
-    if known is not None and value.scoped:
-        return known
-    return Env(value.name, self.optional(value.default), value.span, value.scoped)
+    changes = self.scope.env.get(str(value.name)) if value.scoped else None
+    if not changes:
+        return Env(value.name, self.optional(value.default), value.span, value.scoped)
+    *before, last = changes
+    if last.mode == "set" and last.certain:
+        default = Unknown("unset environment variable", value.span) if value.default is None else value.default
+        return self.value(default) if last.value is None else last.value
+    return _extended(before, last, value.span)
+
+
+def _extended(before: list[EnvChange], last: EnvChange, span: Span) -> Value:
+    """What a variable holds after something was put to the end or front of it."""
+    texts = [text_of(each.value) if each.value is not None and each.certain else None for each in (*before, last)]
+    if not before or None in texts or before[0].mode != "set":
+        return Unknown("extended environment", span)
+    result = texts[0]
+    for change, text in zip((*before[1:], last), texts[1:]):
+        separator = ":" if change.separator is None else text_of(change.separator)
+        if separator is None or len(result) > LENGTH:
+            return Unknown("extended environment", span)
+        result = separator.join((result, text) if change.mode == "append" else (text, result))
+    return Literal(Located(result, span), span)
 
 
 def text_of(value: Value) -> str | None:

@@ -7,6 +7,8 @@ from dataclasses import field
 
 from bringup_lint.graph.launch.resolve import Resolver
 from bringup_lint.graph.launch.resolve import text_of
+from bringup_lint.graph.launch.scope import EnvChange
+from bringup_lint.graph.launch.scope import EnvChanges
 from bringup_lint.graph.launch.scope import Scope
 from bringup_lint.model.launch import Action
 from bringup_lint.model.launch import ComposableNode
@@ -39,8 +41,10 @@ class Started:
     """In order, later ones win; those set for all nodes come first."""
     remappings: tuple[tuple[Value, Value], ...] = ()
     arguments: tuple[Value, ...] = ()
-    env: dict[str, Value] = field(default_factory=dict)
-    """What launch adds to the environment."""
+    env: dict[str, EnvChanges] = field(default_factory=dict)
+    """How launch changes the environment: name -> changes in order."""
+    own_env: bool = False
+    """The environment holds these variables and nothing else (``env=``)."""
     options: dict[str, Value] = field(default_factory=dict)
     conditions: tuple[Condition, ...] = ()
     """Open ones, in terms of what the user may pass."""
@@ -98,11 +102,7 @@ def started(
     result.name = resolver.optional(action.name)
     if isinstance(action, Process):
         result.options = {name: resolver.value(value) for name, value in action.options.items()}
-        result.env = dict(scope.env)
-        for name, value in resolver.pairs(action.additional_env):
-            text = text_of(name)
-            if text is not None:
-                result.env[text] = value
+        _environment(result, action, scope, resolver)
     if isinstance(action, (Node, ComposableNode)):
         result.package = resolver.optional(action.package)
         result.namespace = namespace(scope.namespaces, resolver.optional(action.namespace))
@@ -116,6 +116,17 @@ def started(
     else:
         _run_command(result, resolver.values(action.cmd))
     return result
+
+
+def _environment(result: Started, action: Process, scope: Scope, resolver: Resolver) -> None:
+    result.own_env = action.env is not None
+    own = Scope(env={} if result.own_env else dict(scope.env))
+    for origin, pairs in (("env", action.env or ()), ("additional_env", action.additional_env)):
+        for name, value in resolver.pairs(pairs):
+            text = text_of(name)
+            if text is not None:
+                own.change(text, EnvChange(value, origin, value.span))
+    result.env = own.env
 
 
 def present(values: tuple[Value, ...]) -> tuple[Value, ...]:

@@ -86,5 +86,6 @@ def _script_commands(robot: Robot):
 
 def secured_by(node: Started) -> Literal | None:
     """The variable in a node's own environment that switches security on."""
-    value = node.env.get("ROS_SECURITY_ENABLE")
+    changes = node.env.get("ROS_SECURITY_ENABLE")
+    value = changes[-1].value if changes else None
     return value if isinstance(value, Literal) and value.text == "true" else None

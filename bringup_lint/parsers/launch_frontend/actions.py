@@ -278,7 +278,8 @@ def _set_env(mode: str) -> Callable[[Builder, Entity], tuple[Action, ...]]:
     def build(self: Builder, entity: Entity) -> tuple[Action, ...]:
         prepend = mode == "append" and (entity.get("prepend") or "").lower() == "true"
         name, value = self.value(entity, "name"), self.value(entity, "value")
-        return (SetEnv(**self.base(entity), name=name, value=value, mode="prepend" if prepend else mode),)
+        way, separator = "prepend" if prepend else mode, self.optional(entity, "separator")
+        return (SetEnv(**self.base(entity), name=name, value=value, mode=way, separator=separator),)
 
     return build
 

@@ -172,7 +172,8 @@ def _append_env(state: State, args: Arguments) -> Any:
     prepend = args.get("prepend", 2)
     mode = "prepend" if isinstance(prepend, Literal) and prepend.value is True else "append"
     name, value = freeze.text(state, args.need("name", 0)), freeze.text(state, args.need("value", 1))
-    return SetEnv(span=args.span, conditions=conditions(args), name=name, value=value, mode=mode)
+    separator = freeze.optional_text(state, args.get("separator", 3))
+    return SetEnv(span=args.span, conditions=conditions(args), name=name, value=value, mode=mode, separator=separator)
 
 
 def _scope(what: str, push: bool):

@@ -31,12 +31,13 @@ def _common(state: State, args: Arguments) -> dict[str, Any]:
     """What every process may have."""
     additional, more = freeze.pairs(state, args.get("additional_env"))
     env = args.get("env")
+    own, unseen = freeze.pairs(state, env)
     on_exit = args.get("on_exit")
     return {
         "span": args.span,
         "conditions": conditions(args),
         "name": freeze.optional_text(state, args.get("name")),
-        "env": None if env is None or freeze.is_none(env) else freeze.pairs(state, env)[0],
+        "env": None if env is None or freeze.is_none(env) else own,
         "additional_env": additional,
         "options": {
             name: freeze.text(state, args.keywords[name])
@@ -44,7 +45,7 @@ def _common(state: State, args: Arguments) -> dict[str, Any]:
             if name in args.keywords and not freeze.is_none(args.keywords[name])
         },
         "on_exit": handler_actions(state, on_exit, args),
-        "open": args.more or more,
+        "open": args.more or more or unseen,
     }
 
 

@@ -1,0 +1,104 @@
+"""The environment that launch gives to a process: that of the launch process itself, then every change in order.
+
+launch: actions/set_environment_variable.py, append_environment_variable.py, descriptions/executable.py (``env`` starts
+from nothing, ``additional_env`` is added to either).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.graph.environment.effective import Environment
+from bringup_lint.graph.environment.effective import Variable
+from bringup_lint.graph.launch.resolve import Resolver
+from bringup_lint.graph.launch.resolve import text_of
+from bringup_lint.graph.launch.scope import EnvChange
+from bringup_lint.graph.launch.scope import Scope
+from bringup_lint.graph.launch.started import Started
+from bringup_lint.model.launch import Action
+from bringup_lint.model.launch import Process
+from bringup_lint.model.launch import SetEnv
+from bringup_lint.model.launch import walk_actions
+from bringup_lint.model.launch_values import Concat
+from bringup_lint.model.launch_values import Env
+from bringup_lint.model.launch_values import Literal
+from bringup_lint.model.launch_values import Value
+from bringup_lint.source import Located
+
+if TYPE_CHECKING:
+    from bringup_lint.robot import Robot
+
+UNKNOWN = Environment(complete=False)
+"""The environment of somebody's shell."""
+
+
+def launched_environment(base: Environment, node: Started) -> Environment:
+    """The environment of a process that a launch file starts; ``base`` is that of the launch process."""
+    result = Environment() if node.own_env else base.copy()
+    for name, changes in node.env.items():
+        for change in changes:
+            _apply(result, name, change, base)
+    result.complete &= not node.action.open
+    return result
+
+
+def _apply(result: Environment, name: str, change: EnvChange, base: Environment) -> None:
+    if change.value is None:
+        if change.certain:
+            result.unset(name)
+        elif name in result:
+            result.set(Variable(name, Located(change.span.text, change.span), None, change.origin))
+        return
+    text = text_in(change.value, base)
+    if change.mode != "set":
+        text = _extended(result, name, change, text)
+    result.set(Variable(name, _place(change.value), text if change.certain else None, change.origin))
+
+
+def _extended(result: Environment, name: str, change: EnvChange, text: str | None) -> str | None:
+    if result.defines(name) is False:
+        return text
+    before = result.text(name)
+    separator = ":" if change.separator is None else text_of(change.separator)
+    if before is None or text is None or separator is None:
+        return None
+    return separator.join((before, text) if change.mode == "append" else (text, before))
+
+
+def text_in(value: Value, environment: Environment) -> str | None:
+    """The text of a value when the launch process has this environment; None when that is not known."""
+    if isinstance(value, Concat):
+        parts = [text_in(part, environment) for part in value.parts]
+        return None if None in parts else "".join(parts)
+    if isinstance(value, Env):
+        if environment.defines(str(value.name)) is False:
+            return None if value.default is None else text_in(value.default, environment)
+        return environment.text(str(value.name))
+    return text_of(value)
+
+
+def launch_variables(robot: Robot) -> Iterator[Variable]:
+    """Every variable that launch files set to a text that is known, whether or not its process is started."""
+    resolver = Resolver(Scope())
+    for file in robot.launch.judged:
+        for action in walk_actions(file.actions):
+            for origin, name, value in _pairs(action):
+                named, text = text_of(resolver.value(name)), text_of(resolver.value(value))
+                if named is not None and text is not None:
+                    yield Variable(named, _place(resolver.value(value)), text, origin)
+
+
+def _pairs(action: Action) -> Iterator[tuple[str, Value, Value]]:
+    if isinstance(action, SetEnv) and action.mode == "set":
+        yield "SetEnvironmentVariable", action.name, action.value
+    elif isinstance(action, Process):
+        for origin, pairs in (("env", action.env or ()), ("additional_env", action.additional_env)):
+            yield from ((origin, name, value) for name, value in pairs)
+
+
+def _place(value: Value) -> Located:
+    """The value as it is written."""
+    if isinstance(value, Literal):
+        return value.text
+    return Located(value.span.text, value.span)
