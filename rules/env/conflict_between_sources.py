@@ -1,8 +1,10 @@
 """Processes of one robot are set up for different domains or middlewares.
 
 ## What it finds
-ROS_DOMAIN_ID or RMW_IMPLEMENTATION with different values in units that are started together, or in services of one
-compose file. Values that are not known, and processes that bridge domains, are left alone.
+ROS_DOMAIN_ID or RMW_IMPLEMENTATION with different values in units that are started together, in services of one compose
+file, or in nodes of their launch files; and a launch file that overrules the value which the unit or service has from
+another file. Values that are not known, a launch file that itself gives its nodes several values, and processes that
+bridge domains are left alone.
 
 ## Why it matters on a robot
 They do not see each other: each part works for itself, topics of the other part are missing without a word.
@@ -49,6 +51,7 @@ def conflict_between_sources(robot: Robot):
             for process, variable in found:
                 values.setdefault(variable.text, []).append((process, variable))
             if len(values) < 2:
+                yield from _overruled(name, found)
                 continue
             usual = max(values.values(), key=len)
             for text, users in values.items():
@@ -56,12 +59,33 @@ def conflict_between_sources(robot: Robot):
                     continue
                 process, variable = users[0]
                 other, common = usual[0]
+                if process.launched and variable.value.span.source is common.value.span.source:
+                    continue
                 yield finding(
                     variable.value,
                     f"{process.name} has {name}={text}, {other.name} {name}={common.text}: they do not see each other",
                     advice="keep the variable in one environment file that all of them read",
                     related=[note(common.value, f"{other.name} gets its value here")],
                 )
+
+
+def _overruled(name, found):
+    """Launch files that give a whole robot another value than its unit or service says."""
+    seen = set()
+    for process, variable in found:
+        before = [each for each in process.environment.chain(name) if each.text and each.text != variable.text]
+        place = (id(variable.value.span.source), variable.value.span.start)
+        if process.launcher is None or not before or place in seen:
+            continue
+        if before[-1].value.span.source is not variable.value.span.source:
+            seen.add(place)
+            holder = process.launcher.name
+            yield finding(
+                variable.value,
+                f"{process.name} has {name}={variable.text}: launch overrules the {before[-1].text} of {holder}",
+                advice="keep the variable in one environment file, and leave it alone in the launch file",
+                related=[note(before[-1].value, f"{holder} gets this value")],
+            )
 
 
 def _known(process, name):
@@ -72,9 +96,11 @@ def _known(process, name):
 
 
 def _together(robot: Robot):
-    """Processes that certainly belong to one robot: units of one place, services of one compose file."""
+    """Processes that certainly belong to one robot: units of one place, services of one compose file, their nodes."""
     groups: dict[object, list] = {}
     for process in robot.ros.processes:
-        key = process.unit.place if process.unit else process.source.name
+        if process.launched and process.launcher is None:
+            continue
+        key = process.unit.place if process.unit else (process.launcher or process).source.name
         groups.setdefault((process.unit is None, key), []).append(process)
     return groups.values()

@@ -43,7 +43,7 @@ def ros_security_keystore_unset(robot: Robot):
 
 
 def _is_unset(robot, process):
-    """Neither the process's own environment nor a launch file of the tree sets it."""
-    return process.environment.defines("ROS_SECURITY_KEYSTORE") is False and not robot.sros2.in_launch(
-        "ROS_SECURITY_KEYSTORE"
-    )
+    """Neither the process's own environment nor what launch may do to it unseen sets the variable."""
+    name = "ROS_SECURITY_KEYSTORE"
+    unseen = not robot.ros.is_settled(process) and robot.sros2.in_launch(name)
+    return process.environment.defines(name) is False and not unseen

@@ -114,11 +114,8 @@ def bred(chance: random.Random) -> str:
 
     def action(depth: int) -> str:
         name = chance.choice(NAMES)
-        inner = (
-            ", ".join(action(depth + 1) for _ in range(chance.randint(1, 4)))
-            if depth < 2
-            else f"probe('p{next(numbers)}')"
-        )
+        deeper = ", ".join(action(depth + 1) for _ in range(chance.randint(1, 4))) if depth < 2 else ""
+        inner = deeper or f"probe('p{next(numbers)}')"
         when = chance.choice(["", "", ", condition=IfCondition('true')", ", condition=IfCondition('false')"])
         return chance.choice([
             f"probe('p{next(numbers)}')",

@@ -56,7 +56,10 @@ class Launched(NamedTuple):
 
 def of_unit(process: Process, robot: Robot) -> list[Launching]:
     """The ROS programs that a command line of a unit starts."""
-    return [Launching(ros, process_environment(process, robot, step)) for step, ros in process.ros]
+    found = [Launching(ros, process_environment(process, robot, step)) for step, ros in process.ros]
+    for each in found:
+        each.environment.complete &= not process.opaque
+    return found
 
 
 def of_service(service: Service, stage: Stage | None, base: Environment) -> list[Launching]:
@@ -120,7 +123,7 @@ def expansion_of(ros: Ros, robot: Robot) -> Expansion | None:
 
 
 def launched(expansion: Expansion, base: Environment) -> Iterator[Launched]:
-    """Every process of a launch file that surely starts, components left out: they live in their container's process."""
+    """Every process of a launch file that surely starts; components live in the process of their container."""
     for node in expansion.nodes:
         if node.by_default is True and not isinstance(node.action, ComposableNode):
             yield Launched(node, launched_environment(base, node) if node.env or node.own_env else base, expansion)
@@ -130,11 +133,12 @@ def alike(found: Iterable[Launched], names: re.Pattern[str]) -> dict[tuple, list
     """The processes in groups that see the same variables, as far as ``names`` goes."""
     groups: dict[tuple, list[Launched]] = {}
     for each in found:
-        groups.setdefault(_view(each.environment, names), []).append(each)
+        groups.setdefault(view(each.environment, names), []).append(each)
     return groups
 
 
-def _view(environment: Environment, names: re.Pattern[str]) -> tuple:
+def view(environment: Environment, names: re.Pattern[str]) -> tuple:
+    """What there is to see of an environment, as far as ``names`` goes: equal for equal texts from equal places."""
     chains = ((name, chain) for name, chain in environment.chains.items() if names.fullmatch(name))
     places = ((name, tuple((each.text, each.value.span) for each in chain)) for name, chain in chains)
     return (environment.complete, *sorted(places, key=lambda pair: pair[0]))

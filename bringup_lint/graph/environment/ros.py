@@ -22,6 +22,7 @@ from bringup_lint.graph.environment.launching import launched
 from bringup_lint.graph.environment.launching import of_script
 from bringup_lint.graph.environment.launching import of_service
 from bringup_lint.graph.environment.launching import of_unit
+from bringup_lint.graph.environment.launching import view
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.parsers.env_file import parse
 from bringup_lint.source import Located
@@ -160,6 +161,12 @@ class RosEnvironment:
         found = ((expansion_of(start.ros, self.robot), start.environment) for start in launcher.starts)
         return [(expansion, base) for expansion, base in found if expansion is not None]
 
+    def is_settled(self, process: RosProcess) -> bool:
+        """Whether all that launch does to the environment on the way to the nodes is known."""
+        launches = [start for start in process.starts if start.ros.kind == "launch"]
+        found = self._expansions(process)
+        return len(found) == len(launches) and not any(expansion.open for expansion, _ in found)
+
     @cached_property
     def _set_in_launch(self) -> bool:
         """Whether launch files have anything to do with variables of ROS."""
@@ -171,14 +178,10 @@ class RosEnvironment:
         groups: dict[tuple, list[Launched]] = {}
         own = len(expansions) < len(launcher.starts) or not expansions
         for expansion, base in expansions:
-            found = list(launched(expansion, base))
-            same = [each for each in found if each.environment is base]
-            own |= bool(same) or expansion.open or not found
-            for view, members in alike((each for each in found if each.environment is not base), OF_ROS).items():
-                if view == next(iter(alike([Launched(members[0].node, base, expansion)], OF_ROS))):
-                    own = True
-                else:
-                    groups.setdefault(view, []).extend(members)
+            by_view = alike(launched(expansion, base), OF_ROS)
+            own |= by_view.pop(view(base, OF_ROS), None) is not None or expansion.open or not by_view
+            for seen, members in by_view.items():
+                groups.setdefault(seen, []).extend(members)
         if own:
             yield launcher
         for members in groups.values():
