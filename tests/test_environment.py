@@ -110,3 +110,49 @@ def test_shell_text_and_scripts_add_to_it(tmp_path, monkeypatch):
     assert environment.text("ID") is None
     assert len(environment.chain("ID")) == 2
     assert environment.complete
+
+
+def test_launch_adds_to_the_environment_of_its_unit(tmp_path, monkeypatch):
+    units = load(
+        tmp_path,
+        {
+            "etc/systemd/system/a.service": "[Service]\nEnvironment=ROS_DOMAIN_ID=1 RMW_IMPLEMENTATION=a\n"
+            "EnvironmentFile=/etc/robot/ros.env\n"
+            "ExecStart=/bin/bash -c 'export ROS_LOG_DIR=/x; ros2 launch a.launch.xml'\n",
+            "etc/robot/ros.env": "ROS_DOMAIN_ID=2\n",
+            "a.launch.xml": "<launch><node pkg='a' exec='plain'/><set_env name='ROS_DOMAIN_ID' value='3'/>"
+            "<node pkg='a' exec='own'><env name='ROS_DOMAIN_ID' value='4$(env ROS_DOMAIN_ID)'/></node>"
+            "<node pkg='a' exec='more' if='false'/><node pkg='a' exec='next'/></launch>",
+        },
+        monkeypatch,
+    )
+    ros = units.robot.ros
+    (launcher,) = ros.launchers
+    seen = {each.node.label(): each.environment for each in ros.launched_by(launcher)}
+    assert {name: each.text("ROS_DOMAIN_ID") for name, each in seen.items()} == {"plain": "2", "own": "43", "next": "3"}
+    assert [(each.text, each.origin) for each in seen["own"].chain("ROS_DOMAIN_ID")] == [
+        ("1", "Environment="),
+        ("2", "EnvironmentFile="),
+        ("3", "SetEnvironmentVariable"),
+        ("43", "additional_env"),
+    ]
+    assert seen["own"].text("ROS_LOG_DIR") == "/x"
+    assert [process.name for process in ros.processes] == ["a.service", "own of a.service", "next of a.service"]
+    assert ros.is_settled(launcher)
+
+
+def test_only_the_launched_processes_count_when_all_of_them_are_changed(tmp_path, monkeypatch):
+    compose = "services:\n  base:\n    image: ros:jazzy\n    environment: {ROS_DOMAIN_ID: 5}\n"
+    launch = "launch:\n- set_env: {name: ROS_DOMAIN_ID, value: '6'}\n- node: {pkg: a, exec: b}\n"
+    files = {
+        "compose.yaml": compose + "    command: bash -c 'export ROS_HOME=/y && ros2 launch a.launch.yaml'\n",
+        "a.launch.yaml": launch,
+        "run.sh": "#!/bin/sh\nROS_DOMAIN_ID=7 ros2 launch a.launch.yaml\n",
+    }
+    ros = load(tmp_path, files, monkeypatch).robot.ros
+    assert [process.name for process in ros.processes] == ["b of service 'base'", "b of run.sh"]
+    (of_service, of_script) = ros.processes
+    assert of_service.environment.text("ROS_HOME") == "/y"
+    assert [each.text for each in of_service.environment.chain("ROS_DOMAIN_ID")] == ["5", "6"]
+    assert [each.text for each in of_script.environment.chain("ROS_DOMAIN_ID")] == ["7", "6"]
+    assert of_script.environment.defines("ROS_HOME") is None

@@ -8,7 +8,7 @@ from collections.abc import Iterable
 
 from bringup_lint.graph.launch.python_expression import NotEvaluated
 from bringup_lint.graph.launch.python_expression import evaluate
-from bringup_lint.graph.launch.scope import EnvChange
+from bringup_lint.graph.launch.scope import EnvChanges
 from bringup_lint.graph.launch.scope import Scope
 from bringup_lint.model.launch_values import Argument
 from bringup_lint.model.launch_values import Choice
@@ -107,20 +107,22 @@ def _env(self: Resolver, value: Env) -> Value:
     changes = self.scope.env.get(str(value.name)) if value.scoped else None
     if not changes:
         return Env(value.name, self.optional(value.default), value.span, value.scoped)
-    *before, last = changes
-    if last.mode == "set" and last.certain:
+    last = changes[-1]
+    if last.is_plain:
         default = Unknown("unset environment variable", value.span) if value.default is None else value.default
         return self.value(default) if last.value is None else last.value
-    return _extended(before, last, value.span)
+    return _extended(changes, value.span)
 
 
-def _extended(before: list[EnvChange], last: EnvChange, span: Span) -> Value:
+def _extended(changes: EnvChanges, span: Span) -> Value:
     """What a variable holds after something was put to the end or front of it."""
-    texts = [text_of(each.value) if each.value is not None and each.certain else None for each in (*before, last)]
-    if not before or None in texts or before[0].mode != "set":
+    start = max((at for at, change in enumerate(changes) if change.is_plain), default=None)
+    counted = () if start is None else changes[start:]
+    texts = [text_of(each.value) if each.value is not None and each.certain else None for each in counted]
+    if not texts or None in texts:
         return Unknown("extended environment", span)
     result = texts[0]
-    for change, text in zip((*before[1:], last), texts[1:]):
+    for change, text in zip(counted[1:], texts[1:]):
         separator = ":" if change.separator is None else text_of(change.separator)
         if separator is None or len(result) > LENGTH:
             return Unknown("extended environment", span)

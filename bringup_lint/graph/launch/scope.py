@@ -38,6 +38,11 @@ class EnvChange(NamedTuple):
     certain: bool = True
     """Whether it happens for sure before the process starts."""
 
+    @property
+    def is_plain(self) -> bool:
+        """Whether what was before does not matter any more."""
+        return self.certain and self.mode == "set"
+
 
 EnvChanges = tuple[EnvChange, ...]
 
@@ -57,9 +62,8 @@ class Scope:
         return replace(self, arguments=dict(self.arguments), env=dict(self.env))
 
     def change(self, name: str, change: EnvChange) -> None:
-        """Change the environment; what is surely set or unset forgets what was before."""
-        plain = change.certain and change.mode == "set"
-        self.env[name] = (change,) if plain else (*self.env.get(name, ())[-CHANGES:], change)
+        """Change the environment for what follows."""
+        self.env[name] = (*self.env.get(name, ())[-CHANGES:], change)
 
     def cleared(self) -> Scope:
         """What a group sees that does not forward."""
