@@ -14,7 +14,7 @@ from bringup_lint.cli.options import target_options
 from bringup_lint.cli.outputs import write
 from bringup_lint.config import ConfigError
 
-FORMATS = ("json",)
+FORMATS = ("dot", "json")
 UNSET = dict.fromkeys(("select", "ignore"), ()) | dict.fromkeys(
     ("min_severity", "fail_on", "baseline", "stdin_filename")
 )
@@ -24,7 +24,7 @@ UNSET = dict.fromkeys(("select", "ignore"), ()) | dict.fromkeys(
 @click.command(context_settings={"help_option_names": ["-h", "--help"]})
 @click.argument("paths", nargs=-1, type=click.Path(), metavar="[PATH]...")
 @click.option(
-    "--format", "output_format", type=click.Choice(FORMATS), default="json", show_default=True, help="How to draw."
+    "--format", "output_format", type=click.Choice(FORMATS), default="dot", show_default=True, help="How to draw."
 )
 @click.option(
     "--output-file", type=click.Path(dir_okay=False, path_type=Path), help="Where to. [default: standard output]"

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.graph import Graph
+from bringup_lint.graph.places import Places
 
 if TYPE_CHECKING:
     from bringup_lint.robot import Robot
@@ -18,14 +19,18 @@ def joined_graph(robot: Robot) -> Graph:
     graph = Graph()
     if robot.of_kind(*UNITS):
         _add_units(graph, robot)
+    if robot.of_kind("compose"):
+        _add_services(graph, robot)
     if robot.of_kind(*LAUNCH):
-        from bringup_lint.graph.launch.edges import launch_edges
-        from bringup_lint.graph.launch.edges import launch_places
-
-        graph.add(launch_edges(robot.launch))
-        graph.define(launch_places(robot.launch))
-    graph.out = {node: list(dict.fromkeys(edges)) for node, edges in graph.out.items()}
-    graph.into = {node: list(dict.fromkeys(edges)) for node, edges in graph.into.items()}
+        _add_launch(graph, robot)
+    _add_files(graph, robot)
+    places = Places(graph)
+    _add_dds(graph, robot, places)
+    _add_security(graph, robot, places)
+    _add_devices(graph, robot, places)
+    for ends in (graph.out, graph.into):
+        for node, edges in ends.items():
+            ends[node] = list(dict.fromkeys(edges))
     return graph
 
 
@@ -48,3 +53,73 @@ def _add_units(graph: Graph, robot: Robot) -> None:
     graph.define(environment_places(robot))
     graph.add(run_edges(robot))
     graph.define(script_places(robot))
+
+
+def _add_services(graph: Graph, robot: Robot) -> None:
+    from bringup_lint.graph.compose_edges import compose_edges
+    from bringup_lint.graph.compose_edges import compose_places
+    from bringup_lint.graph.compose_edges import starting_units
+
+    graph.add(compose_edges(robot))
+    graph.define(compose_places(robot))
+    if robot.of_kind(*UNITS):
+        graph.add(starting_units(robot))
+
+
+def _add_launch(graph: Graph, robot: Robot) -> None:
+    from bringup_lint.graph.launch.edges import launch_edges
+    from bringup_lint.graph.launch.edges import launch_places
+
+    graph.add(launch_edges(robot.launch))
+    graph.define(launch_places(robot.launch))
+
+
+def _add_files(graph: Graph, robot: Robot) -> None:
+    """Files that lines of other layers are looked up in, whoever reads them."""
+    from bringup_lint.graph.files import file_node
+    from bringup_lint.graph.files import file_place
+
+    for source in robot.of_kind("params"):
+        if source.judged:
+            graph.define([(file_node("parameter-file", source), file_place(source))])
+    for source in robot.of_kind("env-file"):
+        if source.judged:
+            graph.define([(file_node("env-file", source), file_place(source))])
+
+
+def _add_dds(graph: Graph, robot: Robot, places: Places) -> None:
+    from bringup_lint.graph.dds.edges import binding_edges
+    from bringup_lint.graph.dds.edges import dds_places
+    from bringup_lint.graph.dds.edges import selection_edges
+
+    if robot.of_kind("netplan"):
+        from bringup_lint.graph.netplan.edges import network_edges
+        from bringup_lint.graph.netplan.edges import network_places
+
+        graph.add(network_edges(robot))
+        graph.define(network_places(robot))
+    graph.define(dds_places(robot))
+    graph.add(selection_edges(robot, places))
+    graph.add(binding_edges(robot, places))
+
+
+def _add_security(graph: Graph, robot: Robot, places: Places) -> None:
+    from bringup_lint.graph.sros2.edges import document_edges
+    from bringup_lint.graph.sros2.edges import keystore_edges
+    from bringup_lint.graph.sros2.edges import security_places
+
+    graph.add(keystore_edges(robot, places))
+    graph.add(document_edges(robot))
+    graph.define(security_places(robot))
+
+
+def _add_devices(graph: Graph, robot: Robot, places: Places) -> None:
+    from bringup_lint.graph.udev.edges import device_edges
+    from bringup_lint.graph.udev.edges import device_units
+    from bringup_lint.graph.udev.edges import rule_edges
+    from bringup_lint.graph.udev.edges import rule_places
+
+    graph.add(device_edges(robot, places))
+    graph.add(device_units(graph.nodes))
+    graph.add(rule_edges(robot, graph.nodes))
+    graph.define(rule_places(robot))

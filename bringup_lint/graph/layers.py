@@ -31,6 +31,7 @@ _OF_NODE = {
     "process": "launch",
     "parameter-file": "parameters",
     "dds-file": "dds",
+    "keystore": "security",
     "enclave": "security",
     "permissions-file": "security",
     "governance-file": "security",

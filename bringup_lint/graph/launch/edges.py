@@ -69,8 +69,6 @@ def launch_places(launch: Launch) -> Iterator[tuple[Node, Span]]:
     for expansion in launch.entries:
         for node in expansion.nodes:
             yield ros_node(node), node.span
-    for file in launch.robot.params.files:
-        yield Node("parameter-file", file.source.name), file_place(file.source)
 
 
 def _elsewhere(file: Value) -> Node | None:

@@ -5,12 +5,9 @@
 
 from __future__ import annotations
 
-from bisect import bisect_right
 from collections import defaultdict
 from collections.abc import Iterable
-from collections.abc import Iterator
 from typing import Any
-from typing import NamedTuple
 
 from bringup_lint import __version__
 from bringup_lint.finding import Finding
@@ -20,20 +17,13 @@ from bringup_lint.graph.graph import Node
 from bringup_lint.graph.layers import LAYERS
 from bringup_lint.graph.layers import layer_of_edge
 from bringup_lint.graph.layers import layer_of_node
+from bringup_lint.graph.places import Places
 from bringup_lint.report.picture.labels import labels
 from bringup_lint.report.place import place_of
 from bringup_lint.report.redact import mask_of
 
 VERSION = 1
 _ORDER = {layer: at for at, layer in enumerate(LAYERS)}
-
-
-class _Place(NamedTuple):
-    """The lines of a file that are about a node."""
-
-    first: int
-    last: int
-    node: Node
 
 
 def picture(graph: Graph, findings: Iterable[Finding]) -> dict[str, Any]:
@@ -109,24 +99,12 @@ def _finding(finding: Finding) -> dict[str, Any]:
 
 def _on_nodes(graph: Graph, findings: tuple[Finding, ...]) -> dict[Node, set[int]]:
     """A finding belongs to the innermost lines that hold it."""
-    places: dict[str, list[_Place]] = defaultdict(list)
-    for node, known in graph.places.items():
-        for where in known:
-            places[where.path].append(_Place(where.line, max(where.end_position.line, where.line), node))
-    for known in places.values():
-        known.sort(key=lambda place: (place.first, -place.last, place.node))
+    places = Places(graph)
     found: dict[Node, set[int]] = defaultdict(set)
     for index, finding in enumerate(findings):
-        for node in _innermost(places.get(finding.span.path, []), place_of(finding.span).line):
+        for node in places.at(finding.span.path, place_of(finding.span).line):
             found[node].add(index)
     return found
-
-
-def _innermost(places: list[_Place], line: int) -> Iterator[Node]:
-    before = bisect_right(places, line, key=lambda place: place.first)
-    holding = next((place for place in reversed(places[:before]) if place.last >= line), None)
-    if holding is not None:
-        yield from (place.node for place in places[:before] if place[:2] == holding[:2])
 
 
 def _on_lines(findings: tuple[Finding, ...]) -> dict[tuple[str, int], set[int]]:

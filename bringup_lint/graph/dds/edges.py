@@ -1,0 +1,93 @@
+"""DDS files as nodes: who selects them, and the interfaces that they bind."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.graph.dds import network
+from bringup_lint.graph.files import file_node
+from bringup_lint.graph.files import file_place
+from bringup_lint.graph.files import is_plain
+from bringup_lint.graph.graph import Edge
+from bringup_lint.graph.graph import Node
+from bringup_lint.graph.netplan.edges import interface_node
+from bringup_lint.model.cyclonedds import Configuration
+from bringup_lint.model.fastdds import Profiles
+from bringup_lint.parsers.cyclonedds_uri import split_uri
+from bringup_lint.source import Located
+from bringup_lint.source import Source
+from bringup_lint.source import Span
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.places import Places
+    from bringup_lint.robot import Robot
+
+URI = "CYCLONEDDS_URI"
+PROFILES = ("FASTDDS_DEFAULT_PROFILES_FILE", "FASTRTPS_DEFAULT_PROFILES_FILE")
+_INSIDE_CONTAINERS = ("compose", "dockerfile")
+
+
+def dds_places(robot: Robot) -> Iterator[tuple[Node, Span]]:
+    for source in robot.of_kind("cyclonedds", "fastdds"):
+        yield file_node("dds-file", source), file_place(source)
+
+
+def selection_edges(robot: Robot, places: Places) -> Iterator[Edge]:
+    """``selects``, from whatever holds the line that sets the variable."""
+    for selection in robot.dds.selections:
+        for source in selection.files:
+            yield from _selects(places, selection.uri, file_node("dds-file", source), URI)
+    for profiles in robot.dds.profile_files:
+        for _, value in robot.dds.profile_readers(profiles):
+            if value.span.source.kind in _INSIDE_CONTAINERS:
+                yield from _selects(places, value, file_node("dds-file", profiles.source), "profiles file")
+    for setting in robot.ros.of(URI, *PROFILES):
+        if setting.value.span.source.kind not in _INSIDE_CONTAINERS:
+            for path in _paths(setting.name, setting.value):
+                source = robot.tree.find(path)
+                target = file_node("dds-file", source) if source else Node("dds-file", path)
+                yield from _selects(places, setting.value, target, setting.name)
+
+
+def _paths(name: str, value: Located) -> Iterator[str]:
+    texts = [part.text for part in split_uri(value) if not part.inline] if name == URI else [value]
+    yield from (str(text) for text in texts if text.startswith("/") and is_plain(text))
+
+
+def _selects(places: Places, value: Located, target: Node, why: str) -> Iterator[Edge]:
+    for holder in places.of(value.span):
+        yield Edge("selects", holder, target, value.span, why)
+
+
+def binding_edges(robot: Robot, places: Places) -> Iterator[Edge]:
+    """``binds``, from a DDS configuration to the interfaces that it names."""
+    for configuration, domain in robot.dds.domains:
+        for setting in network.named_interfaces(domain):
+            target = _interface(robot, configuration, str(setting.effective))
+            for holder in _holders(places, configuration.source, setting.value.span):
+                yield Edge("binds", holder, target, setting.value.span, str(setting.name))
+    for profiles in robot.dds.profile_files:
+        for element in profiles.document.elements:
+            if element.parent is not None and element.parent.name == "interfaceWhiteList" and _is_shown(element.text):
+                target = _interface(robot, profiles, str(element.text))
+                where = element.text.span
+                yield Edge("binds", file_node("dds-file", profiles.source), target, where, "interfaceWhiteList")
+
+
+def _is_shown(name: str) -> bool:
+    return bool(name.strip()) and name != "lo" and not name.startswith(("127.", "::1"))
+
+
+def _holders(places: Places, source: Source, where: Span) -> list[Node]:
+    return [file_node("dds-file", source)] if source.kind == "cyclonedds" else places.of(where)
+
+
+def _interface(robot: Robot, file: Configuration | Profiles, name: str) -> Node:
+    """The interface of the netplan that goes with the file, by its name or static address; else the bare name."""
+    plan = robot.dds.plan_of(file)
+    for interface in plan.interfaces.values() if plan else ():
+        addresses = [str(each.ip.ip) for each in interface.addresses if each.ip is not None]
+        if name == interface.device or name in addresses:
+            return interface_node(interface, plan, robot)
+    return Node("interface", name, "" if plan else file.source.name)

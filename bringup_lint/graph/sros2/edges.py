@@ -1,0 +1,91 @@
+"""Keystores and enclaves as nodes: who uses them, and the permissions and governance that they hold."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.graph.files import file_node
+from bringup_lint.graph.files import file_place
+from bringup_lint.graph.graph import Edge
+from bringup_lint.graph.graph import Node
+from bringup_lint.graph.sros2.keystore import Keystore
+from bringup_lint.source import Source
+from bringup_lint.source import Span
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.places import Places
+    from bringup_lint.robot import Robot
+
+
+def keystore_edges(robot: Robot, places: Places) -> Iterator[Edge]:
+    """``selects`` keystores by variable, ``holds`` their enclaves, ``secures`` what selects one."""
+    for keystore in robot.sros2.keystores:
+        for enclave in keystore.enclaves.values():
+            where = next((source.whole for source in _inside(robot, enclave.folder)), None)
+            yield Edge("holds", _keystore_node(keystore), _enclave(robot, enclave.path, keystore), where, "enclaves/")
+    for setting in robot.ros.of("ROS_SECURITY_KEYSTORE"):
+        if setting.value.startswith("/") and setting.value.span.source.kind not in ("compose", "dockerfile"):
+            target = _keystore_at(robot, str(setting.value).rstrip("/"))
+            for holder in places.of(setting.value.span):
+                yield Edge("selects", holder, target, setting.value.span, setting.name)
+    for name in robot.sros2.selected:
+        for holder in places.of(name.span):
+            yield Edge("secures", holder, _enclave(robot, str(name), _only(robot)), name.span, "enclave")
+
+
+def document_edges(robot: Robot) -> Iterator[Edge]:
+    """``grants`` from enclaves to permissions, ``governed-by`` from keystores to their governance."""
+    for permissions, grant in robot.sros2.ros_grants:
+        keystore = next((each for each in robot.sros2.keystores if _lies_in(permissions.source, each)), None)
+        if keystore is None and robot.sros2.keystores:
+            continue
+        enclave = _enclave(robot, str(grant.enclave), keystore)
+        yield Edge("grants", enclave, file_node("permissions-file", permissions.source), grant.enclave.span, "grant")
+    for governance in robot.sros2.used_governances:
+        for keystore in robot.sros2.keystores:
+            if _lies_in(governance.source, keystore):
+                target = file_node("governance-file", governance.source)
+                yield Edge("governed-by", _keystore_node(keystore), target, governance.source.whole, "governance")
+
+
+def security_places(robot: Robot) -> Iterator[tuple[Node, Span]]:
+    for permissions in robot.sros2.permissions:
+        if robot.sros2.is_used(permissions.source):
+            yield file_node("permissions-file", permissions.source), file_place(permissions.source)
+    for governance in robot.sros2.used_governances:
+        yield file_node("governance-file", governance.source), file_place(governance.source)
+
+
+def _keystore_node(keystore: Keystore) -> Node:
+    return Node("keystore", keystore.name)
+
+
+def _keystore_at(robot: Robot, path: str) -> Node:
+    """The keystore of the tree at a path on the robot, else one by that path."""
+    for keystore in robot.sros2.keystores:
+        if robot.tree.robot_path(keystore.folder) == path:
+            return _keystore_node(keystore)
+    return Node("keystore", path)
+
+
+def _only(robot: Robot) -> Keystore | None:
+    keystores = robot.sros2.keystores
+    return keystores[0] if len(keystores) == 1 else None
+
+
+def _enclave(robot: Robot, path: str, keystore: Keystore | None) -> Node:
+    """An enclave; which of several keystores it lies in has to be known."""
+    several = len(robot.sros2.keystores) > 1
+    return Node("enclave", path, keystore.name if several and keystore else "")
+
+
+def _lies_in(source: Source, keystore: Keystore) -> bool:
+    return source.name.startswith(f"{keystore.name}/")
+
+
+def _inside(robot: Robot, folder: str) -> Iterator[Source]:
+    from bringup_lint.discover.tree import display_name
+
+    name = display_name(folder)
+    return (source for source in robot.sources if source.name.rpartition("/")[0] == name)
