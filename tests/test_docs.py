@@ -11,6 +11,7 @@ from __future__ import annotations
 import json
 import re
 import shlex
+import shutil
 from pathlib import Path
 
 import pytest
@@ -26,6 +27,10 @@ EXAMPLE = re.compile(
     re.DOTALL,
 )
 PICTURE = re.compile(r"<!-- picture (?P<name>\S+)(?: in (?P<folder>\S+))?: bringup-lint (?P<arguments>.*?) -->\n")
+COMMAND = re.compile(r"^bringup-lint ?(?P<arguments>.*?)(?: {2,}#.*)?$", re.M)
+ELSEWHERE = {"/etc": "etc", "/mnt/image": ".", "RULE": "systemd/network-target"}
+"""Where the example stands for what a reader has."""
+
 LINK = re.compile(r"\]\((?!https?:|#|mailto:)([^)#\s]+)")
 
 
@@ -79,3 +84,18 @@ def test_links_lead_somewhere(page: Path) -> None:
     prose = re.sub(r"```.*?```", "", page.read_text("utf-8"), flags=re.DOTALL)
     for target in LINK.findall(prose):
         assert (page.parent / target).exists(), target
+
+
+def commands() -> list[str]:
+    text = "\n".join(page.read_text("utf-8") for page in PAGES)
+    shells = re.findall(r"```sh\n(.*?)```", text, re.DOTALL)
+    named = re.findall(r"`bringup-lint ([a-z-][^`]*)`", text)
+    return sorted({command["arguments"] for shell in shells for command in COMMAND.finditer(shell)} | {*named})
+
+
+@pytest.mark.parametrize("command", commands())
+def test_commands_run(command: str, tmp_path: Path) -> None:
+    shutil.copytree(PROJECT / "docs" / "example", tmp_path / "robot")
+    arguments = [ELSEWHERE.get(word, word) for word in shlex.split(command)]
+    run = lint(*arguments, cwd=tmp_path / "robot")
+    assert run.code in (0, 1) and "bringup-lint: " not in run.stderr, run.stderr
