@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.host.sshd import Sshd
     from bringup_lint.graph.host.sysctl import Sysctl
     from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.living.living import LivingRobot
     from bringup_lint.graph.nodes.nodes import Nodes
     from bringup_lint.graph.params.params import Params
     from bringup_lint.graph.secrets.in_clear import Secret
@@ -77,6 +78,8 @@ class Robot:
     configured_systemd: int | None = None
     today: date = field(default_factory=date.today)
     """The day for which validity dates are judged."""
+    launch_commands: tuple[str, ...] = ()
+    """For a comparison with the running graph: what was launched, as behind ``ros2 launch``."""
     failures: list[tuple[Source, Exception]] = field(default_factory=list)
     """Sources on which a parser failed inside."""
 
@@ -90,6 +93,11 @@ class Robot:
         for source in self.sources:
             by_kind.setdefault(source.kind, []).append(source)
         return by_kind
+
+    def join(self, source: Source) -> None:
+        """Take in a source that comes later, of a kind that nothing asked for before."""
+        self.sources.append(source)
+        self._by_kind.setdefault(source.kind, []).append(source)
 
     def of_kind(self, *kinds: str) -> list[Source]:
         return [source for kind in kinds for source in self._by_kind.get(kind, ())]
@@ -384,3 +392,10 @@ class Robot:
         from bringup_lint.graph.ways import Ways
 
         return Ways(self)
+
+    @cached_property
+    def living(self) -> LivingRobot | None:
+        """The running graph held against the files; None in a run that looks at files only."""
+        from bringup_lint.graph.living.living import load_living
+
+        return load_living(self)

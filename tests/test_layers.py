@@ -17,7 +17,7 @@ LAYERS = (
     {"cli"},
     {"engine"},
     {"fix", "baseline", "suppress", "config", "registry"},
-    {"report"},
+    {"report", "live"},
     {"api"},
     {"robot"},
     {"graph"},

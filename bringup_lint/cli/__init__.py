@@ -12,6 +12,7 @@ COMMANDS = {
     "explain": "Print a rule's documentation, or find the rules behind a log line.",
     "rules": "List the rules.",
     "graph": "Draw what starts what, in which order and with what.",
+    "live": "Hold the running ROS graph against the files.",
     "init": "Write a configuration file to start from.",
 }
 

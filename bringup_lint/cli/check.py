@@ -29,6 +29,7 @@ from bringup_lint.config import find
 from bringup_lint.config import read
 
 if TYPE_CHECKING:
+    from bringup_lint.engine import Outcome
     from bringup_lint.robot import Robot
 
 EPILOG = "\n\n".join(
@@ -40,7 +41,7 @@ EPILOG = "\n\n".join(
 )
 
 
-def _names(ctx: click.Context, param: click.Parameter, value: tuple[str, ...]) -> tuple[str, ...]:
+def names(ctx: click.Context, param: click.Parameter, value: tuple[str, ...]) -> tuple[str, ...]:
     """Option values, each of which may hold several names between commas."""
     return tuple(name.strip() for item in value for name in item.split(",") if name.strip())
 
@@ -50,8 +51,8 @@ def _names(ctx: click.Context, param: click.Parameter, value: tuple[str, ...]) -
 @root_option
 @format_option
 @file_option
-@click.option("--select", multiple=True, callback=_names, help="Run only these rules or families.")
-@click.option("--ignore", multiple=True, callback=_names, help="Leave these rules or families out.")
+@click.option("--select", multiple=True, callback=names, help="Run only these rules or families.")
+@click.option("--ignore", multiple=True, callback=names, help="Leave these rules or families out.")
 @click.option("--min-severity", type=click.Choice(SEVERITIES), help="Lowest severity to show. [default: warning]")
 @click.option("--fail-on", type=click.Choice(SEVERITIES), help="Lowest severity that fails. [default: warning]")
 @click.option("--exit-zero", is_flag=True, help="Exit with 0 whatever is found.")
@@ -85,13 +86,8 @@ def command(ctx: click.Context, paths: tuple[str, ...], **options) -> None:
 
 
 def _check(outputs: list[Output], paths: tuple[str, ...], options: dict[str, Any]) -> int:
-    from bringup_lint.cli.reporting import report_of
-    from bringup_lint.cli.reporting import save_baseline
-    from bringup_lint.cli.reporting import take_known
-    from bringup_lint.cli.reporting import wants_colour
     from bringup_lint.engine import run
     from bringup_lint.registry import Registry
-    from bringup_lint.report import render
 
     started = time.time()
     config, rule_folders = configuration(paths, options)
@@ -105,6 +101,19 @@ def _check(outputs: list[Output], paths: tuple[str, ...], options: dict[str, Any
             click.echo(f"Fixed {fixed} finding{'s' * (fixed > 1)}.", err=True)
             robot = read_robot(paths, config, options)
             outcome = run(robot, registry, config, ignores=not options["no_ignores"])
+    return deliver(outcome, robot, config, started, outputs, options)
+
+
+def deliver(
+    outcome: Outcome, robot: Robot, config: Config, started: float, outputs: list[Output], options: dict[str, Any]
+) -> int:
+    """Write the reports, and the baseline when one is asked for; returns the exit code."""
+    from bringup_lint.cli.reporting import report_of
+    from bringup_lint.cli.reporting import save_baseline
+    from bringup_lint.cli.reporting import take_known
+    from bringup_lint.cli.reporting import wants_colour
+    from bringup_lint.report import render
+
     if options["write_baseline"]:
         save_baseline(outcome, robot, options["write_baseline"])
     known = take_known(outcome, robot, config)

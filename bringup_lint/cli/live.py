@@ -1,0 +1,203 @@
+"""``bringup-lint live [PATH]...``: hold the running ROS graph against the files."""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING
+from typing import Any
+
+import click
+
+from bringup_lint.cli.check import configuration
+from bringup_lint.cli.check import deliver
+from bringup_lint.cli.check import names
+from bringup_lint.cli.check import read_robot
+from bringup_lint.cli.outputs import Output
+from bringup_lint.cli.outputs import PairedOptions
+from bringup_lint.cli.outputs import file_option
+from bringup_lint.cli.outputs import format_option
+from bringup_lint.cli.outputs import write
+from bringup_lint.config import ROS_DISTROS
+from bringup_lint.config import SEVERITIES
+from bringup_lint.config import ConfigError
+
+if TYPE_CHECKING:
+    from bringup_lint.robot import Robot
+    from bringup_lint.source import Located
+    from bringup_lint.source import Source
+
+FAMILY = "live"
+KIND = "living-graph"
+
+
+@click.command(cls=PairedOptions, context_settings={"help_option_names": ["-h", "--help"]})
+@click.argument("paths", nargs=-1, type=click.Path(), metavar="[PATH]...")
+@click.option(
+    "--domain-id", type=click.IntRange(0, 232), help="Domain to look at. [default: the shell's, else the files']"
+)
+@click.option("--wait", type=click.FloatRange(0.1, 60), default=3.0, show_default=True, help="Seconds of discovery.")
+@click.option(
+    "--launch",
+    "launched",
+    multiple=True,
+    metavar="COMMAND",
+    help="What was launched: '[PACKAGE] FILE [NAME:=VALUE]...'.",
+)
+@click.option("--enclave", help="The enclave to join with, when ROS_SECURITY_ENABLE is set.")
+@click.option("--save", type=click.Path(dir_okay=False, path_type=Path), help="Write what was seen to this file.")
+@click.option("--load", type=click.Path(exists=True, dir_okay=False), help="Judge what --save wrote; look at nothing.")
+@click.option("--root", type=click.Path(exists=True, file_okay=False), help="The files lie in this root file system.")
+@format_option
+@file_option
+@click.option("--select", multiple=True, callback=names, help="Run only these rules or families. [default: live]")
+@click.option("--ignore", multiple=True, callback=names, help="Leave these rules or families out.")
+@click.option("--min-severity", type=click.Choice(SEVERITIES), help="Lowest severity to show. [default: warning]")
+@click.option("--fail-on", type=click.Choice(SEVERITIES), help="Lowest severity that fails. [default: warning]")
+@click.option("--exit-zero", is_flag=True, help="Exit with 0 whatever is found.")
+@click.option("--target-ros", type=click.Choice(ROS_DISTROS), help="The ROS distribution that the robot runs.")
+@click.option("--no-ignores", is_flag=True, help="Show what comments in the files suppress.")
+@click.option("--config", "config_path", type=click.Path(dir_okay=False, path_type=Path), help="Configuration file.")
+@click.option("--isolated", is_flag=True, help="Read no configuration file.")
+@click.option("--exclude", multiple=True, help="Skip what matches this gitignore pattern.")
+@click.option("--baseline", type=click.Path(dir_okay=False, path_type=Path), help="Leave out what this file holds.")
+@click.option("--write-baseline", type=click.Path(dir_okay=False, path_type=Path), help="Write a baseline.")
+@click.option("--colour/--no-colour", "--color/--no-color", default=None, help="Force or forbid colour.")
+@click.pass_context
+def command(ctx: click.Context, paths: tuple[str, ...], **options) -> None:
+    """Hold the running ROS graph against the files.
+
+    Joins a domain for some seconds as a hidden node that publishes nothing, and says where what runs is not what the
+    files under PATH (by default the current folder) say. Needs rclpy: pip install 'bringup-lint[live]', or a sourced
+    ROS.
+    """
+    from bringup_lint.live.run import LiveError
+    from bringup_lint.registry import RuleError
+
+    try:
+        code = _compare(ctx.meta["outputs"], paths or ("/" if options["root"] else ".",), options)
+    except (ConfigError, RuleError, LiveError) as error:
+        click.echo(f"bringup-lint: {error}", err=True)
+        code = 2
+    ctx.exit(code)
+
+
+def _compare(outputs: list[Output], paths: tuple[str, ...], options: dict[str, Any]) -> int:
+    from bringup_lint.engine import run
+    from bringup_lint.registry import Registry
+
+    started = time.time()
+    unused = {"rule_folders": (), "target_systemd": None, "stdin_filename": None}
+    config, _ = configuration(paths, {**options, **unused})
+    config = dataclasses.replace(config, select=options["select"] or (FAMILY,))
+    robot = read_robot(paths, config, {**options, **unused})
+    robot.launch_commands = options["launched"]
+    _known(robot)
+    robot.join(loaded(options["load"]) if options["load"] else seen(robot, options))
+    _tell(robot)
+    outcome = run(robot, Registry.of(), config, ignores=not options["no_ignores"])
+    return deliver(outcome, robot, config, started, outputs, options)
+
+
+def _known(robot: Robot) -> None:
+    """Raises ConfigError when ``--launch`` names no launch file of the tree."""
+    import shlex
+
+    from bringup_lint.graph.living.expected import launch_file
+
+    for command in robot.launch_commands:
+        try:
+            words = [word for word in shlex.split(command) if ":=" not in word]
+        except ValueError as error:
+            raise ConfigError(f"--launch '{command}': {error}") from error
+        if launch_file(robot, words) is None:
+            raise ConfigError(f"--launch '{command}': this is not one launch file of the tree")
+
+
+def loaded(path: str) -> Source:
+    """A graph that was saved. Raises ConfigError when the file holds none."""
+    from bringup_lint.parsers.living import parse
+    from bringup_lint.source import Source
+
+    try:
+        source = Source(path, Path(path).read_text("utf-8", errors="replace"), KIND)
+    except OSError as error:
+        raise ConfigError(f"{path}: {error.strerror}") from error
+    if parse(source).problems:
+        raise ConfigError(f"{path}: not a graph that bringup-lint live --save wrote")
+    return source
+
+
+def seen(robot: Robot, options: dict[str, Any]) -> Source:
+    """The running graph. Raises LiveError when it cannot be looked at."""
+    from bringup_lint.graph.living.domains import configured
+    from bringup_lint.graph.living.domains import mentioned
+    from bringup_lint.graph.living.domains import middleware
+    from bringup_lint.live.run import AT_MOST
+    from bringup_lint.live.run import look
+    from bringup_lint.live.text import graph_text
+    from bringup_lint.source import Source
+
+    domain, told = chosen(robot, options["domain_id"])
+    said = None if os.environ.get("RMW_IMPLEMENTATION") else middleware(robot)
+    rmw = str(said) if said else None
+    with_rmw = f" with {rmw} ({_at(said)})" if said else ""
+    click.echo(f"Looking at domain {domain} ({told}){with_rmw} ...", err=True)
+    (graph,) = look([domain], options["wait"], enclave=options["enclave"], rmw=rmw, states=True)
+    others = [each for each in mentioned(robot) if each != domain][:AT_MOST]
+    said_domain = configured(robot)
+    elsewhere = []
+    if others and (wonders(robot, graph) or (said_domain and said_domain.number != domain)):
+        click.echo(f"Looking at domain {', '.join(map(str, others))} too ...", err=True)
+        elsewhere = look(others, options["wait"], enclave=options["enclave"], rmw=rmw, states=False)
+    secured = os.environ.get("ROS_SECURITY_ENABLE") == "true"
+    text = graph_text(graph, elsewhere, told, secured)
+    if options["save"]:
+        write(text, options["save"])
+    return Source(str(options["save"] or f"<ROS graph, domain {domain}>"), text, KIND)
+
+
+def chosen(robot: Robot, given: int | None) -> tuple[int, str]:
+    """The domain to look at, and what says so. Raises ConfigError for a ``ROS_DOMAIN_ID`` that is none."""
+    from bringup_lint.graph.living.domains import configured
+    from bringup_lint.parsers.ros_values import MAX_DOMAIN
+    from bringup_lint.parsers.ros_values import domain_id
+
+    if given is not None:
+        return given, "--domain-id"
+    own = os.environ.get("ROS_DOMAIN_ID")
+    if own:
+        number = domain_id(own).number
+        if number is None or number > MAX_DOMAIN:
+            raise ConfigError(f"ROS_DOMAIN_ID is '{own}' in this shell, which is no domain")
+        return number, "ROS_DOMAIN_ID of this shell"
+    told = configured(robot)
+    return (told.number, _at(told.where)) if told else (0, "the default")
+
+
+def wonders(robot: Robot, graph: dict[str, Any]) -> bool:
+    """Whether the domain shows nothing of the robot: none of the nodes that must run, or none at all."""
+    from bringup_lint.graph.living.expected import expected
+    from bringup_lint.graph.living.tools import is_tool
+
+    names = {name for name, _ in graph["nodes"] if not is_tool(name)}
+    must = {node.name for node in expected(robot).must}
+    return not names & must if must else not names
+
+
+def _at(where: Located) -> str:
+    return f"{where.path}:{where.line}"
+
+
+def _tell(robot: Robot) -> None:
+    """What the files leave open, so that a rule stays silent; on standard error."""
+    expected = robot.living.expected
+    if expected.ambiguous:
+        said = "Several launch files, and nothing says which one runs: name it with --launch to hear of missing nodes."
+        click.echo(said, err=True)
+    if expected.gaps:
+        where, why = expected.gaps[0]
+        more = f", and {len(expected.gaps) - 1} more" if len(expected.gaps) > 1 else ""
+        click.echo(f"Unexpected nodes are not judged: {where.path}:{where.line}: {why}{more}.", err=True)

@@ -1,0 +1,244 @@
+"""The nodes that the files start: those that must run, those that may, and what the files do not tell."""
+
+from __future__ import annotations
+
+import shlex
+from collections.abc import Iterable
+from collections.abc import Iterator
+from dataclasses import dataclass
+from dataclasses import field
+from typing import TYPE_CHECKING
+from typing import NamedTuple
+
+from bringup_lint.finding import Related
+from bringup_lint.graph.environment.effective import Environment
+from bringup_lint.graph.launch.expand import Expansion
+from bringup_lint.graph.launch.lifecycle import full_name
+from bringup_lint.graph.launch.started import Started
+from bringup_lint.graph.launch.started import literal_text
+from bringup_lint.graph.living.tools import OPEN_ENDED
+from bringup_lint.graph.living.tools import PASSING
+from bringup_lint.graph.systemd.process import Ros
+from bringup_lint.graph.systemd.process import ros_command
+from bringup_lint.model.launch import LaunchFile
+from bringup_lint.model.launch import Timer
+from bringup_lint.model.launch_values import Literal
+from bringup_lint.model.launch_values import Unknown
+from bringup_lint.model.launch_values import Value
+from bringup_lint.model.launch_values import walk
+from bringup_lint.source import Located
+from bringup_lint.source import Span
+
+if TYPE_CHECKING:
+    from bringup_lint.model.compose import Service
+    from bringup_lint.robot import Robot
+
+
+class ExpectedNode(NamedTuple):
+    name: str
+    """Fully qualified."""
+    where: Span
+    must: bool
+    """Whether it runs whenever its entry runs, for as long as that runs."""
+    entry: Entry
+    started: Started | None = None
+
+    @property
+    def package(self) -> str | None:
+        return literal_text(self.started.package) if self.started else None
+
+    @property
+    def way(self) -> list[Related]:
+        """The places that lead to the node: what runs the launch file, and the includes."""
+        steps = [Related(self.entry.where, f"{self.entry.who} starts it")] if self.entry.who else []
+        return [*steps, *(Related(span, "included here") for span in (self.started.chain if self.started else ()))]
+
+
+@dataclass(eq=False)
+class Entry:
+    """Something that starts ROS 2 nodes: a command of a unit or service, or a launch file."""
+
+    where: Span
+    who: str
+    """``robot.service``, ``service 'driver'``; empty for a launch file that nothing of the tree starts."""
+    runs: bool
+    """Whether it runs on a robot that has come up."""
+    environment: Environment | None = None
+
+
+@dataclass(eq=False)
+class Expected:
+    nodes: list[ExpectedNode] = field(default_factory=list)
+    gaps: list[tuple[Span, str]] = field(default_factory=list)
+    """Where what runs may start nodes whose names the files do not tell, and why not."""
+    ambiguous: bool = False
+    """Nothing tells which of several launch files runs."""
+
+    @property
+    def must(self) -> list[ExpectedNode]:
+        """The nodes that run on a robot that has come up, each name once."""
+        found: dict[str, ExpectedNode] = {}
+        for node in self.nodes:
+            if node.must:
+                found.setdefault(node.name, node)
+        return list(found.values())
+
+    def named(self, name: str) -> ExpectedNode | None:
+        """The node of a name; one that must run before one that may."""
+        found = [node for node in self.nodes if node.name == name]
+        return next(iter(sorted(found, key=lambda node: not node.must)), None)
+
+
+def expected(robot: Robot) -> Expected:
+    """From what ``--launch`` names; else what units and services start; else from the only launch file there is."""
+    result = Expected()
+    if robot.launch_commands:
+        for command in robot.launch_commands:
+            _commanded(robot, result, command)
+    else:
+        for entry, ros in _programs(robot, result):
+            _program(robot, result, entry, ros)
+    lists = [expansion for expansion in robot.launch.entries if not robot.launch.simulated(expansion.entry)]
+    started_by_files = any(node.entry.runs for node in result.nodes)
+    result.ambiguous = not started_by_files and not robot.launch_commands and len(lists) > 1
+    gaps = list(result.gaps)
+    for expansion in robot.launch.entries:
+        file = expansion.entry
+        alone = not started_by_files and not gaps and not robot.launch_commands and lists == [expansion]
+        _nodes(robot, result, Entry(file.entry or file.source.whole, "", alone), expansion)
+    if started_by_files or robot.launch_commands:
+        result.gaps = gaps
+    return result
+
+
+def _commanded(robot: Robot, result: Expected, command: str) -> None:
+    """``[PACKAGE] FILE [NAME:=VALUE]...`` from the command line."""
+    words = shlex.split(command)
+    named = [word for word in words if ":=" not in word]
+    file = launch_file(robot, named)
+    if file is None:
+        return
+    passed = (word.partition(":=") for word in words if ":=" in word)
+    arguments = {name: Literal(Located(value, file.source.whole), file.source.whole) for name, _, value in passed}
+    expansion = robot.launch.expand(file, arguments)
+    _nodes(robot, result, Entry(file.entry or file.source.whole, "", True), expansion)
+
+
+def launch_file(robot: Robot, named: list[str]) -> LaunchFile | None:
+    """The launch file that the words of ``ros2 launch`` name: a path, or a package and a file name."""
+    import os
+
+    if len(named) == 1:
+        path = os.path.realpath(named[0])
+        found = [file for file in robot.launch.files if os.path.realpath(file.source.name) == path]
+        return found[0] if found else robot.launch.named(None, named[0])
+    return robot.launch.named(named[0], named[1]) if len(named) == 2 else None
+
+
+def _programs(robot: Robot, result: Expected) -> Iterator[tuple[Entry, Ros]]:
+    """The ROS 2 programs that units and compose services start."""
+    if robot.of_kind("systemd-unit", "systemd-dropin"):
+        units = robot.units
+        for unit in units.ros:
+            if not unit.judged or unit.masked or unit.get("Type") == "oneshot" or unit.name in units.triggered:
+                continue
+            runs = not unit.is_template and any(True for _ in units.wanted_by(unit))
+            for process in units.started(unit):
+                programs = [(step, ros) for step, ros in process.ros if ros.kind in ("launch", "run", "node")]
+                for _, ros in programs:
+                    environment = units.environment(unit)
+                    yield Entry(ros.where.span, unit.name, runs, environment), ros
+                if process.mentions_ros and (process.opaque or not programs):
+                    result.gaps.append((unit.where, f"what {unit.name} starts is not known to the end"))
+    for service in robot.compose.services if robot.of_kind("compose") else ():
+        if service.source.judged and service.is_ros:
+            yield from _of_service(robot, result, service)
+
+
+def _of_service(robot: Robot, result: Expected, service: Service) -> Iterator[tuple[Entry, Ros]]:
+    from bringup_lint.model.shell import Command
+    from bringup_lint.parsers.shell import commands
+
+    words = (*service.entrypoint, *service.command)
+    scripts = [word for word in words if "ros2 " in word or " " in word.strip()]
+    found = [ros for script in scripts for command in commands(script) if (ros := ros_command(command))]
+    direct = ros_command(Command(words)) if words and not found else None
+    programs = [ros for ros in (*found, *([direct] if direct else [])) if ros.kind in ("launch", "run", "node")]
+    environment = next((each.environment for each in robot.ros.processes if each.service is service), None)
+    runs = service.get("profiles") is None
+    for ros in programs:
+        yield Entry(ros.where.span, f"service '{service.name}'", runs, environment), ros
+    if not programs:
+        result.gaps.append((service.name.span, f"what service '{service.name}' starts is not known"))
+
+
+def _program(robot: Robot, result: Expected, entry: Entry, ros: Ros) -> None:
+    if ros.kind == "launch":
+        file = robot.launch.named(ros.package, ros.target)
+        if file is None:
+            result.gaps.append((entry.where, "this launch file is not in the tree"))
+            return
+        passed = ((word, word.find(":=")) for word in ros.arguments)
+        arguments = {str(word[:at]): _passed(word.part(at + 2, len(word))) for word, at in passed if at > 0}
+        _nodes(robot, result, entry, robot.launch.expand(file, arguments))
+        return
+    name = _run_name(ros.arguments)
+    if name is None:
+        result.gaps.append((entry.where, "the name of this node stands in its code"))
+    else:
+        result.nodes.append(ExpectedNode(name, entry.where, entry.runs, entry))
+
+
+def _passed(word: Located) -> Value:
+    return Unknown("a variable", word.span) if "$" in word or "%" in word else Literal(word, word.span)
+
+
+def _run_name(words: Iterable[Located]) -> str | None:
+    """The full name that ``--ros-args -r __node:=x -r __ns:=/y`` gives."""
+    given = dict(word.split(":=", 1) for word in words if word.startswith(("__node:=", "__ns:=")))
+    name, namespace = given.get("__node"), given.get("__ns", "/")
+    if name is None or "$" in name + namespace or not namespace.startswith("/"):
+        return None
+    return f"{namespace.rstrip('/')}/{name}"
+
+
+def _nodes(robot: Robot, result: Expected, entry: Entry, expansion: Expansion) -> None:
+    if expansion.open:
+        result.gaps.append((entry.where, "not everything that this leads to is in the tree"))
+    ended = {handler.target for handler, _ in expansion.handlers if handler.event == "OnProcessExit"}
+    for node in expansion.nodes:
+        if not node.is_node:
+            result.gaps.append((node.span, "this process may be a node"))
+            continue
+        name = None if _renamed(node) else full_name(node, robot.launch.role(node))
+        if name is None:
+            result.gaps.append((node.span, "the name of this node is not known here"))
+            continue
+        if literal_text(node.package) in OPEN_ENDED:
+            result.gaps.append((node.span, "this node brings along others"))
+        must = entry.runs and node.by_default is True and not _loops(node) and node.action.key not in ended
+        must = must and all(isinstance(action, Timer) for action in node.context) and not _passes(node)
+        result.nodes.append(ExpectedNode(name, _place(node), must, entry, node))
+
+
+def _renamed(node: Started) -> bool:
+    """Whether the arguments may give the node another name."""
+    words = [value.text for argument in node.arguments for value in walk(argument) if isinstance(value, Literal)]
+    return any("__node" in word or "__ns" in word or "__name" in word for word in words)
+
+
+def _passes(node: Started) -> bool:
+    """Whether the program does its work and ends."""
+    program = literal_text(node.executable)
+    return program is not None and bool(PASSING.search(program))
+
+
+def _place(node: Started) -> Span:
+    """The name where it is written beside the node, else the node."""
+    name = literal_text(node.name)
+    source, start, end = node.span
+    return name.span if name and name.span.source is source and start <= name.span.start < end else node.span
+
+
+def _loops(node: Started) -> bool:
+    return any(condition.kind == "loop" for condition in node.conditions)

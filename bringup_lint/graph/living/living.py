@@ -1,0 +1,143 @@
+"""The running graph held against the files."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from bringup_lint.graph.launch.lifecycle import Managed
+from bringup_lint.graph.launch.lifecycle import Manager
+from bringup_lint.graph.launch.lifecycle import managers
+from bringup_lint.graph.launch.resolve import text_of
+from bringup_lint.graph.launch.resolve import truth
+from bringup_lint.graph.launch.started import literal_text
+from bringup_lint.graph.living.domains import Domain
+from bringup_lint.graph.living.domains import configured
+from bringup_lint.graph.living.domains import of_environment
+from bringup_lint.graph.living.expected import Expected
+from bringup_lint.graph.living.expected import ExpectedNode
+from bringup_lint.graph.living.expected import expected
+from bringup_lint.graph.living.tools import comes_with
+from bringup_lint.graph.living.tools import is_tool
+from bringup_lint.graph.living.topics import Meant
+from bringup_lint.graph.living.topics import Topic
+from bringup_lint.graph.living.topics import meant
+from bringup_lint.graph.living.topics import topics
+from bringup_lint.model.living import Endpoint
+from bringup_lint.model.living import Living
+from bringup_lint.model.living import RunningNode
+from bringup_lint.source import Span
+
+if TYPE_CHECKING:
+    from bringup_lint.robot import Robot
+
+
+@dataclass(eq=False)
+class LivingRobot:
+    """What runs, what should, and where the files speak of it."""
+
+    robot: Robot
+    seen: Living
+
+    @cached_property
+    def expected(self) -> Expected:
+        return expected(self.robot)
+
+    @cached_property
+    def nodes(self) -> list[RunningNode]:
+        """The robot's own nodes: those of tools and of this program left out."""
+        return [node for node in self.seen.nodes if not is_tool(node.name)]
+
+    @cached_property
+    def names(self) -> frozenset[str]:
+        return frozenset(str(node.name) for node in self.seen.nodes)
+
+    @cached_property
+    def elsewhere(self) -> dict[int, list[RunningNode]]:
+        """The robot's nodes on the other domains that were looked at."""
+        return {domain: [node for node in nodes if not is_tool(node.name)] for domain, nodes in self.seen.elsewhere}
+
+    @cached_property
+    def configured(self) -> Domain | None:
+        """The domain that the files agree on."""
+        return configured(self.robot)
+
+    @cached_property
+    def missing(self) -> list[ExpectedNode]:
+        """The nodes that must run on this domain, do not, and are not seen on another one either."""
+        others = {str(node.name) for nodes in self.elsewhere.values() for node in nodes}
+        return [node for node in self.expected.must if node.name not in self.names | others and self._is_here(node)]
+
+    def _is_here(self, node: ExpectedNode) -> bool:
+        domain = of_environment(node.entry.environment)
+        return domain is None or domain.number == self.seen.domain
+
+    @cached_property
+    def duplicates(self) -> list[list[RunningNode]]:
+        """Nodes that share a name, together."""
+        counts = Counter(str(node.name) for node in self.nodes)
+        return [[node for node in self.nodes if node.name == name] for name, count in counts.items() if count > 1]
+
+    def accounts_for(self, node: RunningNode) -> bool:
+        """Whether the files name a running node, or one that brings it along."""
+        known = self.expected.nodes
+        return any(node.name == each.name or comes_with(node.name, each.name, each.package) for each in known)
+
+    def namesake(self, name: str) -> RunningNode | None:
+        """The only running node of the same bare name, when it has another namespace."""
+        bare = name.rpartition("/")[2]
+        found = [node for node in self.nodes if node.bare == bare and self.expected.named(node.name) is None]
+        return found[0] if len(found) == 1 else None
+
+    @cached_property
+    def topics(self) -> list[Topic]:
+        return topics(self.seen.endpoints)
+
+    @cached_property
+    def meant(self) -> list[Meant]:
+        return list(meant(self.topics))
+
+    def place(self, name: str) -> Span:
+        """Where the files start a node; where they do not, its line in the graph, else the graph."""
+        known = self.expected.named(name)
+        if known is not None:
+            return known.where
+        return next((node.name.span for node in self.seen.nodes if node.name == name), self.seen.source.whole)
+
+    def end(self, endpoint: Endpoint) -> Span:
+        """Where the files speak of an endpoint: the remapping that makes the topic, else its node; else the graph."""
+        known = self.expected.named(endpoint.node)
+        for _, target in known.started.remappings if known and known.started else ():
+            text, where = text_of(target), literal_text(target)
+            if where is not None and text in (endpoint.topic, endpoint.topic.rpartition("/")[2], endpoint.topic[1:]):
+                return where.span
+        return known.where if known else endpoint.topic.span
+
+    @cached_property
+    def managed(self) -> dict[str, tuple[Managed, Manager]]:
+        """Full name -> the entry in the list of a lifecycle manager."""
+        found: dict[str, tuple[Managed, Manager]] = {}
+        for expansion in self.robot.launch.entries:
+            for manager in managers(expansion):
+                for node in manager.managed or ():
+                    found.setdefault(node.fqn, (node, manager))
+        return found
+
+    def stays_inactive(self, name: str) -> bool:
+        """Whether the files leave it to somebody else to activate a node."""
+        manager = self.managed[name][1] if name in self.managed else None
+        if manager is None or not manager.autostart.known:
+            return False
+        value = manager.autostart.value
+        return value is None or truth(value) is False
+
+
+def load_living(robot: Robot) -> LivingRobot | None:
+    """None in a run that looks at files only."""
+    from bringup_lint.parsers.living import KIND
+    from bringup_lint.parsers.living import parse
+
+    graphs = robot.parsed(parse, robot.of_kind(KIND))
+    return LivingRobot(robot, graphs[0]) if graphs else None

@@ -1,0 +1,103 @@
+"""The topics of a running graph: who is on which side, and which names are meant to be one."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from collections.abc import Iterator
+from dataclasses import dataclass
+from dataclasses import field
+from typing import NamedTuple
+
+from bringup_lint.graph.living.compatible import Conflict
+from bringup_lint.graph.living.compatible import conflicts
+from bringup_lint.graph.living.tools import is_tool
+from bringup_lint.model.living import Endpoint
+from bringup_lint.spelling import edits
+
+_OF_ROS = frozenset(("/rosout", "/parameter_events", "/clock", "/tf", "/tf_static", "/diagnostics"))
+_HIDDEN = re.compile(r"/_")
+VELOCITY_TYPES = ("geometry_msgs/msg/Twist", "geometry_msgs/msg/TwistStamped")
+
+
+@dataclass(eq=False)
+class Topic:
+    name: str
+    publishers: list[Endpoint] = field(default_factory=list)
+    subscriptions: list[Endpoint] = field(default_factory=list)
+
+    @property
+    def types(self) -> frozenset[str]:
+        return frozenset(str(each.type) for each in (*self.publishers, *self.subscriptions))
+
+    @property
+    def pairs(self) -> Iterator[tuple[Endpoint, Endpoint, list[Conflict]]]:
+        """Publisher and subscription of the same type that never match, once for each two nodes."""
+        seen = set()
+        for publisher in self.publishers:
+            for subscription in self.subscriptions:
+                found = list(conflicts(publisher.qos, subscription.qos))
+                key = (publisher.node, subscription.node, tuple(each.policy for each in found))
+                if found and publisher.type == subscription.type and key not in seen:
+                    seen.add(key)
+                    yield publisher, subscription, found
+
+    @property
+    def is_velocity(self) -> bool:
+        """Whether it carries velocity commands: ``cmd_vel``, or a name with it and a type for velocities."""
+        last = self.name.rpartition("/")[2]
+        return last == "cmd_vel" or ("cmd_vel" in last and bool(self.types.intersection(VELOCITY_TYPES)))
+
+
+class Meant(NamedTuple):
+    """A subscription that nobody publishes to, and the publisher that it most likely waits for."""
+
+    subscription: Endpoint
+    publisher: Endpoint
+    why: str
+    """``name`` or ``namespace``: what differs."""
+
+
+def topics(endpoints: Iterable[Endpoint]) -> list[Topic]:
+    """The topics of the robot itself: without those of tools and of ROS's own machinery."""
+    found: dict[str, Topic] = {}
+    for each in endpoints:
+        if each.topic in _OF_ROS or _HIDDEN.search(each.topic) or is_tool(each.node):
+            continue
+        topic = found.setdefault(str(each.topic), Topic(str(each.topic)))
+        (topic.publishers if each.publishes else topic.subscriptions).append(each)
+    return list(found.values())
+
+
+def meant(all_topics: list[Topic]) -> Iterator[Meant]:
+    """Subscriptions without a publisher, each with the one other topic of its type that its name comes close to."""
+    for topic in all_topics:
+        if topic.publishers or not topic.subscriptions:
+            continue
+        others = [other for other in all_topics if other.publishers and other.types & topic.types]
+        near = [other for other in others if misspelt(topic.name, other.name)]
+        if len(near) == 1:
+            yield Meant(topic.subscriptions[0], near[0].publishers[0], "name")
+            continue
+        lonely = [other for other in others if not other.subscriptions and _tail(other.name) == _tail(topic.name)]
+        if not near and len(lonely) == 1 and len(others) == 1:
+            yield Meant(topic.subscriptions[0], lonely[0].publishers[0], "namespace")
+
+
+def misspelt(one: str, other: str) -> bool:
+    """Whether two names differ by a slip in one word, or in underscores only. Numbers and short words do not count."""
+    ours, theirs = re.split(r"[/_]", one), re.split(r"[/_]", other)
+    if len(ours) != len(theirs):
+        return one.count("/") == other.count("/") and one.replace("_", "") == other.replace("_", "")
+    different = [(a, b) for a, b in zip(ours, theirs, strict=True) if a != b]
+    if len(different) != 1:
+        return False
+    a, b = different[0]
+    if re.sub(r"\d", "", a) == re.sub(r"\d", "", b):
+        return False
+    limit = min(2, len(min(a, b, key=len)) // 3)
+    return limit > 0 and edits(a.lower(), b.lower(), limit) <= limit
+
+
+def _tail(name: str) -> str:
+    return name.rpartition("/")[2]

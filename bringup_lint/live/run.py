@@ -1,0 +1,105 @@
+"""Has the running graph looked at, by processes with a time limit."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+from collections.abc import Iterable
+from typing import Any
+
+from bringup_lint.live import observe
+
+SLACK = 12.0
+"""Seconds that a process gets beyond its wait: loading the middleware, asking for states, leaving."""
+AT_MOST = 4
+"""Other domains that are looked at."""
+
+
+_FRILLS = re.compile(r"^\[\w+\] \[[\d.]+\] \[[\w.]+\]: |^\w+Error: |[.,]* at /\S+:\d+$")
+"""Log prefixes, exception names, and the place in the library's sources."""
+
+
+class LiveError(Exception):
+    """The graph cannot be looked at; the text is one clear line."""
+
+
+class _NoRclpy(LiveError):
+    pass
+
+
+def look(
+    domains: Iterable[int], wait: float, *, enclave: str | None, rmw: str | None, states: bool
+) -> list[dict[str, Any]]:
+    """What can be seen on some domains, all looked at side by side. Raises LiveError."""
+    environment = dict(os.environ)
+    if rmw:
+        environment["RMW_IMPLEMENTATION"] = rmw
+    tasks = [json.dumps({"domain": each, "wait": wait, "enclave": enclave, "states": states}) for each in domains]
+    pythons = _pythons()
+    for python in pythons[:-1]:
+        try:
+            return _together(python, tasks, wait, environment)
+        except _NoRclpy:
+            continue
+    return _together(pythons[-1], tasks, wait, environment)
+
+
+def _pythons() -> list[str]:
+    """This Python, and that of a sourced ROS where this program is installed apart from it."""
+    other = shutil.which("python3")
+    return [*([other] if other and other != sys.executable else []), sys.executable][::-1]
+
+
+def _together(python: str, tasks: list[str], wait: float, environment: dict[str, str]) -> list[dict[str, Any]]:
+    started = [_start(python, task, environment) for task in tasks]
+    try:
+        return [_answer(process, wait + observe.LONGER + SLACK) for process in started]
+    finally:
+        for process in started:
+            if process.poll() is None:
+                process.kill()
+                process.wait()
+
+
+def _start(python: str, task: str, environment: dict[str, str]) -> subprocess.Popen[str]:
+    return subprocess.Popen(
+        [python, observe.__file__, task],
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        errors="replace",
+        env=environment,
+    )
+
+
+def _answer(process: subprocess.Popen[str], limit: float) -> dict[str, Any]:
+    try:
+        output, errors = process.communicate(timeout=limit)
+    except subprocess.TimeoutExpired:
+        raise LiveError(f"the middleware did not answer within {limit:g} s") from None
+    for line in output.splitlines():
+        if line.startswith(observe.MARK):
+            return json.loads(line[len(observe.MARK) :])
+    reason = _reason(f"{errors}\n{output}")
+    if process.returncode == observe.NO_RCLPY:
+        distro = os.environ.get("ROS_DISTRO", "jazzy")
+        how = f"pip install 'bringup-lint[live]', or: source /opt/ros/{distro}/setup.bash"
+        raise _NoRclpy(f"the running graph cannot be looked at without rclpy ({reason}); {how}")
+    if process.returncode < 0:
+        raise LiveError(f"the middleware crashed with signal {-process.returncode}: {reason}")
+    raise LiveError(f"the ROS graph cannot be joined: {reason}")
+
+
+def _reason(output: str) -> str:
+    """The line of an output that tells most, the first that speaks of an error, else the last; without its frills."""
+    lines = [line.strip() for line in output.splitlines() if line.strip()]
+    telling = [line for line in lines if "error" in line.lower() and not line.startswith("Traceback")]
+    line = next(iter([*telling, *lines[-1:]]), "no message")
+    if "error not set" in line and os.environ.get("ROS_SECURITY_ENABLE") == "true":
+        return "ROS_SECURITY_ENABLE is true, and ROS_SECURITY_KEYSTORE is not set"
+    return _FRILLS.sub("", line)[:300]

@@ -1,0 +1,63 @@
+"""The running ROS graph, as it was seen on one domain."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from bringup_lint.source import Located
+from bringup_lint.source import Problem
+from bringup_lint.source import Source
+
+
+class RunningNode(NamedTuple):
+    name: Located
+    """Fully qualified. Two nodes may have the same one."""
+    enclave: Located | None
+    state: Located | None
+    """Of a lifecycle node: ``active``, ``inactive``, ...; ``no answer`` when it did not tell."""
+
+    @property
+    def bare(self) -> str:
+        return self.name.rpartition("/")[2]
+
+
+class Qos(NamedTuple):
+    """What DDS matches endpoints by; ``None`` is not known, for durations: no limit."""
+
+    reliability: str | None = None
+    """``RELIABLE`` or ``BEST_EFFORT``."""
+    durability: str | None = None
+    """``VOLATILE`` or ``TRANSIENT_LOCAL``."""
+    deadline: float | None = None
+    """Seconds."""
+    liveliness: str | None = None
+    """``AUTOMATIC`` or ``MANUAL_BY_TOPIC``."""
+    lease: float | None = None
+    """Seconds."""
+
+
+class Endpoint(NamedTuple):
+    topic: Located
+    node: Located
+    """Fully qualified."""
+    publishes: bool
+    type: Located
+    """``sensor_msgs/msg/LaserScan``."""
+    qos: Qos
+
+
+@dataclass(frozen=True, eq=False)
+class Living:
+    source: Source
+    domain: int
+    domain_from: str = ""
+    """What told the domain: ``--domain-id``, ``ROS_DOMAIN_ID`` of the shell, ``the files``; empty for the default."""
+    rmw: str = ""
+    secured: bool = False
+    """Whether whoever looked had security switched on."""
+    nodes: tuple[RunningNode, ...] = ()
+    endpoints: tuple[Endpoint, ...] = ()
+    elsewhere: tuple[tuple[int, tuple[RunningNode, ...]], ...] = ()
+    """Other domains that were looked at, with the nodes there."""
+    problems: tuple[Problem, ...] = ()

@@ -1,0 +1,94 @@
+"""The running ROS graph as text: what ``bringup-lint live`` writes about what it saw, and reads again."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from bringup_lint.model.living import Endpoint
+from bringup_lint.model.living import Living
+from bringup_lint.model.living import Qos
+from bringup_lint.model.living import RunningNode
+from bringup_lint.model.yaml_node import Mapping
+from bringup_lint.parsers import yaml_nodes
+from bringup_lint.source import Located
+from bringup_lint.source import Problem
+from bringup_lint.source import Source
+
+KIND = "living-graph"
+
+
+def parse(source: Source) -> Living:
+    """Read a graph. Problems: those of YAML, and ``not-a-graph``."""
+    file = yaml_nodes.parse(source)
+    root = file.root
+    domain = _integer(root, "domain") if isinstance(root, Mapping) else None
+    if not isinstance(root, Mapping) or domain is None:
+        return Living(source, 0, problems=(*file.problems, Problem("not-a-graph", source.whole)))
+    return Living(
+        source,
+        domain,
+        str(_text(root, "domain_from") or ""),
+        str(_text(root, "rmw") or ""),
+        _text(root, "secured") == "true",
+        tuple(_nodes(root)),
+        tuple(_endpoints(root)),
+        tuple(_elsewhere(root)),
+        tuple(file.problems),
+    )
+
+
+def _text(mapping: Mapping, key: str) -> Located | None:
+    scalar = mapping.scalar(key)
+    return scalar.value if scalar is not None and not scalar.is_null else None
+
+
+def _integer(mapping: Mapping, key: str) -> int | None:
+    scalar = mapping.scalar(key)
+    return scalar.integer if scalar is not None else None
+
+
+def _items(mapping: Mapping, key: str) -> Iterator[Mapping]:
+    for item in mapping.sequence(key) or ():
+        if isinstance(item, Mapping):
+            yield item
+
+
+def _nodes(mapping: Mapping) -> Iterator[RunningNode]:
+    for item in _items(mapping, "nodes"):
+        name = _text(item, "name")
+        if name is not None:
+            yield RunningNode(name, _text(item, "enclave"), _text(item, "state"))
+
+
+def _endpoints(root: Mapping) -> Iterator[Endpoint]:
+    for item in _items(root, "endpoints"):
+        topic, kind = _text(item, "topic"), _text(item, "type")
+        publisher = _text(item, "publisher")
+        node = publisher or _text(item, "subscription")
+        if topic is not None and kind is not None and node is not None:
+            yield Endpoint(topic, node, publisher is not None, kind, _qos(item))
+
+
+def _qos(item: Mapping) -> Qos:
+    """What is not written is the default: no deadline, automatic liveliness, no lease."""
+    reliability, durability = (_upper(_text(item, key)) for key in ("reliability", "durability"))
+    liveliness = _upper(_text(item, "liveliness")) or "AUTOMATIC"
+    return Qos(reliability, durability, _seconds(item, "deadline"), liveliness, _seconds(item, "lease"))
+
+
+def _upper(text: Located | None) -> str | None:
+    return text.upper() if text else None
+
+
+def _seconds(item: Mapping, key: str) -> float | None:
+    try:
+        return float(_text(item, key) or "")
+    except ValueError:
+        return None
+
+
+def _elsewhere(root: Mapping) -> Iterator[tuple[int, tuple[RunningNode, ...]]]:
+    for item in _items(root, "elsewhere"):
+        domain = _integer(item, "domain")
+        if domain is not None:
+            yield domain, tuple(_nodes(item))

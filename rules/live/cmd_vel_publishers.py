@@ -1,0 +1,60 @@
+"""Several running nodes publish velocity commands on one topic.
+
+## What it finds
+Topics called `cmd_vel`, and topics with `cmd_vel` in their name that carry `Twist` or `TwistStamped`, with
+publishers in more than one node. The servers of nav2, of which the behaviour tree lets one act at a time, count
+as one.
+
+## Why it matters on a robot
+The base obeys whoever spoke last: a stop is followed by a go. Nothing arbitrates, nothing warns.
+
+## Bad
+```yaml
+endpoints:
+- {topic: /cmd_vel, publisher: /joystick, type: geometry_msgs/msg/Twist}
+- {topic: /cmd_vel, publisher: /velocity_smoother, type: geometry_msgs/msg/Twist}
+```
+
+## Good
+```yaml
+endpoints:
+- {topic: /cmd_vel_joy, publisher: /joystick, type: geometry_msgs/msg/Twist}
+- {topic: /cmd_vel_nav, publisher: /velocity_smoother, type: geometry_msgs/msg/Twist}
+- {topic: /cmd_vel, publisher: /twist_mux, type: geometry_msgs/msg/Twist}
+```
+
+## References
+- twist_mux, README
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+BY_TURNS = ("controller_server", "behavior_server", "recoveries_server", "docking_server", "following_server")
+
+
+@rule("error", tags=["CWE-362"])
+def cmd_vel_publishers(robot: Robot):
+    living = robot.living
+    for topic in living.topics:
+        if not topic.is_velocity:
+            continue
+        sources = {source(each.node): each for each in reversed(topic.publishers)}
+        if len(sources) < 2:
+            continue
+        first, *others = reversed(sources.values())
+        names = ", ".join(str(each.node) for each in (first, *others))
+        yield finding(
+            living.end(first),
+            f"{len(sources)} nodes publish {topic.name} ({names}): the base obeys whoever spoke last",
+            advice="give each a topic of its own and let a mux with priorities (twist_mux) publish the result",
+            related=[note(living.end(each), f"{each.node} publishes it too") for each in others],
+        )
+
+
+def source(name):
+    """The node, or nav2 for those that take turns."""
+    namespace, _, bare = name.rpartition("/")
+    return (namespace, "nav2") if bare in BY_TURNS else name

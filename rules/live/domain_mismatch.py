@@ -1,0 +1,58 @@
+"""The nodes run on another domain than the files say.
+
+## What it finds
+A tree whose files agree on one `ROS_DOMAIN_ID`, no node of the robot on that domain, and nodes of the robot on
+another one that the files mention, on the default 0, or on the one that this program was told to look at.
+
+## Why it matters on a robot
+The variable did not reach the processes: an env file that the unit does not load, a shell that was not sourced
+again. Robot and operator station are on two networks that cannot see each other.
+
+## Bad
+```ini
+# ros2.env, while the nodes run on domain 0
+ROS_DOMAIN_ID=42
+```
+
+## Good
+```ini
+# ros2.env, loaded by every unit: the nodes run on domain 42
+ROS_DOMAIN_ID=42
+```
+
+## References
+- ROS 2 documentation, "The ROS_DOMAIN_ID"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error")
+def domain_mismatch(robot: Robot):
+    living = robot.living
+    configured = living.configured
+    if configured is None:
+        return
+    by_domain = {**living.elsewhere, living.seen.domain: living.nodes}
+    ours = {domain: [node for node in nodes if belongs(living, node)] for domain, nodes in by_domain.items()}
+    if configured.number not in ours or ours[configured.number]:
+        return
+    for domain, nodes in sorted(ours.items()):
+        if nodes:
+            count = "1 node runs" if len(nodes) == 1 else f"{len(nodes)} nodes run"
+            file = configured.where.span.path.rpartition("/")[2]
+            yield finding(
+                configured.where,
+                f"{file} says domain {configured.number}, where no node of the robot runs; {count} on domain {domain}",
+                advice="see that every unit, container and shell that starts nodes loads this file",
+                related=[note(node.name, f"runs on domain {domain}") for node in nodes[:3]],
+            )
+            return
+
+
+def belongs(living, node):
+    """Whether a node is the robot's, as far as the files tell names."""
+    return living.expected.named(node.name) is not None or not living.expected.nodes

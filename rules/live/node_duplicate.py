@@ -1,0 +1,51 @@
+"""Two running nodes have the same name.
+
+## What it finds
+Fully qualified names that the running graph shows more than once.
+
+## Why it matters on a robot
+Parameters and services reach one of the two by chance, lifecycle managers and monitors see one node, and both
+publish. Most often a node was started twice: by a unit and by hand, or by two launch files. A node that was
+killed stays visible until its lease ends, up to 20 s with Fast DDS.
+
+## Bad
+```yaml
+nodes:
+- {name: /lidar/driver, enclave: /}
+- {name: /lidar/driver, enclave: /}
+```
+
+## Good
+```yaml
+nodes:
+- {name: /lidar_front/driver, enclave: /}
+- {name: /lidar_rear/driver, enclave: /}
+```
+
+## References
+- https://github.com/ros2/launch_ros/issues/124
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["Publisher already registered for node name"])
+def node_duplicate(robot: Robot):
+    living = robot.living
+    for nodes in living.duplicates:
+        name = nodes[0].name
+        where = living.place(name)
+        starts = [each for each in living.expected.nodes if each.name == name and each.where != where]
+        lines = nodes if where.source is not name.span.source else nodes[1:]
+        yield finding(
+            where,
+            f"{len(nodes)} nodes called {name} run: parameters and services go to any of them",
+            advice="stop the one that is too many; one that was killed disappears by itself within 20 s",
+            related=[
+                *(note(each.where, "started here too") for each in starts[:3]),
+                *(note(node.name, "it runs") for node in lines[:5]),
+            ],
+        )

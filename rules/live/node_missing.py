@@ -1,0 +1,62 @@
+"""A node that the files start does not run.
+
+## What it finds
+Nodes that are started on every boot (by a launch file that an installed unit or a compose service runs, without
+condition or under one that holds by default) and that the running graph does not show. Without a unit or
+service the only launch file of the tree counts, or what `--launch` names. Programs that do their work and end
+are left out.
+
+## Why it matters on a robot
+The process list looks full and the robot misses an eye: the node crashed, was never started, or answers to
+another name or namespace than everything that waits for it.
+
+## Bad
+```yaml
+nodes:
+- {name: /slam, enclave: /}
+```
+
+## Good
+```yaml
+nodes:
+- {name: /lidar/driver, enclave: /}
+- {name: /slam, enclave: /}
+```
+
+## References
+- ROS 2 documentation, "Understanding nodes"
+"""
+
+from itertools import groupby
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+CRASHED = "look at its log: it crashed or was never started"
+
+
+@rule("error")
+def node_missing(robot: Robot):
+    living = robot.living
+    domain = living.seen.domain
+    for entry, group in groupby(living.missing, key=lambda node: node.entry):
+        nodes = list(group)
+        wanted = [node for node in living.expected.must if node.entry is entry]
+        if len(nodes) == len(wanted) > 1 and not any(living.namesake(node.name) for node in nodes):
+            yield finding(
+                entry.where,
+                f"none of the {len(nodes)} nodes that {entry.who or 'this launch file'} starts runs on domain {domain}",
+                advice="see whether it runs at all, and in which domain",
+                related=[note(node.where, f"{node.name} is started here") for node in nodes[:5]],
+            )
+            continue
+        for node in nodes:
+            other = living.namesake(node.name)
+            yield finding(
+                node.where,
+                f"{node.name} does not run on domain {domain}" + (f"; {other.name} does" if other else ""),
+                advice="use the same name and namespace on both sides" if other else CRASHED,
+                related=[*node.way, *([note(other.name, "this one runs")] if other else [])],
+            )

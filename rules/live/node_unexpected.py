@@ -1,0 +1,51 @@
+"""A node runs that the files do not start.
+
+## What it finds
+Running nodes that no launch file, unit or compose service of the tree names. Hidden nodes, tools (rviz, rqt,
+rosbag, the daemon of ros2cli), nodes of libraries and nodes that a known node brings along do not count. Silent
+as soon as the files leave the name of a node open: then it may be that one.
+
+## Why it matters on a robot
+A left-over of yesterday's test, a second robot or a colleague's laptop in the same domain publishes, and the
+robot obeys it as well.
+
+## Bad
+```yaml
+nodes:
+- {name: /lidar/driver, enclave: /}
+- {name: /teleop_test, enclave: /}
+```
+
+## Good
+```yaml
+nodes:
+- {name: /lidar/driver, enclave: /}
+```
+
+## References
+- ROS 2 documentation, "The ROS_DOMAIN_ID"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning", confidence="medium")
+def node_unexpected(robot: Robot):
+    living = robot.living
+    if living.expected.gaps or not living.expected.nodes:
+        return
+    told = {str(other.name) for node in living.missing if (other := living.namesake(node.name))}
+    for node in {str(node.name): node for node in living.nodes}.values():
+        if node.name in told or living.accounts_for(node):
+            continue
+        same = [each for each in living.expected.nodes if each.name.rpartition("/")[2] == node.bare]
+        yield finding(
+            node.name,
+            f"{node.name} runs on domain {living.seen.domain}, and no file starts it",
+            advice="find out who started it; if it belongs to the robot, start it from a launch file",
+            related=[note(each.where, f"this one is {each.name}") for each in same[:1]],
+            confidence="medium",
+        )

@@ -1,0 +1,58 @@
+"""A running publisher and subscription never match because of their quality of service.
+
+## What it finds
+Publishers and subscriptions of the same topic and type of which the publisher offers less than the subscription
+asks for: reliability, durability, deadline, liveliness or lease duration, as `rmw` compares them.
+
+## Why it matters on a robot
+Both are there, the topic is listed, and not one message arrives. The only hint is one line in the log of either
+side.
+
+## Bad
+```yaml
+endpoints:
+- {topic: /scan, publisher: /lidar/driver, type: sensor_msgs/msg/LaserScan, reliability: best_effort}
+- {topic: /scan, subscription: /slam, type: sensor_msgs/msg/LaserScan, reliability: reliable}
+```
+
+## Good
+```yaml
+endpoints:
+- {topic: /scan, publisher: /lidar/driver, type: sensor_msgs/msg/LaserScan, reliability: best_effort}
+- {topic: /scan, subscription: /slam, type: sensor_msgs/msg/LaserScan, reliability: best_effort}
+```
+
+## References
+- ROS 2 documentation, "Quality of Service settings", compatibilities
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["requesting incompatible QoS. No messages will be sent to it", "offering incompatible QoS"])
+def qos_incompatible(robot: Robot):
+    living = robot.living
+    for topic in living.topics:
+        for publisher, subscription, conflicts in topic.pairs:
+            offers = " and ".join(words(each.policy, each.offered) for each in conflicts)
+            asks = " and ".join(words(each.policy, each.asked) for each in conflicts)
+            where = living.end(subscription)
+            related = [
+                note(living.end(publisher), f"{publisher.node} publishes"),
+                note(publisher.topic, f"offers {offers}"),
+                note(subscription.topic, f"asks for {asks}"),
+            ]
+            yield finding(
+                where,
+                f"{subscription.node} gets nothing on {topic.name}: "
+                f"it asks for {asks}, {publisher.node} offers {offers}",
+                advice="give both sides the same profile; for sensor data that is best effort",
+                related=[each for each in related if each.span != where],
+            )
+
+
+def words(policy, value):
+    return value if policy in ("reliability", "durability") else f"{policy} {value}"

@@ -1,0 +1,55 @@
+"""A subscription waits for a topic that is published under a slightly different name.
+
+## What it finds
+Topics with subscriptions and no publisher, when the graph has one other topic of the same type whose name
+differs by a slip of the pen, or only by its namespace. Numbered names do not count as slips.
+
+## Why it matters on a robot
+Nothing fails: the subscriber waits for ever. In the graph tools both names look right at a glance.
+
+## Bad
+```yaml
+endpoints:
+- {topic: /scan_filterd, publisher: /filter, type: sensor_msgs/msg/LaserScan}
+- {topic: /scan_filtered, subscription: /slam, type: sensor_msgs/msg/LaserScan}
+```
+
+## Good
+```yaml
+endpoints:
+- {topic: /scan_filtered, publisher: /filter, type: sensor_msgs/msg/LaserScan}
+- {topic: /scan_filtered, subscription: /slam, type: sensor_msgs/msg/LaserScan}
+```
+
+## References
+- ROS 2 documentation, "Remapping names"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning", confidence="medium")
+def topic_typo(robot: Robot):
+    living = robot.living
+    for subscription, publisher, why in living.meant:
+        topic = publisher.topic
+        differs = " (only the namespace differs)" if why == "namespace" else ""
+        yield finding(
+            living.end(subscription),
+            f"nobody publishes {subscription.topic}, which {subscription.node} waits for; "
+            f"{publisher.node} publishes {topic}{differs}",
+            advice=f"use one name, or remap {subscription.topic} to {topic}",
+            related=[
+                note(place, said)
+                for place, said in (
+                    (living.end(publisher), f"{publisher.node} publishes {topic}"),
+                    (subscription.topic, "waited for"),
+                    (topic, "published"),
+                )
+                if place not in (living.end(subscription), *((living.end(publisher),) if said == "published" else ()))
+            ],
+            confidence="medium",
+        )

@@ -1,0 +1,250 @@
+"""``bringup-lint live`` against real nodes on the loopback, with rclpy and Fast DDS of the wheels."""
+
+from __future__ import annotations
+
+import importlib.util
+import os
+import random
+import time
+from collections.abc import Iterator
+from itertools import product
+from pathlib import Path
+
+import pytest
+
+from bringup_lint.graph.living.compatible import conflicts
+from bringup_lint.model.living import Qos
+from tests.lint import Run
+from tests.lint import lint
+from tests.oracles.live_nodes import running
+from tests.oracles.live_nodes import watching
+
+pytestmark = pytest.mark.skipif(importlib.util.find_spec("rclpy") is None, reason="needs ros-jazzy-rclpy")
+
+LAUNCH = """from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        Node(package='otter_lidar', executable='driver', name='driver', namespace='lidar'),
+        Node(package='otter_slam', executable='slam', name='slam'),
+        Node(package='otter_base', executable='base', name='base', arguments=['--ros-args', '--enclave', '/base']),
+        Node(package='nav2_amcl', executable='amcl', name='amcl'),
+        Node(package='otter_teleop', executable='teleop', name='teleop'),
+        {more}
+    ])
+"""
+LIDAR = {"name": "driver", "namespace": "/lidar", "publishes": {"/scan": "BEST_EFFORT"}}
+SLAM = {"name": "slam", "subscribes": {"/scan": "BEST_EFFORT"}}
+BASE = {"name": "base"}
+AMCL = {"name": "amcl"}
+TELEOP = {"name": "teleop"}
+GOOD = (LIDAR, SLAM, BASE, AMCL, TELEOP)
+BAD = (
+    {**LIDAR, "publishes": {"/scan": "BEST_EFFORT", "/odometry": "RELIABLE"}},
+    {**LIDAR, "publishes": {}},
+    {**SLAM, "subscribes": {"/scan": "RELIABLE", "/odometri": "RELIABLE"}, "publishes": {"/cmd_vel": "RELIABLE"}},
+    BASE,
+    {**AMCL, "lifecycle": True},
+    {**TELEOP, "publishes": {"/cmd_vel": "RELIABLE"}},
+    {"name": "stranger"},
+)
+MESSAGES = {
+    "node-missing": "/planner does not run on domain {domain}",
+    "node-unexpected": "/stranger runs on domain {domain}, and no file starts it",
+    "node-duplicate": "2 nodes called /lidar/driver run",
+    "topic-typo": "nobody publishes /odometri, which /slam waits for; /lidar/driver publishes /odometry",
+    "qos-incompatible": "/slam gets nothing on /scan: it asks for reliable, /lidar/driver offers best effort",
+    "cmd-vel-publishers": "2 nodes publish /cmd_vel (/slam, /teleop)",
+    "enclave-unsecured": "/base runs in the enclave /, not in /base",
+    "lifecycle-not-active": "/amcl is unconfigured, not active",
+}
+
+
+@pytest.fixture
+def domain() -> int:
+    return random.randint(100, 200)
+
+
+@pytest.fixture(autouse=True)
+def shell(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    set_shell(monkeypatch, tmp_path)
+
+
+def set_shell(monkeypatch: pytest.MonkeyPatch, folder: Path) -> None:
+    """A shell without ROS variables, on the loopback only."""
+    for name in [
+        name for name in os.environ if name.startswith(("ROS_", "RMW_", "RCUTILS_", "FASTRTPS_", "CYCLONEDDS_"))
+    ]:
+        monkeypatch.delenv(name)
+    monkeypatch.setenv("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST")
+    monkeypatch.setenv("ROS_LOG_DIR", str(folder / "log"))
+
+
+def on(domain: int) -> dict[str, str]:
+    return {**os.environ, "ROS_DOMAIN_ID": str(domain)}
+
+
+def tree(folder: Path, domain: int, more: str = "") -> Path:
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "otter.launch.py").write_text(LAUNCH.format(more=more))
+    (folder / "ros.env").write_text(f"ROS_DOMAIN_ID={domain}\n")
+    return folder
+
+
+def live(folder: Path, *options: str) -> Run:
+    return lint("live", "--output-format", "concise", *options, ".", cwd=folder)
+
+
+@pytest.fixture(scope="module")
+def bad_robot(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[int, Run]]:
+    """What is said about a robot with all that can be wrong within one domain."""
+    domain = random.randint(100, 200)
+    folder = tmp_path_factory.mktemp("robot")
+    more = "Node(package='otter_plan', executable='plan', name='planner'),"
+    with pytest.MonkeyPatch.context() as patch:
+        set_shell(patch, folder)
+        with running(*BAD, environment=on(domain)):
+            yield domain, live(tree(folder / "tree", domain, more))
+
+
+@pytest.mark.parametrize("rule", MESSAGES)
+def test_each_rule_finds_its_defect(rule: str, bad_robot: tuple[int, Run]) -> None:
+    domain, run = bad_robot
+    lines = [line for line in run.stdout.splitlines() if f"[live/{rule}]" in line]
+    assert len(lines) == 1, (run.stdout, run.stderr)
+    assert MESSAGES[rule].format(domain=domain) in lines[0]
+    assert run.code == 1
+
+
+def test_it_says_what_it_looks_at(bad_robot: tuple[int, Run]) -> None:
+    domain, run = bad_robot
+    assert run.stderr.splitlines()[0] == f"Looking at domain {domain} (ros.env:1) ..."
+
+
+def test_a_robot_that_is_as_its_files_say_gives_nothing(tmp_path: Path, domain: int) -> None:
+    folder = tree(tmp_path / "tree", domain)
+    (folder / "otter.launch.py").write_text((folder / "otter.launch.py").read_text().replace("'/base'", "'/'"))
+    with running(*GOOD, environment=on(domain)):
+        started = time.monotonic()
+        run = live(folder, "--min-severity", "info")
+        took = time.monotonic() - started
+    assert (run.code, run.stdout) == (0, ""), run.stderr
+    assert took < 15
+
+
+def test_nodes_on_another_domain_than_the_files_say(
+    tmp_path: Path, domain: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = tree(tmp_path / "tree", domain + 1)
+    monkeypatch.setenv("ROS_DOMAIN_ID", str(domain))
+    with running(*GOOD, environment=on(domain)):
+        run = live(folder, "--select", "live/domain-mismatch")
+    expected = f"ros.env says domain {domain + 1}, where no node of the robot runs; 5 nodes run on domain {domain}"
+    assert expected in run.stdout, (run.stdout, run.stderr)
+    assert f"Looking at domain {domain} (ROS_DOMAIN_ID of this shell)" in run.stderr
+
+
+def test_nodes_are_looked_for_on_the_domains_that_files_mention(tmp_path: Path, domain: int) -> None:
+    folder = tree(tmp_path / "tree", domain + 1)
+    (folder / "development").mkdir()
+    (folder / "development/ros.env").write_text(f"ROS_DOMAIN_ID={domain}\n")
+    with running(*GOOD, environment=on(domain)):
+        run = live(folder)
+    lines = [line for line in run.stdout.splitlines() if line.startswith("ros.env:1:15:")]
+    assert len(lines) == 1, (run.stdout, run.stderr)
+    assert lines[0].endswith(f"where no node of the robot runs; 5 nodes run on domain {domain}")
+    assert "node-missing" not in run.stdout
+
+
+def test_files_that_ask_for_security_and_nodes_without(tmp_path: Path, domain: int) -> None:
+    folder = tree(tmp_path / "tree", domain)
+    (folder / "ros.env").write_text(
+        f"ROS_DOMAIN_ID={domain}\nROS_SECURITY_ENABLE=true\nROS_SECURITY_STRATEGY=Enforce\n"
+    )
+    with running(*GOOD, environment=on(domain), arguments=("--ros-args", "--enclave", "/base")):
+        run = live(folder, "--select", "live/enclave-unsecured")
+    assert "5 nodes of domain" in run.stdout, (run.stdout, run.stderr)
+    assert "runs in the enclave" not in run.stdout
+
+
+def test_it_publishes_nothing_and_offers_nothing(tmp_path: Path, domain: int) -> None:
+    folder = tree(tmp_path / "tree", domain)
+    with (
+        running({**AMCL, "lifecycle": True}, environment=on(domain)),
+        watching("_bringup_lint", 10, on(domain)) as answers,
+    ):
+        run = live(folder, "--wait", "5")
+    assert "/amcl is unconfigured" in run.stdout, run.stderr
+    assert answers == [
+        {
+            "seen": ["_bringup_lint"],
+            "publishers": [],
+            "subscriptions": [],
+            "services": [],
+            "clients": answers[0]["clients"],
+        }
+    ]
+    assert set(answers[0]["clients"]) <= {"/amcl/get_state"}
+
+
+def test_an_enclave_without_its_keystore_is_told_in_one_line(
+    tmp_path: Path, domain: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("ROS_SECURITY_ENABLE", "true")
+    monkeypatch.setenv("ROS_SECURITY_STRATEGY", "Enforce")
+    monkeypatch.setenv("ROS_SECURITY_KEYSTORE", str(tmp_path / "keys"))
+    run = live(tree(tmp_path / "tree", domain), "--enclave", "/lint")
+    assert run.code == 2
+    assert "SECURITY ERROR" in run.stderr.splitlines()[-1]
+    assert len(run.stderr.splitlines()) == 2
+
+
+def test_a_middleware_that_is_not_installed_is_told_in_one_line(
+    tmp_path: Path, domain: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("RMW_IMPLEMENTATION", "rmw_gurumdds_cpp")
+    run = live(tree(tmp_path / "tree", domain))
+    assert run.code == 2
+    assert "rmw_gurumdds_cpp" in run.stderr.splitlines()[-1]
+    assert "Traceback" not in run.stderr
+
+
+def profiles() -> Iterator[Qos]:
+    limits = (None, 0.1, 0.5)
+    for values in product(
+        ("RELIABLE", "BEST_EFFORT"), ("VOLATILE", "TRANSIENT_LOCAL"), limits, ("AUTOMATIC", "MANUAL_BY_TOPIC"), limits
+    ):
+        yield Qos(*values)
+
+
+def real(qos: Qos):
+    from rclpy.duration import Duration
+    from rclpy.qos import DurabilityPolicy
+    from rclpy.qos import LivelinessPolicy
+    from rclpy.qos import QoSProfile
+    from rclpy.qos import ReliabilityPolicy
+
+    limits = {"deadline": qos.deadline, "liveliness_lease_duration": qos.lease}
+    return QoSProfile(
+        depth=1,
+        reliability=ReliabilityPolicy[qos.reliability],
+        durability=DurabilityPolicy[qos.durability],
+        liveliness=LivelinessPolicy[qos.liveliness],
+        **{name: Duration(seconds=value) for name, value in limits.items() if value is not None},
+    )
+
+
+def test_endpoints_match_as_rmw_says() -> None:
+    from rclpy.qos import QoSCompatibility
+    from rclpy.qos import qos_check_compatible
+
+    made = [(each, real(each)) for each in profiles()]
+    wrong = [
+        (offered, asked)
+        for (offered, real_offered), (asked, real_asked) in product(made, made)
+        if bool(list(conflicts(offered, asked)))
+        != (qos_check_compatible(real_offered, real_asked)[0] == QoSCompatibility.ERROR)
+    ]
+    assert wrong == []

@@ -1,0 +1,171 @@
+"""``bringup-lint live`` as far as it needs no ROS: what is missing or hangs, what was saved, and how it is told."""
+
+from __future__ import annotations
+
+import json
+import re
+import time
+from pathlib import Path
+
+import pytest
+
+from bringup_lint.live import run as live_run
+from bringup_lint.live.text import graph_text
+from bringup_lint.parsers.living import parse
+from bringup_lint.source import Source
+from tests.conftest import PROJECT
+from tests.lint import lint
+
+BAD = PROJECT / "fixtures/live/qos_incompatible/bad"
+LAUNCH = """from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription({})
+"""
+SEEN = {
+    "domain": 42,
+    "rmw": "rmw_fastrtps_cpp",
+    "nodes": [["/a", "/"], ["/no\n- {name: /injected}", "/"], ["/yes", "/robot"]],
+    "states": {"/a": "no answer"},
+    "endpoints": [
+        {
+            "topic": "/scan",
+            "role": "publisher",
+            "node": "/a",
+            "type": "sensor_msgs/msg/LaserScan",
+            "qos": {
+                "reliability": "reliable",
+                "durability": "volatile",
+                "deadline": 0.5,
+                "liveliness": "automatic",
+                "lease": None,
+            },
+        }
+    ],
+}
+
+
+@pytest.fixture
+def stub(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A folder whose ``rclpy.py`` is found instead of the real one, and an empty tree to check."""
+    monkeypatch.setenv("PYTHONPATH", str(tmp_path))
+    for name in ("ROS_DOMAIN_ID", "RMW_IMPLEMENTATION", "ROS_DISTRO"):
+        monkeypatch.delenv(name, raising=False)
+    (tmp_path / "tree").mkdir()
+    return tmp_path / "rclpy.py"
+
+
+def test_without_rclpy_it_says_how_to_get_it(stub: Path) -> None:
+    stub.write_text("raise ModuleNotFoundError(\"No module named 'rclpy'\")\n")
+    run = lint("live", cwd=stub.parent / "tree")
+    assert run.code == 2
+    assert run.stdout == ""
+    *_, line = run.stderr.splitlines()
+    assert line == (
+        "bringup-lint: the running graph cannot be looked at without rclpy (No module named 'rclpy'); "
+        "pip install 'bringup-lint[live]', or: source /opt/ros/jazzy/setup.bash"
+    )
+
+
+def test_a_broken_middleware_is_told_in_one_line(stub: Path) -> None:
+    stub.write_text("raise RuntimeError('librmw_example.so: cannot open shared object file')\n")
+    run = lint("live", cwd=stub.parent / "tree")
+    assert run.code == 2
+    assert run.stderr.splitlines()[1:] == [
+        "bringup-lint: the ROS graph cannot be joined: librmw_example.so: cannot open shared object file"
+    ]
+
+
+def test_a_crash_of_the_middleware_is_told_in_one_line(stub: Path) -> None:
+    stub.write_text("import os, sys\nprint('terminate called', file=sys.stderr, flush=True)\nos.kill(os.getpid(), 6)\n")
+    run = lint("live", cwd=stub.parent / "tree")
+    assert run.code == 2
+    assert run.stderr.splitlines()[1:] == ["bringup-lint: the middleware crashed with signal 6: terminate called"]
+
+
+def test_a_middleware_that_hangs_is_given_up(stub: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(live_run, "SLACK", 0.2)
+    stub.write_text("import time\ntime.sleep(600)\n")
+    started = time.monotonic()
+    run = lint("live", "--wait", "0.3", cwd=stub.parent / "tree")
+    assert run.code == 2
+    assert run.stderr.splitlines()[1:] == ["bringup-lint: the middleware did not answer within 2.5 s"]
+    assert time.monotonic() - started < 10
+
+
+def test_what_was_seen_is_read_again() -> None:
+    text = graph_text(SEEN, [{"domain": 0, "nodes": [["/b", "/"]]}], "ros.env:1", True)
+    living = parse(Source("graph.yaml", text))
+    assert living.problems == ()
+    assert (living.domain, living.domain_from, living.rmw, living.secured) == (
+        42,
+        "ros.env:1",
+        "rmw_fastrtps_cpp",
+        True,
+    )
+    assert [(node.name, node.enclave, node.state) for node in living.nodes] == [
+        ("/a", "/", "no answer"),
+        ("/no\n- {name: /injected}", "/", None),
+        ("/yes", "/robot", None),
+    ]
+    (endpoint,) = living.endpoints
+    assert endpoint.publishes
+    assert endpoint.qos == ("RELIABLE", "VOLATILE", 0.5, "AUTOMATIC", None)
+    assert [(domain, [node.name for node in nodes]) for domain, nodes in living.elsewhere] == [(0, ["/b"])]
+
+
+@pytest.mark.parametrize("text", ["", "[]", "nodes: []\n", "domain: many\n", "domain: [\n"])
+def test_another_file_is_no_graph(text: str, tmp_path: Path) -> None:
+    (tmp_path / "graph.yaml").write_text(text)
+    run = lint("live", "--load", "graph.yaml", cwd=tmp_path)
+    assert run.code == 2
+    assert run.stderr == "bringup-lint: graph.yaml: not a graph that bringup-lint live --save wrote\n"
+
+
+def test_a_static_run_never_loads_the_rules() -> None:
+    run = lint("--output-format", "json", ".", cwd=BAD)
+    assert "live/" not in run.stdout
+
+
+def test_only_the_rules_on_the_graph_run() -> None:
+    run = lint("live", "--load", "graph.yaml", "--output-format", "sarif", ".", cwd=BAD)
+    rules = json.loads(run.stdout)["runs"][0]["tool"]["driver"]["rules"]
+    assert {rule["id"].partition("/")[0] for rule in rules} == {"live"}
+
+
+def test_what_was_launched_is_taken_from_the_command_line(tmp_path: Path) -> None:
+    for name in ("sea", "land"):
+        node = f"Node(package='otter', executable='{name}', name='{name}')"
+        (tmp_path / f"{name}.launch.py").write_text(LAUNCH.format(f"[{node}]"))
+    (tmp_path / "graph.yaml").write_text("domain: 3\nnodes: []\n")
+    options = ("--load", "graph.yaml", "--output-format", "concise", ".")
+    silent = lint("live", *options, cwd=tmp_path)
+    assert (silent.stdout, silent.code) == ("", 0)
+    assert "name it with --launch" in silent.stderr
+    run = lint("live", "--launch", "sea.launch.py", *options, cwd=tmp_path)
+    assert "error[live/node-missing] /sea does not run on domain 3" in run.stdout
+    unknown = lint("live", "--launch", "air.launch.py", *options, cwd=tmp_path)
+    assert unknown.code == 2
+    assert unknown.stderr == "bringup-lint: --launch 'air.launch.py': this is not one launch file of the tree\n"
+
+
+def test_suppression_and_baseline_count(tmp_path: Path) -> None:
+    node = "[\n        Node(package='otter', executable='sea', name='sea'),{}\n    ]"
+    launch = tmp_path / "otter.launch.py"
+    launch.write_text(LAUNCH.format(node.format("")))
+    (tmp_path / "graph.yaml").write_text("domain: 3\nnodes:\n- {name: /other, enclave: /}\n")
+    options = ("live", "--load", "graph.yaml", "--output-format", "concise")
+    assert lint(*options, ".", cwd=tmp_path).stdout.count("\n") == 2
+    assert lint(*options, "--write-baseline", "known.json", ".", cwd=tmp_path).code == 1
+    assert lint(*options, "--baseline", "known.json", ".", cwd=tmp_path).stdout == ""
+    launch.write_text(LAUNCH.format(node.format("  # bringup-lint: ignore[live/node-missing] -- in repair")))
+    assert "node-missing" not in lint(*options, ".", cwd=tmp_path).stdout
+    assert lint("--output-format", "concise", "--select", "lint", ".", cwd=tmp_path).stdout == ""
+
+
+def test_rclpy_is_imported_by_one_module_only() -> None:
+    code = {path.name: path.read_text("utf-8") for path in (PROJECT / "bringup_lint").rglob("*.py")}
+    pattern = re.compile(r"^\s*(?:import|from) rclpy\b", re.MULTILINE)
+    assert [name for name, text in code.items() if pattern.search(text)] == ["observe.py"]
