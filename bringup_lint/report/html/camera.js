@@ -18,6 +18,12 @@ function room() {
   return { width: width - side, height: height - (!panel.hidden && !side ? panel.offsetHeight : 0), top: 34 };
 }
 
+/* The room that the whole drawing is laid out for: the pane, whatever lies over it now. */
+function roomFor() {
+  const { width, height } = pane.getBoundingClientRect();
+  return { width: Math.max(320, width - 32), height: Math.max(240, height - 82) };
+}
+
 function fit(area = { x: 0, y: 0, width: drawn.plan.width, height: drawn.plan.height }, most = 1.25) {
   const { width, height, top } = room();
   if (!width || !height || !drawn.nodes.length) return;

@@ -28,7 +28,7 @@ def figure(frame: Frame) -> str:
 def _lines(frame: Frame) -> Iterator[str]:
     for mark in frame.marks:
         if is_whole_file(mark.span) and mark.label:
-            yield _note("", mark.label, mark.style)
+            yield _note("", mark.label, f"{mark.style} whole")
     previous = frame.lines[0] if frame.lines else 0
     for number in frame.lines:
         if number > previous + 1:

@@ -1,25 +1,27 @@
 "use strict";
 
 /* Where everything stands. Columns run from power-on at the left to the topics at the right: each layer has a column
-   for every step of its own. A link that passes over a column gets a track through it, which takes part in ordering
-   like a node, so that no line runs through a box; links of one hub share their tracks. The same graph always gives
-   the same drawing. */
+   for every step of its own, or, where the room asks for it, columns that hold several steps, one below the other.
+   A link that passes over a column gets a track through it, which takes part in ordering like a node, so that no line
+   runs through a box; links of one hub share their tracks. The same graph in the same room gives the same drawing. */
 
 const SIZE = {
   letter: 7.25, padding: 20, badge: 20, narrow: 72, wide: 250,
   low: 24, high: 38, roomy: 60, gap: 8, track: 7,
-  margin: 16, between: 14, corridor: 46, crowd: 1.1, broad: 150, arrow: 7,
+  margin: 14, between: 12, corridor: 42, crowd: 1.1, broad: 150, arrow: 7, rank: 16,
 };
+const ROWS = [5, 6, 8, 10, 12, 14, 17, 20, 24, 28, 33, 39, 46, 54, 64];
 const SWEEPS = 14;
 const STEPS = 6;
 
-function arrange(nodes, links, layers) {
+function arrange(nodes, links, layers, room) {
   const high = nodes.length <= SIZE.roomy ? SIZE.high : SIZE.low;
   const items = nodes.map((node, index) => ({ index, height: high, before: [], after: [], beside: [] }));
-  const columns = columnsOf(nodes, links, layers, items);
+  const columns = columnsOf(nodes, links, layers, items, room);
   const paths = links.map((link) => laid(link, items, columns, hubOf(links)));
   order(columns);
   rest(columns);
+  settle(columns);
   const bands = spread(columns, nodes, layers);
   const top = Math.min(...items.map((item) => item.y - item.height / 2), 0);
   for (const column of columns) for (const item of column.items) item.y -= top;
@@ -37,26 +39,61 @@ function arrange(nodes, links, layers) {
 
 /* Columns */
 
-function columnsOf(nodes, links, layers, items) {
-  const columns = [];
-  const most = Math.max(14, Math.ceil(Math.sqrt(nodes.length) * 1.7));
+function columnsOf(nodes, links, layers, items, room) {
+  const groups = layers.map((layer) => groupsOf(layer, nodes, links, items)).filter((own) => own.length);
+  const filled = ROWS.map((rows) => groups.map((own) => fill(own, rows)));
+  const best = filled.reduce((a, b) => (worth(b, nodes, room) > worth(a, nodes, room) ? b : a), filled[0]);
+  const columns = best.flat();
+  columns.forEach((column, number) => {
+    column.number = number;
+    for (const item of column.items) item.column = column;
+  });
+  return columns;
+}
+
+/* The items of a layer by step. */
+function groupsOf(layer, nodes, links, items) {
   const linked = new Set(links.flatMap((link) => [link.from, link.to]));
-  for (const layer of layers) {
-    const own = items.filter((item) => nodes[item.index].layer === layer);
-    const steps = stepsOf(own.map((item) => item.index), nodes, links);
-    for (const step of [...new Set(steps.values())].sort((a, b) => a - b)) {
-      const held = own.filter((item) => steps.get(item.index) === step);
-      held.sort((a, b) => linked.has(b.index) - linked.has(a.index) || byName(nodes[a.index], nodes[b.index]));
-      const parts = Math.ceil(held.length / most);
-      const size = Math.ceil(held.length / parts);
-      for (let part = 0; part < parts; part++) {
-        const column = { layer, number: columns.length, items: held.slice(part * size, (part + 1) * size) };
-        for (const item of column.items) item.column = column;
-        columns.push(column);
-      }
+  const own = items.filter((item) => nodes[item.index].layer === layer);
+  const steps = stepsOf(own.map((item) => item.index), nodes, links);
+  for (const item of own) item.step = steps.get(item.index);
+  return [...new Set(steps.values())].sort((a, b) => a - b).map((step) => {
+    const held = own.filter((item) => item.step === step);
+    held.sort((a, b) => linked.has(b.index) - linked.has(a.index) || byName(nodes[a.index], nodes[b.index]));
+    return { layer, items: held };
+  });
+}
+
+/* Columns of at most so many rows: small steps share one, large ones take several. */
+function fill(groups, rows) {
+  const columns = [];
+  for (const { layer, items } of groups) {
+    const last = columns.at(-1);
+    if (last && last.items.length + items.length <= rows) {
+      last.items = [...last.items, ...items];
+      last.shared += 1;
+      continue;
     }
+    const parts = Math.ceil(items.length / rows);
+    const size = Math.ceil(items.length / parts);
+    for (let part = 0; part < parts; part++) columns.push({ layer, items: items.slice(part * size, (part + 1) * size), shared: 0 });
   }
   return columns;
+}
+
+/* How large the drawing can be shown, a little less where steps share a column. */
+function worth(groups, nodes, room) {
+  let [width, rows, shared] = [0, 0, 0];
+  for (const columns of groups) {
+    width += 2 * SIZE.margin + SIZE.between - SIZE.corridor;
+    for (const column of columns) {
+      width += Math.max(SIZE.narrow, ...column.items.map((item) => widthOf(nodes[item.index]))) + SIZE.corridor * 1.4;
+      rows = Math.max(rows, column.items.length);
+      shared += column.shared;
+    }
+  }
+  const height = rows * ((nodes.length <= SIZE.roomy ? SIZE.high : SIZE.low) + SIZE.gap) * 1.2;
+  return Math.min(1.1, room.width / width, room.height / height) * (1 - Math.min(0.25, 0.02 * shared));
 }
 
 function byName(a, b) {
@@ -66,7 +103,8 @@ function byName(a, b) {
 
 /* The step of each node in its layer: its rank where the layer has ranks, else how many links lead to it. */
 function stepsOf(own, nodes, links) {
-  if (own.some((index) => nodes[index].rank != null)) return new Map(own.map((index) => [index, nodes[index].rank ?? 0]));
+  const last = 1 + Math.max(-1, ...own.map((index) => nodes[index].rank ?? -1));
+  if (last) return new Map(own.map((index) => [index, nodes[index].rank ?? last]));
   const inside = new Set(own);
   const into = new Map(own.map((index) => [index, []]));
   for (const { from, to } of links) if (inside.has(from) && inside.has(to)) into.get(to).push(from);
@@ -144,10 +182,13 @@ function order(columns) {
     for (const column of forward ? columns : [...columns].reverse()) {
       const pull = new Map(column.items.map((item) => {
         const near = [...(forward ? item.before : item.after), ...item.beside];
-        const lonely = !item.before.length && !item.after.length && !item.beside.length;
-        return [item, lonely ? Infinity : near.length ? middle(near) : item.y];
+        return [item, lonely(item) ? Infinity : near.length ? middle(near) : item.y];
       }));
-      column.items.sort((a, b) => (pull.get(a) === pull.get(b) ? 0 : pull.get(a) - pull.get(b)));
+      const step = (item) => (column.shared && item.index >= 0 ? item.step : null);
+      column.items.sort((a, b) => {
+        const steps = step(a) !== null && step(b) !== null ? step(a) - step(b) : 0;
+        return steps || (pull.get(a) === pull.get(b) ? 0 : pull.get(a) - pull.get(b));
+      });
       stack(column);
     }
   }
@@ -184,6 +225,16 @@ function rest(columns) {
   }
 }
 
+/* What is tied to nothing stands right below what is above it. */
+function settle(columns) {
+  for (const { items } of columns) {
+    items.forEach((item, index) => {
+      if (index && lonely(item)) item.y = items[index - 1].y + distanceOf(items[index - 1], item);
+    });
+  }
+}
+
+const lonely = (item) => !item.before.length && !item.after.length && !item.beside.length;
 const mean = (block) => block.sum / block.weight;
 
 /* Width */
@@ -215,8 +266,8 @@ function spread(columns, nodes, layers) {
 }
 
 function widthOf(node) {
-  const badge = node.worst ? SIZE.badge : 0;
-  return Math.min(SIZE.wide, node.label.length * SIZE.letter + SIZE.padding + badge);
+  const extra = (node.worst ? SIZE.badge : 0) + (node.rank != null && node.kind !== "folded" ? SIZE.rank : 0);
+  return Math.min(SIZE.wide, node.label.length * SIZE.letter + SIZE.padding + extra);
 }
 
 /* Lines */
@@ -227,10 +278,10 @@ function route(path) {
   const left = (item) => item.column.x;
   const right = (item) => item.column.x + item.column.width;
   if (!way) {
-    const x = right(source);
-    const bow = x + 18 + Math.min(40, Math.abs(target.y - source.y) * 0.12);
-    const d = `M${x} ${num(source.y)}C${num(bow)} ${num(source.y)} ${num(bow)} ${num(target.y)} ${x + SIZE.arrow} ${num(target.y)}`;
-    return { d, arrow: arrowAt(x, target.y, -1) };
+    const x = left(source);
+    const bow = x - 16 - Math.min(34, Math.abs(target.y - source.y) * 0.1);
+    const end = `${num(bow)} ${num(target.y)} ${num(x - SIZE.arrow)} ${num(target.y)}`;
+    return { d: `M${num(x)} ${num(source.y)}C${num(bow)} ${num(source.y)} ${end}`, arrow: arrowAt(x, target.y, 1) };
   }
   const [near, far] = way > 0 ? [left, right] : [right, left];
   let [x, y] = [far(source), source.y];

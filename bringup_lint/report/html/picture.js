@@ -109,7 +109,7 @@ function short(label) {
 
 function draw() {
   const { nodes, links, boxOf } = graph();
-  const plan = arrange(nodes, links, data.layers.map((layer) => layer.id));
+  const plan = arrange(nodes, links, data.layers.map((layer) => layer.id), roomFor());
   drawn = { nodes, links, boxOf, plan };
   const lines = make("g", { class: "edges" });
   drawn.lines = links.map((link, index) => lines.appendChild(lineOf(link, plan.routes[index], index)));
@@ -129,13 +129,14 @@ function lineOf(link, { d, arrow }, index) {
   const worst = worstOf(edges.flatMap((edge) => edge.findings));
   const said = edges.map((edge) => [edge.kind, edge.why && `(${edge.why})`, placeOf(edge)].filter(Boolean).join(" ")).join("\n");
   const names = `${drawn.nodes[link.from].full} → ${drawn.nodes[link.to].full}`;
-  return make("g", { class: `edge ${worst}`, "data-kind": edges[0].kind, onclick: () => choose({ link: index }) },
+  return make("g", { class: `edge ${worst}`, "data-kind": (edges.find((edge) => edge.kind !== "orders") ?? edges[0]).kind, onclick: () => choose({ link: index }) },
     make("title", {}, `${names}\n${said}`), make("path", { class: "reach", d }), make("path", { class: "line", d }),
     make("path", { class: "arrow", d: arrow }));
 }
 
 function boxFor(node, { x, y, width, height }, index) {
   const low = height <= SIZE.low;
+  const ranked = node.rank != null && node.kind !== "folded";
   const told = [node.full, node.kind, counted(node.findings.length, "finding"), node.worst && `worst: ${node.worst}`];
   return make("g", {
     class: `node ${node.worst}`, "data-layer": node.layer, "data-index": index, transform: `translate(${num(x)} ${num(y)})`,
@@ -147,8 +148,9 @@ function boxFor(node, { x, y, width, height }, index) {
     make("title", {}, [node.full, node.kind, placeOf(node)].filter(Boolean).join("\n")),
     make("rect", { class: "box", width, height, rx: 4 }),
     make("rect", { class: "hue", width: 4, height, rx: 2 }),
-    low ? null : make("text", { class: "kind", x: 12, y: 14 }, node.kind === "folded" ? "folded" : node.kind),
-    make("text", { class: "label", x: 12, y: low ? 16 : 29 }, node.label),
+    low ? null : make("text", { class: "kind", x: ranked ? 12 + SIZE.rank : 12, y: 14 }, node.kind === "folded" ? "folded" : node.kind),
+    ranked ? make("text", { class: "rank", x: 10, y: low ? 16 : 29 }, String(node.rank)) : null,
+    make("text", { class: "label", x: ranked ? 12 + SIZE.rank : 12, y: low ? 16 : 29 }, node.label),
     node.worst ? make("use", { class: `icon ${node.worst}`, href: `#icon-${node.worst}`, x: width - 19, y: low ? 5 : 6, width: 14, height: 14 }) : null);
 }
 

@@ -7,6 +7,13 @@ function show(view) {
   const wanted = view === "both" && narrow.matches ? (panes().picture ? "findings" : "picture") : view;
   body.dataset.view = wanted;
   document.querySelectorAll(".views button").forEach((one) => one.setAttribute("aria-pressed", String(one.dataset.show === wanted)));
+  redraw();
+}
+
+/* Lays the drawing out for the room that there is now. */
+function redraw() {
+  if (!pane.offsetWidth) return;
+  draw();
   fit();
 }
 
@@ -40,7 +47,11 @@ byId("theme").addEventListener("click", () => {
   document.documentElement.dataset.theme = now === "dark" ? "light" : "dark";
 });
 document.querySelectorAll(".views button").forEach((one) => one.addEventListener("click", () => show(one.dataset.show)));
-window.addEventListener("resize", () => fit());
+let resized = 0;
+window.addEventListener("resize", () => {
+  clearTimeout(resized);
+  resized = setTimeout(redraw, 120);
+});
 window.addEventListener("beforeprint", () => fit());
 
 body.classList.add("scripted");

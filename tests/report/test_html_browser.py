@@ -1,0 +1,346 @@
+"""The page in a real, headless Chromium: it is opened from disk and clicked through.
+
+Needs ``chromium`` (apt) and the library ``playwright``, which drives it; skipped where one of them is missing or the
+browser does not start.
+"""
+
+from __future__ import annotations
+
+import shutil
+import time
+from collections.abc import Iterator
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+
+from bringup_lint.report.html import page
+from tests.report.html_picture import crowd
+from tests.report.html_picture import hostile
+from tests.report.html_picture import mower
+from tests.report.sample import clean
+from tests.report.sample import sample
+from tests.report.test_html import hostile_report
+
+playwright = pytest.importorskip("playwright.sync_api")
+CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
+WIDE = {"width": 1400, "height": 900}
+
+
+@pytest.fixture(scope="module")
+def browser():
+    if CHROMIUM is None:
+        pytest.skip("no chromium")
+    with playwright.sync_playwright() as driver:
+        try:
+            browser = driver.chromium.launch(
+                executable_path=CHROMIUM, args=["--no-sandbox", "--disable-dev-shm-usage"], timeout=30_000
+            )
+        except playwright.Error as error:
+            pytest.skip(f"chromium does not start: {str(error).splitlines()[0]}")
+        yield browser
+        browser.close()
+
+
+@pytest.fixture
+def opened(browser, tmp_path: Path) -> Iterator:
+    """A function that opens a page; at the end, nothing was complained of and nothing was asked of the network."""
+    complaints: list[str] = []
+    contexts = []
+
+    def open_(text: str, viewport=WIDE, **options):
+        file = tmp_path / "bringup.html"
+        file.write_text(text, "utf-8")
+        contexts.append(browser.new_context(viewport=viewport, **options))
+        tab = contexts[-1].new_page()
+        tab.set_default_timeout(10_000)
+        tab.on("console", lambda message: complaints.append(message.text))
+        tab.on("pageerror", lambda error: complaints.append(str(error)))
+        tab.on("request", lambda request: complaints.append(request.url) if request.url != file.as_uri() else None)
+        tab.on("dialog", lambda dialog: complaints.append(dialog.message))
+        tab.goto(file.as_uri())
+        return tab
+
+    yield open_
+    for context in contexts:
+        context.close()
+    assert [complaint for complaint in complaints if complaint != "data:,"] == []
+
+
+def nodes(tab, also: str = "") -> list[str]:
+    """The labels of the drawn nodes, or of those of a class."""
+    return tab.eval_on_selector_all(f".node{also} .label", "found => found.map(one => one.textContent)")
+
+
+def scale(tab) -> float:
+    return tab.evaluate("document.getElementById('scene').getCTM().a")
+
+
+def opacity(tab, selector: str) -> float:
+    return float(tab.eval_on_selector(selector, "one => getComputedStyle(one).opacity"))
+
+
+def choose(tab, label: str) -> None:
+    tab.locator(".node", has_text=label).first.click()
+
+
+def boxes(tab) -> list[dict]:
+    return tab.eval_on_selector_all(
+        ".node .box",
+        """found => found.map(one => {
+            const {left, top, right, bottom} = one.getBoundingClientRect();
+            return {left, top, right, bottom};
+        })""",
+    )
+
+
+def test_a_node_shows_its_findings_and_its_edges(opened) -> None:
+    tab = opened(page(mower(), sample()))
+    choose(tab, "mower.service")
+    details = tab.inner_text("#details")
+    assert "All 14 nodes run as root" in details
+    assert "orders After=" in details
+    assert "etc/mower.service:7" in details
+    assert set(nodes(tab, ".lit")) == {
+        *("network.target", "blade.service", "mower.service", "mower.env", "mower.launch.py"),
+    }
+    tab.click("#details .ends >> text=mower.launch.py")
+    assert tab.inner_text("#details h2") == "mower.launch.py"
+    tab.keyboard.press("Escape")
+    assert tab.is_hidden("#details")
+    assert nodes(tab, ".lit") == []
+
+
+def test_findings_and_picture_lead_to_each_other(opened) -> None:
+    tab = opened(page(mower(), sample()))
+    tab.click("#finding-0 .locate")
+    assert nodes(tab, ".chosen") == ["mower.service"]
+    assert tab.locator(".edge.lit").count() == 1
+    assert "chosen" in tab.get_attribute("#finding-0", "class")
+    tab.keyboard.press("Escape")
+    choose(tab, "mower.service")
+    tab.click("#details >> text=All 14 nodes run as root")
+    assert "chosen" in tab.get_attribute("#finding-2", "class")
+    assert tab.evaluate("document.activeElement.id") == "finding-2"
+    assert not tab.is_visible("#finding-1 .locate")
+
+
+def test_an_edge_says_why(opened) -> None:
+    tab = opened(page(mower()))
+    tab.locator('.edge[data-kind="binds"]').dispatch_event("click")
+    assert "NetworkInterface" in tab.inner_text("#details")
+    assert set(nodes(tab, ".lit")) == {"cyclonedds.xml", "enp2s0"}
+
+
+def test_findings_are_filtered_and_grouped(opened) -> None:
+    tab = opened(page(mower(), sample()))
+    shown = ".finding:visible"
+    assert tab.locator(shown).count() == 8
+    tab.click(".chip.error")
+    assert tab.locator(shown).count() == 4
+    tab.select_option("#family", "udev")
+    assert tab.locator(shown).count() == 2
+    assert tab.inner_text("#shown") == "2 of 8"
+    tab.click(".chip.error")
+    tab.select_option("#family", "")
+    tab.select_option("#group", "file")
+    heads = tab.eval_on_selector_all(".group:not([hidden]) h2", "found => found.map(one => one.textContent)")
+    assert heads == ["/srv/image/99-mower.rules 2", "config/empty.xml 1", "etc/systemd/system/mower.service 5"]
+
+
+def test_search_narrows_and_jumps(opened) -> None:
+    tab = opened(page(mower(), sample()))
+    tab.keyboard.press("/")
+    tab.keyboard.type("14 nodes")
+    assert tab.locator(".finding:visible").count() == 1
+    tab.fill("#search", "service")
+    assert set(nodes(tab, ".found")) == {"blade.service", "mower.service"}
+    assert tab.inner_text("#matches") == "2 of 10 nodes"
+    tab.press("#search", "Enter")
+    first = nodes(tab, ".chosen")
+    tab.press("#search", "Enter")
+    assert {*first, *nodes(tab, ".chosen")} == {"blade.service", "mower.service"}
+    tab.press("#search", "Escape")
+    assert tab.input_value("#search") == ""
+    assert nodes(tab, ".found") == []
+    assert tab.locator(".finding:visible").count() == 8
+
+
+def test_keyboard_walks_from_node_to_node(opened) -> None:
+    tab = opened(page(mower()))
+    tab.focus("#canvas")
+    before = tab.get_attribute("#scene", "transform")
+    tab.keyboard.press("ArrowRight")
+    assert tab.get_attribute("#scene", "transform") != before
+    tab.keyboard.press("Tab")
+    label = "document.activeElement.querySelector('.label').textContent"
+    first = tab.evaluate(label)
+    walked = [first]
+    for _ in range(12):
+        tab.keyboard.press("ArrowRight")
+        walked.append(tab.evaluate(label))
+    assert walked[-1] in ("/cmd_vel", "enp2s0")
+    tab.keyboard.press("Enter")
+    assert nodes(tab, ".chosen") == [walked[-1]]
+    for _ in range(12):
+        tab.keyboard.press("ArrowLeft")
+    for _ in range(3):
+        tab.keyboard.press("ArrowUp")
+    assert tab.evaluate(label) == "network.target"
+
+
+def test_zoom_and_pan(opened) -> None:
+    tab = opened(page(crowd(100)))
+    whole = scale(tab)
+    tab.focus("#canvas")
+    tab.keyboard.press("+")
+    assert scale(tab) > whole
+    tab.keyboard.press("0")
+    assert scale(tab) == pytest.approx(whole)
+    tab.click("#out")
+    assert scale(tab) < whole
+    tab.mouse.move(600, 500)
+    tab.mouse.wheel(0, -400)
+    assert scale(tab) > whole
+    before = boxes(tab)[0]
+    tab.mouse.move(700, 880)
+    tab.mouse.down()
+    tab.mouse.move(740, 860, steps=4)
+    tab.mouse.up()
+    after = boxes(tab)[0]
+    assert after["left"] - before["left"] == pytest.approx(40, abs=1)
+    assert after["top"] - before["top"] == pytest.approx(-20, abs=1)
+    assert tab.is_hidden("#details")
+
+
+def test_small_labels_are_left_out(opened) -> None:
+    tab = opened(page(crowd(100)))
+    tab.focus("#canvas")
+    for _ in range(8):
+        tab.keyboard.press("-")
+    assert tab.locator(".node .label >> visible=true").count() == 0
+    for _ in range(12):
+        tab.keyboard.press("+")
+    assert tab.locator(".node .label >> visible=true").count() == 100
+
+
+def test_a_layer_folds_and_unfolds(opened) -> None:
+    tab = opened(page(mower()))
+    tab.click('.band[data-layer="boot"]')
+    assert "3 in Boot" in nodes(tab)
+    assert "mower.service" not in nodes(tab)
+    assert tab.get_attribute('.band[data-layer="boot"]', "aria-expanded") == "false"
+    choose(tab, "3 in Boot")
+    assert "All 14 nodes run as root" in tab.inner_text("#details")
+    tab.click("#details >> text=mower.service")
+    assert nodes(tab, ".chosen") == ["mower.service"]
+    assert tab.get_attribute('.band[data-layer="boot"]', "aria-expanded") == "true"
+
+
+def test_focus_leaves_what_a_node_is_tied_to(opened) -> None:
+    tab = opened(page(mower()))
+    choose(tab, "cyclonedds.xml")
+    tab.click("text=Show only what it is tied to")
+    assert "/drive" not in nodes(tab)
+    assert {"enp2s0", "mower.env", "mower.service", "blade.service"} < set(nodes(tab))
+    tab.click("#whole")
+    assert len(nodes(tab)) == 10
+
+
+def test_kinds_of_edges_can_be_hidden(opened) -> None:
+    tab = opened(page(mower()))
+    tab.click(".legend summary")
+    tab.uncheck(".kinds label:has-text('orders') input")
+    assert tab.locator(".edge").count() == 8
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_light_and_dark(opened, scheme: str) -> None:
+    tab = opened(page(mower(), sample()), color_scheme=scheme)
+    lightness = "getComputedStyle(document.body).backgroundColor.match(/\\d+/g).map(Number).reduce((a, b) => a + b)"
+    was_dark = tab.evaluate(lightness) < 200
+    assert was_dark == (scheme == "dark")
+    tab.click("#theme")
+    assert (tab.evaluate(lightness) < 200) != was_dark
+    tab.click("#theme")
+    assert (tab.evaluate(lightness) < 200) == was_dark
+
+
+def test_four_hundred_nodes(opened) -> None:
+    started = time.monotonic()
+    tab = opened(page(crowd(400)))
+    assert tab.locator(".node").count() == 400
+    laid_out = tab.evaluate("(() => { const t = performance.now(); draw(); return performance.now() - t; })()")
+    assert laid_out < 2000
+    found = boxes(tab)
+    room = tab.locator("#canvas").bounding_box()
+    assert all(room["x"] <= box["left"] and box["right"] <= room["x"] + room["width"] for box in found)
+    by_column: dict[float, list[dict]] = {}
+    for box in found:
+        by_column.setdefault(round(box["left"]), []).append(box)
+    for column in by_column.values():
+        column.sort(key=lambda box: box["top"])
+        assert all(above["bottom"] <= below["top"] for above, below in pairwise(column))
+    tab.fill("#search", "launch_39")
+    tab.press("#search", "Enter")
+    assert nodes(tab, ".chosen") == [next(label for label in nodes(tab, ".found"))]
+    assert tab.locator(".node.chosen .label").is_visible()
+    assert time.monotonic() - started < 30
+
+
+def test_no_line_runs_through_a_box(opened) -> None:
+    tab = opened(page(crowd(80)))
+    through = tab.evaluate(
+        """() => drawn.lines.flatMap((line, index) => {
+            const path = line.querySelector(".line");
+            const {from, to} = drawn.links[index];
+            const held = [];
+            for (let at = 4; at < path.getTotalLength() - 4; at += 8) {
+                const {x, y} = path.getPointAtLength(at);
+                drawn.plan.boxes.forEach((box, number) => {
+                    const [right, down] = [x - box.x, y - box.y];
+                    const inside = right > 1 && right < box.width - 1 && down > 1 && down < box.height - 1;
+                    if (inside && number !== from && number !== to) held.push(number);
+                });
+            }
+            return held;
+        })"""
+    )
+    assert through == []
+
+
+def test_names_of_the_tree_do_nothing(opened) -> None:
+    tab = opened(page(hostile(), hostile_report()))
+    assert len(nodes(tab)) == 2
+    choose(tab, "script")
+    assert "alert('1')" in tab.inner_text("#details")
+    assert tab.locator("#finding-0 .locate").count() == 1
+
+
+def test_what_is_empty(opened) -> None:
+    assert "Clear for bring-up" in opened(page(mower(), clean())).inner_text("#findings")
+    assert "No picture" in opened(page({})).inner_text("#picture")
+    tab = opened(page({}, sample()))
+    assert tab.is_hidden("#picture")
+    assert tab.locator(".finding:visible").count() == 8
+
+
+def test_on_a_phone(opened) -> None:
+    tab = opened(page(mower(), sample()), {"width": 390, "height": 844})
+    assert tab.is_visible("#finding-0")
+    assert tab.evaluate("document.documentElement.scrollWidth") <= 390
+    tab.click("[data-show=picture]")
+    assert tab.is_hidden("#finding-0")
+    assert len(nodes(tab)) == 10
+    choose(tab, "/drive")
+    tab.click("#details .close")
+
+
+def test_as_a_list_and_without_scripts(opened) -> None:
+    tab = opened(page(mower(), sample()))
+    tab.click("#words")
+    assert "CYCLONEDDS_URI=" in tab.inner_text("#outline")
+    plain = opened(page(mower(), sample()), java_script_enabled=False)
+    assert plain.is_visible("#finding-0")
+    plain.click("#outline summary")
+    assert "CYCLONEDDS_URI=" in plain.inner_text("#outline")
