@@ -45,6 +45,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.systemd.notify import Notify
     from bringup_lint.graph.systemd.units import Units
     from bringup_lint.graph.systemd.watchdog import Watchdog
+    from bringup_lint.graph.topics.topics import Topics
     from bringup_lint.graph.udev.udev import Udev
     from bringup_lint.graph.ways import Ways
     from bringup_lint.model.dockerfile import Dockerfile
@@ -237,6 +238,13 @@ class Robot:
         from bringup_lint.graph.params.params import load_params
 
         return load_params(self)
+
+    @cached_property
+    def topics(self) -> Topics:
+        """What launched nodes publish and subscribe, under full names."""
+        from bringup_lint.graph.topics.topics import load_topics
+
+        return load_topics(self)
 
     @cached_property
     def accounts(self) -> Accounts:

@@ -61,4 +61,10 @@ class Build:
     plugins: list[Located] = field(default_factory=list)
     """Component classes that are registered."""
     plugins_known: bool = True
+    targets: dict[str, list[str]] = field(default_factory=dict)
+    """The source files of executables and libraries, relative to the folder, as far as they are known."""
+    links: dict[str, list[str]] = field(default_factory=dict)
+    """What targets link."""
+    components: dict[str, str] = field(default_factory=dict)
+    """Component class, or the executable that is made for it, -> the library that holds it."""
     subdirectories: list[str] = field(default_factory=list)

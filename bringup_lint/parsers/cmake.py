@@ -24,6 +24,7 @@ _TOKEN = re.compile(
 )
 _SKIP = re.compile(r"(?:\s+|\#\[(?P<hash>=*)\[.*?\](?P=hash)\]|\#[^\n]*)+", re.S)
 _VARIABLE = re.compile(r"\$\{(\w+)\}")
+_CPP = re.compile(r"\.(?:cpp|cc|cxx|c\+\+|C)$")
 _KEYWORDS = frozenset(
     "DESTINATION RUNTIME LIBRARY ARCHIVE INCLUDES TYPE COMPONENT OPTIONAL PERMISSIONS CONFIGURATIONS RENAME EXPORT"
     " FILES_MATCHING PATTERN REGEX EXCLUDE USE_SOURCE_PERMISSIONS DIRECTORY_PERMISSIONS FILE_PERMISSIONS OBJECTS"
@@ -184,6 +185,21 @@ class Reader:
 
     def do_ament_auto_add_executable(self, command: Command) -> None:
         self.executable(command.arguments[:1])
+        self.target(command)
+
+    def target(self, command: Command) -> None:
+        """``add_executable(name source ...)``, ``add_library(name SHARED source ...)``."""
+        words = [word for word in self.words(command.arguments) if word is not None]
+        if words:
+            files = [str(word) for word in words[1:] if _CPP.search(word)]
+            self.build.targets.setdefault(str(words[0]), []).extend(files)
+
+    do_add_executable = do_add_library = do_ament_auto_add_library = do_target_sources = target
+
+    def do_target_link_libraries(self, command: Command) -> None:
+        words = [str(word) for word in self.words(command.arguments) if word is not None]
+        if words:
+            self.build.links.setdefault(words[0], []).extend(words[1:])
 
     def do_rclcpp_components_register_node(self, command: Command) -> None:
         words = command.arguments
@@ -192,10 +208,18 @@ class Reader:
                 self.plugin(value)
             elif key == "EXECUTABLE":
                 self.executable([value])
+            if key in ("PLUGIN", "EXECUTABLE"):
+                self.component(value, words[0])
 
     def do_rclcpp_components_register_nodes(self, command: Command) -> None:
         for value in command.arguments[1:]:
             self.plugin(value)
+            self.component(value, command.arguments[0])
+
+    def component(self, name: Located, library: Located) -> None:
+        names, libraries = self.words([name]), self.words([library])
+        if len(names) == len(libraries) == 1 and None not in (*names, *libraries):
+            self.build.components[str(names[0])] = str(libraries[0])
 
     def plugin(self, value: Located) -> None:
         for word in self.words([value]):

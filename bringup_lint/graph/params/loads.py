@@ -86,12 +86,12 @@ def _load(
             value = value.file
     if isinstance(value, DictValue):
         return
-    path = _path(launch, value)
+    path = path_of(launch, value)
     if path is not None:
         yield Load(path, node, expansion, where, how, root_key, order, certain, substitutes)
 
 
-def _path(launch: Launch, value: Value) -> str | None:
+def path_of(launch: Launch, value: Value) -> str | None:
     found = launch.find(value)
     if found is not None and found.file is not None:
         return found.file

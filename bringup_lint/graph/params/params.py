@@ -170,14 +170,23 @@ class Params:
         launch = self.robot.launch
         return [load for expansion in launch.expansions for load in loads_in(launch, expansion)]
 
+    def at_path(self, path: str) -> ParameterFile | None:
+        """The file at a path, of the tree or of the robot."""
+        return self._paths.get(path) or self._paths.get(os.path.realpath(path))
+
     @cached_property
-    def _loads(self) -> dict[int, list[Load]]:
-        paths = {}
+    def _paths(self) -> dict[str, ParameterFile]:
+        paths: dict[str, ParameterFile] = {}
         for file in self.files:
             path = os.path.abspath(file.source.name)
             for name in (path, os.path.realpath(path), file.source.robot_path):
                 if name:
                     paths.setdefault(name, file)
+        return paths
+
+    @cached_property
+    def _loads(self) -> dict[int, list[Load]]:
+        paths = self._paths
         found: dict[int, list[Load]] = {}
         real: dict[str, str] = {}
         for load in self._all_loads if paths else ():

@@ -1,0 +1,45 @@
+"""Which publisher and subscription of one topic never match, as rmw and DDS decide it (``qos_check_compatible``)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+from typing import NamedTuple
+
+if TYPE_CHECKING:
+    from bringup_lint.model.node_source import Qos
+
+
+class Conflict(NamedTuple):
+    """A policy of which the publisher offers less than the subscription asks for."""
+
+    policy: str
+    """``reliability``, ``durability``, ``deadline``, ``liveliness`` or ``lease duration``."""
+    offered: str
+    asked: str
+
+
+def conflicts(publisher: Qos, subscription: Qos) -> Iterator[Conflict]:
+    """What keeps the two apart. Policies that are not known, or left to the middleware, are never in conflict; history,
+    depth and lifespan do not matter."""
+    if publisher.reliability == "BEST_EFFORT" and subscription.reliability == "RELIABLE":
+        yield Conflict("reliability", "best effort", "reliable")
+    if publisher.durability == "VOLATILE" and subscription.durability == "TRANSIENT_LOCAL":
+        yield Conflict("durability", "volatile", "transient local")
+    if _longer(publisher.deadline, subscription.deadline):
+        yield Conflict("deadline", _seconds(publisher.deadline), _seconds(subscription.deadline))
+    if publisher.liveliness == "AUTOMATIC" and subscription.liveliness == "MANUAL_BY_TOPIC":
+        yield Conflict("liveliness", "automatic", "manual by topic")
+    if _longer(publisher.lease, subscription.lease):
+        yield Conflict("lease duration", _seconds(publisher.lease), _seconds(subscription.lease))
+
+
+def _longer(offered: float | None, asked: float | None) -> bool:
+    """``float('inf')`` and zero both mean that there is none."""
+    if offered is None or asked is None or asked in (0, float("inf")):
+        return False
+    return offered == 0 or offered > asked
+
+
+def _seconds(duration: float) -> str:
+    return "none" if duration in (0, float("inf")) else f"{duration:g} s"

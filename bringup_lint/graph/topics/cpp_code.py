@@ -1,0 +1,91 @@
+"""From an executable or component of a package to its C++ sources, by what CMakeLists.txt builds them from."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.graph.topics.code import Code
+from bringup_lint.graph.workspace import Package
+from bringup_lint.model.package import Build
+from bringup_lint.parsers.cpp_node import CppNode
+from bringup_lint.parsers.cpp_node import parse
+
+if TYPE_CHECKING:
+    from bringup_lint.robot import Robot
+
+FILES = 40
+"""Files of one program that are read."""
+
+
+class CppCode:
+    def __init__(self, robot: Robot) -> None:
+        self.robot = robot
+        self._known: dict[tuple[str, str], Code | None] = {}
+        self._read: dict[str, CppNode | None] = {}
+
+    def code(self, package: Package, program: str) -> Code | None:
+        """``program``: an executable or component class. None when its sources are not known, or make several nodes."""
+        key = (package.folder, program)
+        if key not in self._known:
+            self._known[key] = self._code(package, program)
+        return self._known[key]
+
+    def _code(self, package: Package, program: str) -> Code | None:
+        for build in package.builds:
+            library = build.components.get(program)
+            if library is not None:
+                plugin = program if "::" in program else _plugin_of(build, library)
+                return _joined(self._component(build, library, plugin)) if plugin else None
+            if program in build.targets:
+                return _joined(self._executable(build, program))
+        return None
+
+    def _executable(self, build: Build, program: str) -> list[CppNode]:
+        own = list(self._nodes(build, program))
+        if any(node.endpoints for node in own):
+            return own
+        libraries = [name for name in build.links.get(program, ()) if name in build.targets]
+        return (
+            own + [node for name in libraries[:1] for node in self._nodes(build, name)] if len(libraries) == 1 else own
+        )
+
+    def _component(self, build: Build, library: str, plugin: str) -> list[CppNode]:
+        """The file that registers the class; the only file of its library when no other is registered in it."""
+        nodes = list(self._nodes(build, library))
+        own = [node for node in nodes if plugin in node.components or plugin.rpartition("::")[2] in node.components]
+        return own if len(own) == 1 and len(own[0].components) == 1 else []
+
+    def _nodes(self, build: Build, target: str) -> Iterator[CppNode]:
+        folder = os.path.dirname(os.path.abspath(build.source.name))
+        for file in build.targets.get(target, ())[:FILES]:
+            path = os.path.normpath(os.path.join(folder, file))
+            if path not in self._read:
+                self._read[path] = self._parse(path)
+            found = self._read[path]
+            if found is not None:
+                yield found
+
+    def _parse(self, path: str) -> CppNode | None:
+        if path not in set(self.robot.tree.named(os.path.basename(path))):
+            return None
+        source = self.robot.tree.read(path, judged=True)
+        if source is None or source.template or "Node" not in source.text:
+            return None
+        return next(iter(self.robot.parsed(parse, [source])), None)
+
+
+def _plugin_of(build: Build, library: str) -> str | None:
+    plugins = [name for name, place in build.components.items() if place == library and "::" in name]
+    return plugins[0] if len(plugins) == 1 else None
+
+
+def _joined(nodes: list[CppNode]) -> Code | None:
+    """One program of several files; nothing when they hold several classes of nodes."""
+    classes = {name for node in nodes for name in node.classes}
+    endpoints = [endpoint for node in nodes for endpoint in node.endpoints]
+    if not nodes or len(classes) > 1 or not endpoints:
+        return None
+    names = [name for node in nodes for name in node.names]
+    return Code(names[0] if len(names) == 1 else None, None, endpoints, False, None, nodes[0].source)

@@ -1,0 +1,30 @@
+"""What topics add to the robot's graph: which node publishes and which subscribes what."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.graph.graph import Edge
+from bringup_lint.graph.graph import Node
+from bringup_lint.graph.launch.edges import ros_node
+
+if TYPE_CHECKING:
+    from bringup_lint.robot import Robot
+
+KINDS = {"publisher": "publishes", "subscription": "subscribes"}
+
+
+def topic_edges(robot: Robot) -> Iterator[Edge]:
+    """``publishes`` and ``subscribes``, from the nodes that the launch layer's edges start to topics. One that only the
+    table of known nodes tells has the node in the launch file as its place."""
+    seen = set()
+    for running in robot.topics.entries:
+        for node in running.nodes:
+            for use in node.uses:
+                edge = Edge(
+                    KINDS[use.role], ros_node(node.started), Node("topic", use.topic), use.where, use.type or use.role
+                )
+                if edge not in seen:
+                    seen.add(edge)
+                    yield edge

@@ -1,0 +1,110 @@
+"""The parameters that a launched node is given, in the order in which they win."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from dataclasses import field
+from typing import TYPE_CHECKING
+from typing import NamedTuple
+
+from bringup_lint.graph.launch.resolve import text_of
+from bringup_lint.graph.launch.started import Started
+from bringup_lint.graph.params.loads import path_of
+from bringup_lint.graph.topics.process_arguments import RosArguments
+from bringup_lint.model.launch_values import DictValue
+from bringup_lint.model.launch_values import Literal
+from bringup_lint.model.launch_values import ParameterFile
+from bringup_lint.model.launch_values import TypedValue
+from bringup_lint.model.launch_values import Value
+from bringup_lint.model.params import matches
+from bringup_lint.source import Span
+
+if TYPE_CHECKING:
+    from bringup_lint.robot import Robot
+
+
+class Given(NamedTuple):
+    """A value, None when it is not known, and where it is written."""
+
+    value: str | int | float | bool | list | None
+    where: Span
+
+
+@dataclass(eq=False)
+class GivenParameters:
+    values: dict[str, Given] = field(default_factory=dict)
+    open: bool = False
+    """More may be given than is known."""
+
+    def forget(self) -> None:
+        self.values.clear()
+        self.open = True
+
+
+def given_parameters(robot: Robot, node: Started, fqn: str | None, arguments: RosArguments) -> GivenParameters:
+    """What a node is given when its launch file is started without arguments."""
+    found = GivenParameters(open=not arguments.known)
+    for name, text, where in arguments.parameters:
+        found.values[name] = Given(_plain(text), where)
+    for source in node.parameters:
+        if isinstance(source, DictValue):
+            _inline(found, source, "")
+        elif not _file(robot, found, source, fqn):
+            found.forget()
+    return found
+
+
+def _plain(text: str) -> str | None:
+    """A word that YAML reads as the text it is; everything else is left open."""
+    from bringup_lint.parsers.param_scalar import scalar
+
+    value = scalar(text, "", "") if text and text[0] not in "[{\"'!&*" else None
+    return value.data if value is not None else None
+
+
+def _inline(found: GivenParameters, values: DictValue, prefix: str) -> None:
+    for key, value in values.items:
+        name = text_of(key)
+        if name is None:
+            found.forget()
+            continue
+        inner = value.value if isinstance(value, TypedValue) else value
+        if isinstance(inner, DictValue):
+            _inline(found, inner, f"{prefix}{name}.")
+        else:
+            data = inner.value if isinstance(inner, Literal) else None
+            found.values[prefix + name] = Given(str(data) if isinstance(data, str) else data, value.span)
+    if values.open:
+        found.forget()
+
+
+def _file(robot: Robot, found: GivenParameters, source: Value, fqn: str | None) -> bool:
+    """Whether what a file gives is known."""
+    value = source.file if isinstance(source, ParameterFile) else source
+    path = path_of(robot.launch, value)
+    file = robot.params.at_path(path) if path is not None else None
+    if file is None or file.uncertain or not file.accepted or file.source.template:
+        return False
+    for block in file.blocks:
+        if fqn is None and "*" not in block.name:
+            return False
+        if fqn is not None and not matches(block.name, fqn):
+            continue
+        if fqn is None and block.name.strip("/") != "**":
+            return False
+        for parameter in block.parameters:
+            data = parameter.value.data
+            known = not (isinstance(data, str) and "$(" in data)
+            found.values[parameter.name] = Given(data if known else None, parameter.span)
+    return True
+
+
+def names(given: GivenParameters, pattern: str) -> Iterator[str]:
+    """The parameters that a pattern means: ``*`` is a number, or a part between dots."""
+    head, _, rest = pattern.partition("*")
+    for name in given.values:
+        if name.startswith(head) and name.endswith(rest) and len(name) > len(head) + len(rest):
+            middle = name[len(head) : len(name) - len(rest)]
+            if middle.isdigit() if not rest else "." not in middle:
+                yield name

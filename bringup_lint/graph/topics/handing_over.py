@@ -1,0 +1,43 @@
+"""Nodes that hand themselves to code which may make endpoints for them unseen."""
+
+from __future__ import annotations
+
+import ast
+
+from bringup_lint.model.node_source import NodeClass
+from bringup_lint.model.node_source import NodeSource
+
+HARMLESS = (
+    "rclpy.",
+    "tf2_ros.",
+    "super",
+    "threading.",
+    "isinstance",
+    "id",
+    "print",
+    "str",
+    "repr",
+    "hasattr",
+    "getattr",
+)
+"""What makes no endpoints of its own, or only those that are known."""
+
+
+def hands_itself_over(node: NodeClass, file: NodeSource) -> bool:
+    """Whether a class gives itself to a function or class that is not known."""
+    if node.node is None:
+        return True
+    for call in ast.walk(node.node):
+        if isinstance(call, ast.Call) and any(_is_self(value) for value in _values(call)):
+            name = file.qualified(call.func) or ""
+            if not name.startswith(HARMLESS):
+                return True
+    return False
+
+
+def _values(call: ast.Call) -> list[ast.expr]:
+    return [*call.args, *(keyword.value for keyword in call.keywords)]
+
+
+def _is_self(value: ast.expr) -> bool:
+    return isinstance(value, ast.Name) and value.id == "self"

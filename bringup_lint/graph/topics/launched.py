@@ -1,0 +1,179 @@
+"""The topics of one launched node: what its source or the table says, put through namespace, parameters, remappings."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from bringup_lint.graph.launch.resolve import text_of
+from bringup_lint.graph.launch.started import Started
+from bringup_lint.graph.launch.started import literal_text
+from bringup_lint.graph.topics.given import GivenParameters
+from bringup_lint.graph.topics.given import given_parameters
+from bringup_lint.graph.topics.given import names
+from bringup_lint.graph.topics.known import KnownNode
+from bringup_lint.graph.topics.known import KnownTopic
+from bringup_lint.graph.topics.known import known_node
+from bringup_lint.graph.topics.names import expand
+from bringup_lint.graph.topics.names import full_complaint
+from bringup_lint.graph.topics.overrides import overridden
+from bringup_lint.graph.topics.process_arguments import RosArguments
+from bringup_lint.graph.topics.process_arguments import ros_arguments
+from bringup_lint.graph.topics.remapping import Remapping
+from bringup_lint.graph.topics.remapping import node_name
+from bringup_lint.graph.topics.remapping import node_namespace
+from bringup_lint.graph.topics.remapping import remap
+from bringup_lint.graph.topics.remapping import remapping
+from bringup_lint.graph.topics.use import LaunchedNode
+from bringup_lint.graph.topics.use import Use
+from bringup_lint.source import Located
+from bringup_lint.source import Span
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.topics.code import Code
+    from bringup_lint.model.node_source import Endpoint
+    from bringup_lint.model.node_source import Qos
+    from bringup_lint.robot import Robot
+
+TOPICS = ("publisher", "subscription")
+
+
+def launched(robot: Robot, started: Started, code: Code | None) -> LaunchedNode:
+    """``code``: what the sources of the tree say about what is started."""
+    return _Reader(robot, started, code).node()
+
+
+class _Reader:
+    def __init__(self, robot: Robot, started: Started, code: Code | None) -> None:
+        self.started = started
+        self.code = code
+        self.arguments: RosArguments = ros_arguments(started)
+        self.rules = list(_rules(started, self.arguments))
+        self.known_rules = self.arguments.known and len(self.rules) == len(self.arguments.remappings) + len(
+            started.remappings
+        )
+        own = code.name if code is not None else None
+        self.name = node_name(self.rules, literal_text(started.name) if started.name is not None else own)
+        space = started.namespace
+        if code is not None and code.namespace is not None and space in (None, "/"):
+            space = None
+        self.namespace = node_namespace(self.rules, space, own)
+        fqn = f"{self.namespace.rstrip('/')}/{self.name}" if self.name and self.namespace else None
+        self.given: GivenParameters = given_parameters(robot, started, fqn, self.arguments)
+
+    def node(self) -> LaunchedNode:
+        node = LaunchedNode(self.started, self.name, self.namespace)
+        if self.code is not None:
+            node.complete = self.code.complete
+            node.node_class = self.code.node_class
+            for endpoint in self.code.endpoints:
+                if endpoint.role in TOPICS:
+                    node.complete &= self.from_source(node, endpoint)
+            settle(node)
+            return node
+        known = self.from_table()
+        if known is None:
+            return node
+        node.complete = known.complete
+        for topic in known.topics:
+            node.complete &= self.add_known(node, topic)
+        return node
+
+    def from_table(self) -> KnownNode | None:
+        program = literal_text(self.started.plugin) or literal_text(self.started.executable)
+        return known_node(str(literal_text(self.started.package)), str(program))
+
+    def from_source(self, node: LaunchedNode, endpoint: Endpoint) -> bool:
+        """Whether the endpoint's full name is known."""
+        written: Located | str | None = endpoint.name
+        given = None
+        if endpoint.parameter is not None:
+            written, given = self.parameter(str(endpoint.parameter), endpoint.name)
+        if written is None:
+            return False
+        use = self.use(node, endpoint.role, written, endpoint.type, endpoint.qos, endpoint.span)
+        if use is None:
+            return False
+        use.given = given
+        use.implied, use.conditional, use.lifecycle = endpoint.implied, endpoint.conditional, endpoint.lifecycle
+        node.uses.append(overridden(use, self.given))
+        return True
+
+    def parameter(self, name: str, default: Located | None) -> tuple[Located | str | None, Span | None]:
+        if name in self.given.values:
+            value, where = self.given.values[name]
+            return (value, where) if isinstance(value, str) and value else (None, None)
+        return (None, None) if self.given.open else (default, None)
+
+    def add_known(self, node: LaunchedNode, topic: KnownTopic) -> bool:
+        found = list(self.known_names(topic))
+        for name, where in found:
+            use = self.use(node, topic.role, name, topic.type, _qos(topic, self.started.span), self.started.span)
+            if use is None:
+                return False
+            use.given, use.of_table = where, True
+            node.uses.append(overridden(use, self.given))
+        return bool(found) or not topic.parameter
+
+    def known_names(self, topic: KnownTopic) -> Iterator[tuple[str, Span | None]]:
+        if not topic.parameter:
+            yield topic.name, None
+        elif "*" in topic.parameter:
+            for name in names(self.given, topic.parameter):
+                value, where = self.given.values[name]
+                if isinstance(value, str) and value:
+                    yield value, where
+        else:
+            value, where = self.parameter(topic.parameter, None)
+            if value is not None:
+                yield value, where
+            elif topic.name and not self.given.open and topic.parameter not in self.given.values:
+                yield topic.name, None
+
+    def use(
+        self, node: LaunchedNode, role: str, written: str, type_: str | None, qos: Qos | None, where: Span
+    ) -> Use | None:
+        full = expand(written, self.name, self.namespace)
+        if full is None or full_complaint(full) or not self.known_rules:
+            return None
+        name, by = remap(self.rules, full, self.name, self.namespace)
+        if name is None or full_complaint(name):
+            return None
+        return Use(role, name, type_, qos, node, where, written, by)
+
+
+def settle(node: LaunchedNode) -> None:
+    """What a node makes in one way or another, as a parameter decides, is not known: types and profiles that differ."""
+    groups: dict[tuple[str, str], list[Use]] = {}
+    for use in node.uses:
+        groups.setdefault((use.role, use.topic), []).append(use)
+    for uses in groups.values():
+        if len({use.type for use in uses}) > 1:
+            for use in uses:
+                use.type = None
+        if len({use.qos and replace(use.qos, span=node.started.span) for use in uses}) > 1:
+            for use in uses:
+                use.qos = None
+
+
+def _rules(started: Started, arguments: RosArguments) -> Iterator[Remapping]:
+    """Those of the command line stand before those of launch."""
+    yield from arguments.remappings
+    for source, target in started.remappings:
+        before, after = text_of(source), text_of(target)
+        if before is None:
+            continue
+        rule = remapping(f"{before}:={after if after is not None else 'unknown'}", target.span)
+        if rule is not None:
+            yield rule if after is not None else rule._replace(replacement=None)
+
+
+def _qos(topic: KnownTopic, where: Span) -> Qos | None:
+    from bringup_lint.model.node_source import INFINITE
+    from bringup_lint.model.node_source import Qos
+
+    if topic.reliability is None:
+        return None
+    policies = (topic.reliability, topic.durability, "KEEP_LAST", topic.depth)
+    return Qos(where, *policies, deadline=INFINITE, liveliness="AUTOMATIC", lease=INFINITE)

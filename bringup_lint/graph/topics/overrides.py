@@ -1,0 +1,32 @@
+"""Quality of service that parameters decide: ``qos_overrides``."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.topics.given import GivenParameters
+    from bringup_lint.graph.topics.use import Use
+
+POLICIES = {"reliability": "reliability", "durability": "durability", "history": "history", "depth": "depth"}
+ALLOWED = ("/tf", "/tf_static")
+"""Topics of tf2, whose publishers and subscriptions take overrides of these policies."""
+
+
+def overridden(use: Use, given: GivenParameters) -> Use:
+    """The use with the policies that ``qos_overrides.<topic>.<role>.<policy>`` gives; they count only where the node
+    allows them, so that elsewhere a policy that is overridden is not known."""
+    prefix = f"qos_overrides.{use.topic}.{use.role}"
+    for name, (value, where) in given.values.items():
+        if use.qos is None or not name.startswith(prefix) or name[len(prefix) : len(prefix) + 1] not in (".", "_"):
+            continue
+        policy = name.rpartition(".")[2]
+        certain = name == f"{prefix}.{policy}" and use.topic in ALLOWED and policy in POLICIES
+        known = value.upper() if isinstance(value, str) else value
+        if policy in POLICIES:
+            use.qos = replace(use.qos, **{POLICIES[policy]: known if certain else None})
+            use.qos_parameter = where if certain else None
+        else:
+            use.qos = replace(use.qos, deadline=None, liveliness=None, lease=None)
+    return use

@@ -1,0 +1,78 @@
+"""Remapping rules as rcl applies them: node, namespace and topics; the first rule that matches wins."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from typing import NamedTuple
+
+from bringup_lint.graph.topics.names import expand
+from bringup_lint.source import Span
+
+_RULE = re.compile(
+    r"(?:(?P<node>\w+):(?!=|//))?(?P<kind>rostopic://|rosservice://)?(?P<match>[\w/~]+):=(?P<to>[\w/~]+)", re.A
+)
+NODE = ("__node", "__name")
+NAMESPACE = "__ns"
+
+
+class Remapping(NamedTuple):
+    """``match:=replacement``, for one node of the process when it names one."""
+
+    match: str
+    replacement: str | None
+    """None when it is not known."""
+    node: str | None
+    kind: str
+    """``topic``, ``service``, or ``any``."""
+    where: Span | None
+
+
+def remapping(text: str, where: Span | None = None) -> Remapping | None:
+    """A rule as ``-r`` takes it; None when rcl does not read it."""
+    found = _RULE.fullmatch(text)
+    if found is None:
+        return None
+    kind = {"rostopic://": "topic", "rosservice://": "service"}.get(found["kind"] or "", "any")
+    return Remapping(found["match"], found["to"], found["node"], kind, where)
+
+
+def node_name(rules: Iterable[Remapping], name: str | None) -> str | None:
+    """What a node is called in the end; ``name`` is what its code calls it. None when that is not known."""
+    return _renamed(rules, NODE, name, name)
+
+
+def node_namespace(rules: Iterable[Remapping], namespace: str | None, name: str | None) -> str | None:
+    return _renamed(rules, (NAMESPACE,), namespace, name)
+
+
+def _renamed(rules: Iterable[Remapping], matches: tuple[str, ...], before: str | None, name: str | None) -> str | None:
+    for rule in rules:
+        if rule.match in matches and rule.node in (None, name):
+            return rule.replacement
+        if rule.match in matches and name is None:
+            return None
+    return before
+
+
+class Remapped(NamedTuple):
+    name: str | None
+    """None when it is not known."""
+    by: Remapping | None
+
+
+def remap(rules: Iterable[Remapping], full: str, node: str | None, namespace: str | None) -> Remapped:
+    """The name under which a topic of a node is really known; ``full`` is its expanded name."""
+    for rule in rules:
+        if rule.kind == "service" or rule.match in (*NODE, NAMESPACE):
+            continue
+        if rule.node is not None and rule.node != node:
+            if node is None and expand(rule.match, None, namespace) in (None, full):
+                return Remapped(None, rule)
+            continue
+        match = expand(rule.match, node, namespace)
+        if match is None and (node is None or namespace is None):
+            return Remapped(None, rule)
+        if match == full:
+            return Remapped(rule.replacement and expand(rule.replacement, node, namespace), rule)
+    return Remapped(full, None)

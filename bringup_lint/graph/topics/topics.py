@@ -1,0 +1,129 @@
+"""The topic layer: what every launched node publishes and subscribes, and which nodes run together."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cached_property
+from itertools import product
+from typing import TYPE_CHECKING
+
+from bringup_lint.graph.launch.expand import Expansion
+from bringup_lint.graph.launch.started import Started
+from bringup_lint.graph.launch.started import exclusive
+from bringup_lint.graph.topics import names
+from bringup_lint.graph.topics.code import Code
+from bringup_lint.graph.topics.code import code_of
+from bringup_lint.graph.topics.compatible import Conflict
+from bringup_lint.graph.topics.compatible import conflicts
+from bringup_lint.graph.topics.cpp_code import CppCode
+from bringup_lint.graph.topics.launched import launched
+from bringup_lint.graph.topics.use import LaunchedNode
+from bringup_lint.graph.topics.use import Pair
+from bringup_lint.graph.topics.use import Running
+from bringup_lint.graph.topics.use import Use
+
+if TYPE_CHECKING:
+    from bringup_lint.model.node_source import Endpoint
+    from bringup_lint.robot import Robot
+
+CPP = (".cpp", ".cc", ".cxx", ".hpp", ".h")
+
+
+class Topics:
+    def __init__(self, robot: Robot) -> None:
+        self.robot = robot
+        self._cpp = CppCode(robot)
+        self._launched: dict[int, LaunchedNode] = {}
+
+    @cached_property
+    def entries(self) -> list[Running]:
+        """What each launch file starts that no other one includes."""
+        return [self._running(expansion) for expansion in self.robot.launch.entries]
+
+    def code(self, started: Started) -> Code | None:
+        """What the tree's sources say about a launched program."""
+        return code_of(self.robot, started, self._cpp)
+
+    def node(self, started: Started) -> LaunchedNode:
+        if id(started) not in self._launched:
+            self._launched[id(started)] = launched(self.robot, started, self.code(started))
+        return self._launched[id(started)]
+
+    def _running(self, expansion: Expansion) -> Running:
+        running = Running(expansion.entry.source.name)
+        running.nodes = [self.node(started) for started in expansion.nodes if started.is_node]
+        others = any(not started.is_node for started in expansion.nodes)
+        running.complete = not (expansion.open or others) and all(node.complete for node in running.nodes)
+        return running
+
+    @staticmethod
+    def types_differ(publisher: Use, subscription: Use) -> bool:
+        return None not in (publisher.type, subscription.type) and publisher.type != subscription.type
+
+    @staticmethod
+    def does(use: Use) -> str:
+        return "publishes" if use.role == "publisher" else "subscribes"
+
+    @staticmethod
+    def conflicts(publisher: Use, subscription: Use) -> Iterator[Conflict]:
+        """Where the publisher offers less than the subscription asks for, as far as both are known."""
+        if publisher.qos is not None and subscription.qos is not None:
+            yield from conflicts(publisher.qos, subscription.qos)
+
+    @staticmethod
+    def refusal(name: str) -> str | None:
+        """Why a topic or service name is refused wherever the node stands; None when it is not."""
+        unknown = None if names.complaint(name) else names.unknown_substitution(name)
+        if unknown is not None:
+            return f"'{unknown}' is no substitution"
+        full = names.expand(name, "n", "/")
+        return names.complaint(name) or (names.full_complaint(full) if full is not None else None)
+
+    @property
+    def endpoints(self) -> Iterator[Endpoint]:
+        """Every endpoint in the sources of nodes, of tests none: all of Python, of C++ what launch files start."""
+        for node in self.robot.nodes.classes:
+            if self.robot.nodes.purpose(node.source) != "test":
+                yield from node.endpoints
+        seen = set()
+        for running in self.entries:
+            for node in running.nodes:
+                code = self.code(node.started)
+                if code is not None and code.node_class is None and id(code) not in seen:
+                    seen.add(id(code))
+                    yield from (each for each in code.endpoints if each.span.source.name.endswith(CPP))
+
+    @cached_property
+    def pairs(self) -> list[Pair]:
+        """Publishers and subscriptions of one topic that run together when launch files are started without arguments,
+        each once."""
+        found: dict[tuple, Pair] = {}
+        for running in self.entries:
+            for uses in running.by_topic().values():
+                publishers = [use for use in uses if use.role == "publisher"]
+                subscriptions = [use for use in uses if use.role == "subscription"]
+                for publisher, subscription in product(publishers, subscriptions):
+                    if together(publisher.node, subscription.node):
+                        found.setdefault(_places(publisher, subscription), Pair(publisher, subscription))
+        return list(found.values())
+
+
+def _places(*uses: Use) -> tuple:
+    return tuple((id(use.where.source), use.where.start, use.topic) for use in uses)
+
+
+def together(one: LaunchedNode, other: LaunchedNode) -> bool:
+    """Whether two nodes both start when no argument is passed."""
+    both = one.started.by_default is True and other.started.by_default is True
+    return one is other or (both and not exclusive(one.started, other.started))
+
+
+def load_topics(robot: Robot) -> Topics:
+    return Topics(robot)
+
+
+def velocity_topics(running: Running) -> Iterator[tuple[str, list[Use]]]:
+    """The topics of one robot by which something commands its motion."""
+    for topic, uses in running.by_topic().items():
+        if topic.rpartition("/")[2].startswith("cmd_vel"):
+            yield topic, uses

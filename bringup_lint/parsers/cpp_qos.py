@@ -1,0 +1,81 @@
+"""Quality of service as C++ sources write it: a number, a profile of rclcpp, and the calls that change it."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+
+from bringup_lint.model.node_source import INFINITE
+from bringup_lint.model.node_source import Qos
+from bringup_lint.source import Span
+
+_NUMBER = re.compile(r"\d+[uUlL]*\Z")
+_PROFILE = re.compile(r"(?:rclcpp::)?(?P<name>\w*QoS)\s*[({](?P<inner>[^(){}]*(?:[({][^(){}]*[)}])?[^(){}]*)[)}]")
+_CALL = re.compile(r"\.\s*(?P<name>\w+)\s*\((?P<inner>[^()]*)\)\s*")
+_DEPTH = re.compile(r"(?:(?:rclcpp::)?KeepLast\s*[({]\s*)?(?P<depth>\d+)[uUlL]*\s*[)}]?\Z")
+_PRESETS = {
+    "SensorDataQoS": ("BEST_EFFORT", "VOLATILE", 5),
+    "SystemDefaultsQoS": ("SYSTEM_DEFAULT", "SYSTEM_DEFAULT", None),
+    "ServicesQoS": ("RELIABLE", "VOLATILE", 10),
+    "ParametersQoS": ("RELIABLE", "VOLATILE", 1000),
+    "ParameterEventsQoS": ("RELIABLE", "VOLATILE", 1000),
+    "BestAvailableQoS": ("BEST_AVAILABLE", "BEST_AVAILABLE", None),
+}
+_CHANGES = {
+    "reliable": {"reliability": "RELIABLE"},
+    "best_effort": {"reliability": "BEST_EFFORT"},
+    "reliability_best_available": {"reliability": "BEST_AVAILABLE"},
+    "transient_local": {"durability": "TRANSIENT_LOCAL"},
+    "durability_volatile": {"durability": "VOLATILE"},
+    "durability_best_available": {"durability": "BEST_AVAILABLE"},
+    "keep_all": {"history": "KEEP_ALL", "depth": None},
+    "keep_last": {"history": "KEEP_LAST", "depth": None},
+    "history": {"history": None, "depth": None},
+    "reliability": {"reliability": None},
+    "durability": {"durability": None},
+    "deadline": {"deadline": None},
+    "liveliness": {"liveliness": None},
+    "liveliness_lease_duration": {"lease": None},
+    "lifespan": {},
+    "avoid_ros_namespace_conventions": {},
+}
+
+
+def quality(text: str, span: Span) -> Qos | None:
+    """The profile that an expression makes; None when it is not understood."""
+    text = text.strip()
+    if _NUMBER.match(text):
+        return _made(span, "RELIABLE", "VOLATILE", int(text.rstrip("uUlL")))
+    profile = _PROFILE.match(text)
+    if profile is None:
+        return None
+    found = _profile(profile["name"], profile["inner"].strip(), span)
+    at = profile.end()
+    while found is not None and text[at:].strip():
+        call = _CALL.match(text, at)
+        if call is None or call["name"] not in _CHANGES:
+            return None
+        found = replace(found, **_CHANGES[call["name"]])
+        at = call.end()
+    return found
+
+
+def _profile(name: str, inner: str, span: Span) -> Qos | None:
+    if name in _PRESETS:
+        reliability, durability, depth = _PRESETS[name]
+        number = _DEPTH.match(inner)
+        return _made(span, reliability, durability, int(number["depth"]) if number else depth if not inner else None)
+    if name != "QoS":
+        return None
+    number = _DEPTH.match(inner)
+    if number:
+        return _made(span, "RELIABLE", "VOLATILE", int(number["depth"]))
+    if re.match(r"(?:rclcpp::)?KeepAll\s*[({]", inner):
+        return replace(_made(span, "RELIABLE", "VOLATILE", None), history="KEEP_ALL")
+    return None
+
+
+def _made(span: Span, reliability: str, durability: str, depth: int | None) -> Qos:
+    return Qos(
+        span, reliability, durability, "KEEP_LAST", depth, deadline=INFINITE, liveliness="AUTOMATIC", lease=INFINITE
+    )
