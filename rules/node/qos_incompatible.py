@@ -1,0 +1,62 @@
+"""A publisher and a subscription of one topic whose quality of service never matches.
+
+## What it finds
+Two nodes that one launch file starts, of which one publishes and the other subscribes the same topic, under its full
+name after namespaces, parameters and remappings. The publisher offers less than the subscription asks for: best
+effort against reliable, volatile against transient local, a longer deadline or lease duration, or automatic against
+manual liveliness. Profiles come from Python and C++ sources, from `qos_overrides` in parameters, and from a table of
+common drivers; where any part is not known, nothing is said.
+
+## Why it matters on a robot
+The two find each other and are never connected. No message arrives and nothing fails: the only sign is one warning
+at startup.
+
+## Bad
+```python
+self.create_publisher(LaserScan, "scan", qos_profile_sensor_data)     # in the driver: best effort
+self.create_subscription(LaserScan, "scan", self.on_scan, 10)         # in the safety node: reliable
+```
+
+## Good
+```python
+self.create_subscription(LaserScan, "scan", self.on_scan, qos_profile_sensor_data)
+```
+
+## References
+- ROS 2 documentation, "Quality of Service settings", compatibilities
+- `rclpy.qos.qos_check_compatible`
+- https://github.com/ros2/rviz/issues/1122
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule(
+    "error",
+    symptoms=[
+        "offering incompatible QoS. No messages will be received from it",
+        "requesting incompatible QoS. No messages will be sent to it",
+        "Last incompatible policy: RELIABILITY",
+    ],
+)
+def qos_incompatible(robot: Robot):
+    for publisher, subscription in robot.topics.pairs:
+        conflict = next(robot.topics.conflicts(publisher, subscription), None)
+        if conflict is None or robot.topics.types_differ(publisher, subscription):
+            continue
+        own, other = (publisher, subscription) if subscription.of_table else (subscription, publisher)
+        words = {id(publisher): "offers", id(subscription): "asks for"}
+        yield finding(
+            own.qos_place,
+            f"{publisher.node.label()} publishes {publisher.topic} with {conflict.policy} '{conflict.offered}', "
+            f"{subscription.node.label()} asks for '{conflict.asked}': none of its messages ever arrives",
+            advice=f"give both sides the same {conflict.policy}, or let the subscription ask for less",
+            related=[
+                note(other.qos_place, f"{other.node.label()} {words[id(other)]} it here"),
+                note(own.node.started.span, f"{own.node.label()} is started here"),
+                *([] if other.of_table else [note(other.node.started.span, f"{other.node.label()} is started here")]),
+            ],
+        )

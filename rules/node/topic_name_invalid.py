@@ -1,0 +1,61 @@
+"""A topic name that rcl refuses.
+
+## What it finds
+The literal name of a publisher, subscription, service or client in a Python or C++ node that is no valid topic name:
+a character other than letters, digits, `_` and `/`, a part that begins with a digit, a `/` at its end, `//`, a `~`
+that is not at the beginning, or a substitution other than `{node}`, `{ns}` and `{namespace}`. Names may have 247
+characters once they are expanded.
+
+## Why it matters on a robot
+The call raises an exception, in the constructor as a rule: the node never starts.
+
+## Bad
+```python
+self.create_publisher(Image, "camera-1/image", 10)
+```
+
+## Good
+```python
+self.create_publisher(Image, "camera_1/image", 10)
+```
+
+## References
+- `rcl_validate_topic_name`, `rmw_validate_full_topic_name` (tried with rclpy of Jazzy)
+- https://design.ros2.org/articles/topic_and_service_names.html
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+ROLES = {"publisher": "topic", "subscription": "topic", "service": "service", "client": "service"}
+
+
+@rule(
+    "error",
+    fix="unsafe",
+    symptoms=[
+        "Invalid topic name: topic name must not contain characters other than alphanumerics",
+        "InvalidTopicNameException",
+    ],
+)
+def topic_name_invalid(robot: Robot):
+    for endpoint in robot.topics.endpoints:
+        if endpoint.role not in ROLES or endpoint.name is None:
+            continue
+        reason = robot.topics.refusal(endpoint.name)
+        if reason is not None:
+            better = re.sub(r"/+", "/", re.sub(r"[^A-Za-z0-9_/~{}]", "_", endpoint.name)).rstrip("/")
+            good = better and robot.topics.refusal(better) is None
+            yield finding(
+                endpoint.name,
+                f"'{endpoint.name}' is no valid {ROLES[endpoint.role]} name, {reason}: the node exits when it "
+                f"creates the {endpoint.role}",
+                advice=f"write '{better}'"
+                if good
+                else "use letters, digits, '_' and '/' only, and no part that begins with a digit",
+                fix=fix(f"rename it to '{better}'", (endpoint.name, better), safe=False) if good else None,
+            )

@@ -1,0 +1,50 @@
+"""One topic with two message types.
+
+## What it finds
+Two nodes that one launch file starts, of which one publishes and the other subscribes the same topic, under its full
+name, with different message types. Types that depend on a parameter (`Twist` or `TwistStamped`) are left alone.
+
+## Why it matters on a robot
+DDS connects endpoints only when name and type agree. No message arrives, and neither node says a word.
+
+## Bad
+```python
+self.create_publisher(Twist, "cmd_vel", 10)                              # in the planner
+self.create_subscription(TwistStamped, "cmd_vel", self.on_command, 10)   # in the base
+```
+
+## Good
+```python
+self.create_publisher(TwistStamped, "cmd_vel", 10)
+```
+
+## References
+- DDS 1.4, 2.2.3 (topics match by name and type)
+- https://design.ros2.org/articles/topic_and_service_names.html
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error")
+def topic_type_mismatch(robot: Robot):
+    for publisher, subscription in robot.topics.pairs:
+        if not robot.topics.types_differ(publisher, subscription):
+            continue
+        own, other = (publisher, subscription) if subscription.of_table else (subscription, publisher)
+        if own.of_table or own.conditional_source or other.conditional_source:
+            continue
+        yield finding(
+            own.where,
+            f"{publisher.topic} is {publisher.type} for {publisher.node.label()} and {subscription.type} for "
+            f"{subscription.node.label()}: no message ever arrives",
+            advice="use one type on both sides, or two topics with a node that converts",
+            related=[
+                note(other.where, f"{other.node.label()} {robot.topics.does(other)} it as {other.type}"),
+                note(own.node.started.span, f"{own.node.label()} is started here"),
+                *([] if other.of_table else [note(other.node.started.span, f"{other.node.label()} is started here")]),
+            ],
+        )
