@@ -28,6 +28,7 @@ _WORDS = {
     "all_respawn": "bringup_lint.graph.launch.of_units",
     "at_least": "bringup_lint.graph.ros_distros",
     "commands_of": "bringup_lint.parsers.dockerfile",
+    "daemon_rules": "bringup_lint.daemon_rules",
     "daemons": "bringup_lint.graph.host.daemons",
     "delete_lines": "bringup_lint.graph.systemd.unit_edits",
     "devices_of": "bringup_lint.graph.launch.of_units",

@@ -12,6 +12,7 @@ import json
 import re
 import shlex
 import shutil
+import textwrap
 from pathlib import Path
 
 import pytest
@@ -99,3 +100,14 @@ def test_commands_run(command: str, tmp_path: Path) -> None:
     arguments = [ELSEWHERE.get(word, word) for word in shlex.split(command)]
     run = lint(*arguments, cwd=tmp_path / "robot")
     assert run.code in (0, 1) and "bringup-lint: " not in run.stderr, run.stderr
+
+
+def test_rule_of_the_way_in_works(tmp_path: Path) -> None:
+    text = (PROJECT / "CONTRIBUTING.md").read_text("utf-8")
+    block = text.partition("   ```python\n")[2].partition("\n   ```\n\n   The docstring")[0]
+    rule = tmp_path / "rules" / "systemd" / "no_tabs.py"
+    rule.parent.mkdir(parents=True)
+    rule.write_text(textwrap.dedent(block), "utf-8")
+    (tmp_path / "rover.service").write_text('[Service]\nExecStart=/usr/bin/rover "front\tleft"\n', "utf-8")
+    run = lint("--rules", "rules", "--select", "systemd/no-tabs", "--output-format", "concise", ".", cwd=tmp_path)
+    assert run.stdout == "rover.service:2:11: warning[systemd/no-tabs] What will happen on the robot\n"

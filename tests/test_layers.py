@@ -17,7 +17,7 @@ LAYERS = (
     {"cli"},
     {"engine"},
     {"fix", "baseline", "suppress", "config", "registry"},
-    {"report", "live"},
+    {"report", "live", "daemon_rules"},
     {"api"},
     {"robot"},
     {"graph"},

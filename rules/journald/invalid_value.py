@@ -24,20 +24,10 @@ SystemMaxUse=1G
 """
 
 from bringup_lint.api import Robot
-from bringup_lint.api import daemons
-from bringup_lint.api import finding
-from bringup_lint.api import fix
+from bringup_lint.api import daemon_rules
 from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["Failed to parse", "ignoring:"])
 def invalid_value(robot: Robot):
-    for daemon in robot.journald:
-        for assignment, problem in daemons.bad_values(daemon, robot.target.newest):
-            text = problem.suggestion
-            yield finding(
-                problem.where,
-                f"{assignment.key}= takes {problem.expected}, not '{problem.where}': journald ignores the line",
-                advice=f"write {text or problem.expected}",
-                fix=fix(f"write {text}", (problem.where, text), safe=problem.safe) if text else None,
-            )
+    yield from daemon_rules.invalid_values(robot.journald, robot.target)

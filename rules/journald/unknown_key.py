@@ -26,31 +26,10 @@ SystemMaxUse=1G
 """
 
 from bringup_lint.api import Robot
-from bringup_lint.api import daemons
-from bringup_lint.api import finding
-from bringup_lint.api import fix
-from bringup_lint.api import nearest
+from bringup_lint.api import daemon_rules
 from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["Unknown key name", "Unknown lvalue"])
 def unknown_key(robot: Robot):
-    for daemon in robot.journald:
-        for assignment in daemons.unknown_keys(daemon):
-            key = assignment.key
-            meant = nearest(key, daemons.setting_names(daemon.name))
-            yield finding(
-                key,
-                f"Unknown key '{key}' in [Journal]: journald ignores the line",
-                advice=f"did you mean {meant[0]}?" if meant else "remove the line, or see journald.conf(5)",
-                fix=fix(f"rename to {meant[0]}", (key, meant[0])) if len(meant) == 1 else None,
-            )
-        target = robot.target
-        for assignment, since in daemons.newer_keys(daemon, target.systemd) if target.systemd_known else ():
-            yield finding(
-                assignment.key,
-                f"{assignment.key}= needs systemd {since}; the robot has {target.systemd} ({target.systemd_why}), "
-                "which ignores it",
-                advice=f"remove the line, or update to systemd {since}",
-                severity="warning",
-            )
+    yield from daemon_rules.unknown_keys(robot.journald, robot.target)

@@ -26,22 +26,10 @@ SystemMaxUse=1G
 """
 
 from bringup_lint.api import Robot
-from bringup_lint.api import daemons
-from bringup_lint.api import finding
-from bringup_lint.api import fix
+from bringup_lint.api import daemon_rules
 from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["Unknown section"])
 def unknown_section(robot: Robot):
-    for daemon in robot.journald:
-        known = daemons.setting_names(daemon.name)
-        for section in daemons.other_sections(daemon):
-            keys = [assignment.key for assignment in section.assignments]
-            change = fix("rename to [Journal]", (section.name, "Journal"))
-            yield finding(
-                section.name,
-                f"journald reads [Journal] only: [{section.name}] is ignored",
-                advice="rename it to [Journal]",
-                fix=change if keys and all(key in known for key in keys) else None,
-            )
+    yield from daemon_rules.unknown_sections(robot.journald)

@@ -24,20 +24,10 @@ RemoveIPC=no
 """
 
 from bringup_lint.api import Robot
-from bringup_lint.api import daemons
-from bringup_lint.api import finding
-from bringup_lint.api import fix
+from bringup_lint.api import daemon_rules
 from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["Assignment outside of section"])
 def no_header(robot: Robot):
-    for daemon in robot.logind:
-        for first, count in daemons.headless(daemon):
-            what = "this line is" if count == 1 else f"these {count} lines are"
-            yield finding(
-                first,
-                f"Without [Login] above, {what} ignored",
-                advice="put [Login] above",
-                fix=fix("insert [Login]", (first.part(0, 0), "[Login]\n")),
-            )
+    yield from daemon_rules.lines_without_section(robot.logind)

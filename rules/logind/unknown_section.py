@@ -26,22 +26,10 @@ RemoveIPC=no
 """
 
 from bringup_lint.api import Robot
-from bringup_lint.api import daemons
-from bringup_lint.api import finding
-from bringup_lint.api import fix
+from bringup_lint.api import daemon_rules
 from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["Unknown section"])
 def unknown_section(robot: Robot):
-    for daemon in robot.logind:
-        known = daemons.setting_names(daemon.name)
-        for section in daemons.other_sections(daemon):
-            keys = [assignment.key for assignment in section.assignments]
-            change = fix("rename to [Login]", (section.name, "Login"))
-            yield finding(
-                section.name,
-                f"logind reads [Login] only: [{section.name}] is ignored",
-                advice="rename it to [Login]",
-                fix=change if keys and all(key in known for key in keys) else None,
-            )
+    yield from daemon_rules.unknown_sections(robot.logind)

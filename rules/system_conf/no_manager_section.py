@@ -24,20 +24,10 @@ RuntimeWatchdogSec=20s
 """
 
 from bringup_lint.api import Robot
-from bringup_lint.api import daemons
-from bringup_lint.api import finding
-from bringup_lint.api import fix
+from bringup_lint.api import daemon_rules
 from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["Assignment outside of section"])
 def no_manager_section(robot: Robot):
-    for daemon in robot.system_conf:
-        for first, count in daemons.headless(daemon):
-            what = "this line is" if count == 1 else f"these {count} lines are"
-            yield finding(
-                first,
-                f"Without [Manager] above, {what} ignored",
-                advice="put [Manager] above",
-                fix=fix("insert [Manager]", (first.part(0, 0), "[Manager]\n")),
-            )
+    yield from daemon_rules.lines_without_section(robot.system_conf)

@@ -26,22 +26,10 @@ RuntimeWatchdogSec=20s
 """
 
 from bringup_lint.api import Robot
-from bringup_lint.api import daemons
-from bringup_lint.api import finding
-from bringup_lint.api import fix
+from bringup_lint.api import daemon_rules
 from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["Unknown section"])
 def unknown_section(robot: Robot):
-    for daemon in robot.system_conf:
-        known = daemons.setting_names(daemon.name)
-        for section in daemons.other_sections(daemon):
-            keys = [assignment.key for assignment in section.assignments]
-            change = fix("rename to [Manager]", (section.name, "Manager"))
-            yield finding(
-                section.name,
-                f"systemd reads [Manager] only: [{section.name}] is ignored",
-                advice="rename it to [Manager]",
-                fix=change if keys and all(key in known for key in keys) else None,
-            )
+    yield from daemon_rules.unknown_sections(robot.system_conf)

@@ -1,0 +1,80 @@
+"""The rules that journald.conf, system.conf and logind.conf share: what their daemons cannot read."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from collections.abc import Iterator
+
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.finding import Finding
+from bringup_lint.graph.host import daemons
+from bringup_lint.graph.host.daemons import Daemon
+from bringup_lint.graph.target import Target
+from bringup_lint.spelling import nearest
+
+PROGRAMS = {"journald": "journald", "system": "systemd", "logind": "logind"}
+MANUALS = {"journald": "journald.conf(5)", "system": "systemd-system.conf(5)", "logind": "logind.conf(5)"}
+
+
+def invalid_values(configurations: Iterable[Daemon], target: Target) -> Iterator[Finding]:
+    """A value that does not follow the grammar of its key."""
+    for daemon in configurations:
+        for assignment, problem in daemons.bad_values(daemon, target.newest):
+            text, program = problem.suggestion, PROGRAMS[daemon.name]
+            yield finding(
+                problem.where,
+                f"{assignment.key}= takes {problem.expected}, not '{problem.where}': {program} ignores the line",
+                advice=f"write {text or problem.expected}",
+                fix=fix(f"write {text}", (problem.where, text), safe=problem.safe) if text else None,
+            )
+
+
+def unknown_keys(configurations: Iterable[Daemon], target: Target) -> Iterator[Finding]:
+    """A key that no release knows, or not yet the robot's."""
+    for daemon in configurations:
+        for assignment in daemons.unknown_keys(daemon):
+            key = assignment.key
+            meant = nearest(key, daemons.setting_names(daemon.name))
+            yield finding(
+                key,
+                f"Unknown key '{key}' in [{daemon.section}]: {PROGRAMS[daemon.name]} ignores the line",
+                advice=f"did you mean {meant[0]}?" if meant else f"remove the line, or see {MANUALS[daemon.name]}",
+                fix=fix(f"rename to {meant[0]}", (key, meant[0])) if len(meant) == 1 else None,
+            )
+        for assignment, since in daemons.newer_keys(daemon, target.systemd) if target.systemd_known else ():
+            yield finding(
+                assignment.key,
+                f"{assignment.key}= needs systemd {since}; the robot has {target.systemd} ({target.systemd_why}), "
+                "which ignores it",
+                advice=f"remove the line, or update to systemd {since}",
+                severity="warning",
+            )
+
+
+def unknown_sections(configurations: Iterable[Daemon]) -> Iterator[Finding]:
+    """A section other than the daemon's own."""
+    for daemon in configurations:
+        known, own = daemons.setting_names(daemon.name), daemon.section
+        for section in daemons.other_sections(daemon):
+            keys = [assignment.key for assignment in section.assignments]
+            change = fix(f"rename to [{own}]", (section.name, own))
+            yield finding(
+                section.name,
+                f"{PROGRAMS[daemon.name]} reads [{own}] only: [{section.name}] is ignored",
+                advice=f"rename it to [{own}]",
+                fix=change if keys and all(key in known for key in keys) else None,
+            )
+
+
+def lines_without_section(configurations: Iterable[Daemon]) -> Iterator[Finding]:
+    """Lines above the first section header."""
+    for daemon in configurations:
+        for first, count in daemons.headless(daemon):
+            what = "this line is" if count == 1 else f"these {count} lines are"
+            yield finding(
+                first,
+                f"Without [{daemon.section}] above, {what} ignored",
+                advice=f"put [{daemon.section}] above",
+                fix=fix(f"insert [{daemon.section}]", (first.part(0, 0), f"[{daemon.section}]\n")),
+            )
