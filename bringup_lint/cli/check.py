@@ -118,6 +118,10 @@ def deliver(
         save_baseline(outcome, robot, options["write_baseline"])
     known = take_known(outcome, robot, config)
     report = report_of(outcome, robot, config, started, known)
+    if any(output.format == "html" for output in outputs):
+        from bringup_lint.report.picture.document import picture
+
+        report = dataclasses.replace(report, picture=picture(robot.graph, outcome.findings))
     for output in outputs:
         colour = output.file is None and wants_colour(options["colour"])
         write(render(output.format, dataclasses.replace(report, colour=colour)), output.file)

@@ -14,7 +14,7 @@ from bringup_lint.cli.options import target_options
 from bringup_lint.cli.outputs import write
 from bringup_lint.config import ConfigError
 
-FORMATS = ("dot", "json")
+FORMATS = ("dot", "html", "json")
 UNSET = dict.fromkeys(("select", "ignore"), ()) | dict.fromkeys(
     ("min_severity", "fail_on", "baseline", "stdin_filename")
 )

@@ -10,7 +10,7 @@ const SIZE = {
   low: 24, high: 38, roomy: 60, gap: 8, track: 7,
   margin: 14, between: 12, corridor: 42, crowd: 1.1, broad: 150, arrow: 7, rank: 16,
 };
-const ROWS = [5, 6, 8, 10, 12, 14, 17, 20, 24, 28, 33, 39, 46, 54, 64];
+const ROWS = [1, 2, 3, 4, 5, 6, 8, 10, 12, 14, 17, 20, 24, 28, 33, 39, 46, 54, 64];
 const SWEEPS = 14;
 const STEPS = 6;
 
@@ -76,24 +76,26 @@ function fill(groups, rows) {
     }
     const parts = Math.ceil(items.length / rows);
     const size = Math.ceil(items.length / parts);
-    for (let part = 0; part < parts; part++) columns.push({ layer, items: items.slice(part * size, (part + 1) * size), shared: 0 });
+    for (let part = 0; part < parts; part++) {
+      columns.push({ layer, items: items.slice(part * size, (part + 1) * size), shared: 0, split: part > 0 });
+    }
   }
   return columns;
 }
 
-/* How large the drawing can be shown, a little less where steps share a column. */
+/* How large the drawing can be shown, a little less where steps share a column or take several. */
 function worth(groups, nodes, room) {
-  let [width, rows, shared] = [0, 0, 0];
+  let [width, rows, odd] = [0, 0, 0];
   for (const columns of groups) {
     width += 2 * SIZE.margin + SIZE.between - SIZE.corridor;
     for (const column of columns) {
       width += Math.max(SIZE.narrow, ...column.items.map((item) => widthOf(nodes[item.index]))) + SIZE.corridor * 1.4;
       rows = Math.max(rows, column.items.length);
-      shared += column.shared;
+      odd += column.shared + column.split;
     }
   }
   const height = rows * ((nodes.length <= SIZE.roomy ? SIZE.high : SIZE.low) + SIZE.gap) * 1.2;
-  return Math.min(1.1, room.width / width, room.height / height) * (1 - Math.min(0.25, 0.02 * shared));
+  return Math.min(1.1, room.width / width, room.height / height) * (1 - Math.min(0.25, 0.02 * odd));
 }
 
 function byName(a, b) {
