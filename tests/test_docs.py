@@ -98,6 +98,8 @@ def commands() -> list[str]:
 def test_commands_run(command: str, tmp_path: Path) -> None:
     shutil.copytree(PROJECT / "docs" / "example", tmp_path / "robot")
     arguments = [ELSEWHERE.get(word, word) for word in shlex.split(command)]
+    if arguments[0] == "live":
+        arguments.append("--help")  # which robot would be running here?
     run = lint(*arguments, cwd=tmp_path / "robot")
     assert run.code in (0, 1) and "bringup-lint: " not in run.stderr, run.stderr
 
