@@ -59,6 +59,7 @@ def words(text: str) -> list[list[str]]:
         ("f() { a; }", [["a"]]),
         ("(a; b)", [["a"], ["b"]]),
         ("a \\\n b", [["a", "b"]]),
+        ("a\vb\fc\u2003d e", [["a\vb\fc\u2003d", "e"]]),
     ],
 )
 def test_commands(text: str, expected: list[list[str]]) -> None:

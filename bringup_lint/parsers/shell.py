@@ -18,7 +18,7 @@ _PREFIXES = _OPENING | {"!", "time"}
 ASSIGNMENT = re.compile(r"[A-Za-z_][A-Za-z0-9_]*\+?=")
 _OPERATOR = re.compile(r"&&|\|\||;;&?|;&|\|&|&>>?|<<<|<<-?|<>|<&|>&|>>|>\||[;&|<>()\n]")
 REDIRECTS = frozenset({"<", ">", ">>", "<&", ">&", "<>", ">|", "&>", "&>>", "<<<"})
-_PLAIN = re.compile(r"[^\s\\'\"`$;&|<>()#]+")
+_PLAIN = re.compile(r"[^ \t\r\n\\'\"`$;&|<>()#]+")
 
 
 class Token(NamedTuple):
@@ -179,7 +179,7 @@ def _line_end(text: str, at: int) -> int:
 
 
 def _delimiter(text: str, at: int) -> tuple[int, str]:
-    match = re.compile(r"[ \t]*(?:'([^'\n]*)'|\"([^\"\n]*)\"|\\?([^\s;&|<>()]*))").match(text, at)
+    match = re.compile(r"[ \t]*(?:'([^'\n]*)'|\"([^\"\n]*)\"|\\?([^ \t\r\n;&|<>()]*))").match(text, at)
     return match.end(), next((group for group in match.groups() if group is not None), "")
 
 
