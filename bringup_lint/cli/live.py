@@ -183,7 +183,7 @@ def wonders(robot: Robot, graph: dict[str, Any]) -> bool:
     from bringup_lint.graph.living.tools import is_tool
 
     names = {name for name, _ in graph["nodes"] if not is_tool(name)}
-    must = {node.name for node in expected(robot).must}
+    must = expected(robot).must
     return not names & must if must else not names
 
 

@@ -4,7 +4,8 @@
 Nodes that are started on every boot (by a launch file that an installed unit or a compose service runs, without
 condition or under one that holds by default) and that the running graph does not show. Without a unit or
 service the only launch file of the tree counts, or what `--launch` names. Programs that do their work and end
-are left out.
+are left out; so are other robots and variants in a repository: the units of one place, and the services of one
+compose file, count when a node that only they start is there, or when nothing is there at all.
 
 ## Why it matters on a robot
 The process list looks full and the robot misses an eye: the node crashed, was never started, or answers to
@@ -27,8 +28,6 @@ nodes:
 - ROS 2 documentation, "Understanding nodes"
 """
 
-from itertools import groupby
-
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -41,17 +40,17 @@ CRASHED = "look at its log: it crashed or was never started"
 def node_missing(robot: Robot):
     living = robot.living
     domain = living.seen.domain
-    for entry, group in groupby(living.missing, key=lambda node: node.entry):
-        nodes = list(group)
-        wanted = [node for node in living.expected.must if node.entry is entry]
-        if len(nodes) == len(wanted) > 1 and not any(living.namesake(node.name) for node in nodes):
-            yield finding(
-                entry.where,
-                f"none of the {len(nodes)} nodes that {entry.who or 'this launch file'} starts runs on domain {domain}",
-                advice="see whether it runs at all, and in which domain",
-                related=[note(node.where, f"{node.name} is started here") for node in nodes[:5]],
-            )
-            continue
+    if living.missing and not living.names & living.expected.must:
+        entry, nodes = next(iter(living.missing.items()))
+        count = sum(map(len, living.missing.values()))
+        yield finding(
+            entry.where,
+            f"none of the {count} nodes that the files start runs on domain {domain}",
+            advice="see whether anything was started at all, and in which domain",
+            related=[note(node.where, f"{node.name} is started here") for node in nodes[:5]],
+        )
+        return
+    for nodes in living.missing.values():
         for node in nodes:
             other = living.namesake(node.name)
             yield finding(

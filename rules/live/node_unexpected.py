@@ -37,7 +37,8 @@ def node_unexpected(robot: Robot):
     living = robot.living
     if living.expected.gaps or not living.expected.nodes:
         return
-    told = {str(other.name) for node in living.missing if (other := living.namesake(node.name))}
+    missing = [node for nodes in living.missing.values() for node in nodes]
+    told = {str(other.name) for node in missing if (other := living.namesake(node.name))}
     for node in {str(node.name): node for node in living.nodes}.values():
         if node.name in told or living.accounts_for(node):
             continue

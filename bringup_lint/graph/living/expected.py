@@ -7,17 +7,20 @@ from collections.abc import Iterable
 from collections.abc import Iterator
 from dataclasses import dataclass
 from dataclasses import field
+from dataclasses import replace
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 
 from bringup_lint.finding import Related
 from bringup_lint.graph.environment.effective import Environment
 from bringup_lint.graph.launch.expand import Expansion
+from bringup_lint.graph.launch.launch import SIMULATION
 from bringup_lint.graph.launch.lifecycle import full_name
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.living.tools import OPEN_ENDED
 from bringup_lint.graph.living.tools import PASSING
+from bringup_lint.graph.living.tools import is_tool
 from bringup_lint.graph.systemd.process import Ros
 from bringup_lint.graph.systemd.process import ros_command
 from bringup_lint.model.launch import LaunchFile
@@ -30,6 +33,7 @@ from bringup_lint.source import Located
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.systemd.unit import Unit
     from bringup_lint.model.compose import Service
     from bringup_lint.robot import Robot
 
@@ -62,8 +66,16 @@ class Entry:
     who: str
     """``robot.service``, ``service 'driver'``; empty for a launch file that nothing of the tree starts."""
     runs: bool
-    """Whether it runs on a robot that has come up."""
+    """Whether it runs on a robot that has come up, unless another entry runs in its place."""
+    group: str = ""
+    """What comes up together: the units of one place, the services of one compose file."""
+    unit: Unit | None = None
     environment: Environment | None = None
+
+    @property
+    def simulates(self) -> bool:
+        """Whether its name says that it stands in for the robot, or for hardware."""
+        return bool(SIMULATION.search(self.who.replace("'", "/").lower()) or SIMULATION.search(self.where.path.lower()))
 
 
 @dataclass(eq=False)
@@ -75,13 +87,18 @@ class Expected:
     """Nothing tells which of several launch files runs."""
 
     @property
-    def must(self) -> list[ExpectedNode]:
-        """The nodes that run on a robot that has come up, each name once."""
-        found: dict[str, ExpectedNode] = {}
+    def must(self) -> frozenset[str]:
+        """The names of all nodes that run on a robot that has come up."""
+        return frozenset(node.name for node in self.nodes if node.must)
+
+    @property
+    def entries(self) -> dict[Entry, list[ExpectedNode]]:
+        """What runs on a robot that has come up, with the nodes that it must have started."""
+        found: dict[Entry, list[ExpectedNode]] = {}
         for node in self.nodes:
             if node.must:
-                found.setdefault(node.name, node)
-        return list(found.values())
+                found.setdefault(node.entry, []).append(node)
+        return found
 
     def named(self, name: str) -> ExpectedNode | None:
         """The node of a name; one that must run before one that may."""
@@ -121,7 +138,7 @@ def _commanded(robot: Robot, result: Expected, command: str) -> None:
     passed = (word.partition(":=") for word in words if ":=" in word)
     arguments = {name: Literal(Located(value, file.source.whole), file.source.whole) for name, _, value in passed}
     expansion = robot.launch.expand(file, arguments)
-    _nodes(robot, result, Entry(file.entry or file.source.whole, "", True), expansion)
+    _nodes(robot, result, Entry(file.entry or file.source.whole, "", True, command), expansion)
 
 
 def launch_file(robot: Robot, named: list[str]) -> LaunchFile | None:
@@ -147,7 +164,7 @@ def _programs(robot: Robot, result: Expected) -> Iterator[tuple[Entry, Ros]]:
                 programs = [(step, ros) for step, ros in process.ros if ros.kind in ("launch", "run", "node")]
                 for _, ros in programs:
                     environment = units.environment(unit)
-                    yield Entry(ros.where.span, unit.name, runs, environment), ros
+                    yield Entry(ros.where.span, unit.name, runs, f"{unit.manager} {unit.place}", unit, environment), ros
                 if process.mentions_ros and (process.opaque or not programs):
                     result.gaps.append((unit.where, f"what {unit.name} starts is not known to the end"))
     for service in robot.compose.services if robot.of_kind("compose") else ():
@@ -167,7 +184,8 @@ def _of_service(robot: Robot, result: Expected, service: Service) -> Iterator[tu
     environment = next((each.environment for each in robot.ros.processes if each.service is service), None)
     runs = service.get("profiles") is None
     for ros in programs:
-        yield Entry(ros.where.span, f"service '{service.name}'", runs, environment), ros
+        group = service.source.name
+        yield Entry(ros.where.span, f"service '{service.name}'", runs, group, environment=environment), ros
     if not programs:
         result.gaps.append((service.name.span, f"what service '{service.name}' starts is not known"))
 
@@ -180,13 +198,16 @@ def _program(robot: Robot, result: Expected, entry: Entry, ros: Ros) -> None:
             return
         passed = ((word, word.find(":=")) for word in ros.arguments)
         arguments = {str(word[:at]): _passed(word.part(at + 2, len(word))) for word, at in passed if at > 0}
-        _nodes(robot, result, entry, robot.launch.expand(file, arguments))
+        if entry.simulates or robot.launch.simulated(file):
+            _nodes(robot, Expected(result.nodes), replace(entry, runs=False), robot.launch.expand(file, arguments))
+        else:
+            _nodes(robot, result, entry, robot.launch.expand(file, arguments))
         return
     name = _run_name(ros.arguments)
     if name is None:
         result.gaps.append((entry.where, "the name of this node stands in its code"))
     else:
-        result.nodes.append(ExpectedNode(name, entry.where, entry.runs, entry))
+        result.nodes.append(ExpectedNode(name, entry.where, entry.runs and not entry.simulates, entry))
 
 
 def _passed(word: Located) -> Value:
@@ -218,6 +239,7 @@ def _nodes(robot: Robot, result: Expected, entry: Entry, expansion: Expansion) -
             result.gaps.append((node.span, "this node brings along others"))
         must = entry.runs and node.by_default is True and not _loops(node) and node.action.key not in ended
         must = must and all(isinstance(action, Timer) for action in node.context) and not _passes(node)
+        must = must and not is_tool(name)
         result.nodes.append(ExpectedNode(name, _place(node), must, entry, node))
 
 

@@ -16,6 +16,7 @@ from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.living.domains import Domain
 from bringup_lint.graph.living.domains import configured
 from bringup_lint.graph.living.domains import of_environment
+from bringup_lint.graph.living.expected import Entry
 from bringup_lint.graph.living.expected import Expected
 from bringup_lint.graph.living.expected import ExpectedNode
 from bringup_lint.graph.living.expected import expected
@@ -65,14 +66,40 @@ class LivingRobot:
         return configured(self.robot)
 
     @cached_property
-    def missing(self) -> list[ExpectedNode]:
+    def missing(self) -> dict[Entry, list[ExpectedNode]]:
         """The nodes that must run on this domain, do not, and are not seen on another one either."""
+        found = {}
         others = {str(node.name) for nodes in self.elsewhere.values() for node in nodes}
-        return [node for node in self.expected.must if node.name not in self.names | others and self._is_here(node)]
+        for entry in self.due:
+            nodes = {node.name: node for node in self.expected.entries[entry]}
+            absent = [node for name, node in nodes.items() if name not in self.names | others]
+            if absent:
+                found[entry] = absent
+        return found
 
-    def _is_here(self, node: ExpectedNode) -> bool:
-        domain = of_environment(node.entry.environment)
+    @cached_property
+    def due(self) -> list[Entry]:
+        """The entries that must have come up on this domain: all; but where several places of a repository start nodes,
+        which may be robots or variants of their own, only those that come up together with one that did."""
+        here = [entry for entry in self.expected.entries if self._is_here(entry)]
+        up = [entry for entry in here if self._is_up(entry)]
+        groups = {entry.group for entry in (here if self.robot.tree.complete or not up else up)}
+        return [
+            entry for entry in here if entry.group in groups and not any(self._conflict(entry, each) for each in up)
+        ]
+
+    def _is_here(self, entry: Entry) -> bool:
+        domain = of_environment(entry.environment)
         return domain is None or domain.number == self.seen.domain
+
+    def _is_up(self, entry: Entry) -> bool:
+        """Whether a node runs that no other place of the tree starts."""
+        others = [node for each, nodes in self.expected.entries.items() if each.group != entry.group for node in nodes]
+        own = {node.name for node in self.expected.entries[entry]}
+        return bool((own - {node.name for node in others} or own) & self.names)
+
+    def _conflict(self, entry: Entry, other: Entry) -> bool:
+        return bool(entry.unit and other.unit and self.robot.units.conflict(entry.unit, other.unit))
 
     @cached_property
     def duplicates(self) -> list[list[RunningNode]]:
