@@ -11,6 +11,7 @@ import pytest
 
 from bringup_lint.live import run as live_run
 from bringup_lint.live.text import graph_text
+from bringup_lint.model.node_source import INFINITE
 from bringup_lint.parsers.living import parse
 from bringup_lint.source import Source
 from tests.conftest import PROJECT
@@ -112,7 +113,9 @@ def test_what_was_seen_is_read_again() -> None:
     ]
     (endpoint,) = living.endpoints
     assert endpoint.publishes
-    assert endpoint.qos == ("RELIABLE", "VOLATILE", 0.5, "AUTOMATIC", None)
+    qos = endpoint.qos
+    assert (qos.reliability, qos.durability, qos.deadline) == ("RELIABLE", "VOLATILE", 0.5)
+    assert (qos.liveliness, qos.lease) == ("AUTOMATIC", INFINITE)
     assert [(domain, [node.name for node in nodes]) for domain, nodes in living.elsewhere] == [(0, ["/b"])]
 
 

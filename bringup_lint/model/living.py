@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import NamedTuple
 
+from bringup_lint.model.node_source import Qos
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
@@ -20,21 +21,6 @@ class RunningNode(NamedTuple):
     @property
     def bare(self) -> str:
         return self.name.rpartition("/")[2]
-
-
-class Qos(NamedTuple):
-    """What DDS matches endpoints by; ``None`` is not known, for durations: no limit."""
-
-    reliability: str | None = None
-    """``RELIABLE`` or ``BEST_EFFORT``."""
-    durability: str | None = None
-    """``VOLATILE`` or ``TRANSIENT_LOCAL``."""
-    deadline: float | None = None
-    """Seconds."""
-    liveliness: str | None = None
-    """``AUTOMATIC`` or ``MANUAL_BY_TOPIC``."""
-    lease: float | None = None
-    """Seconds."""
 
 
 class Endpoint(NamedTuple):

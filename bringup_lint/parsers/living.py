@@ -6,8 +6,9 @@ from collections.abc import Iterator
 
 from bringup_lint.model.living import Endpoint
 from bringup_lint.model.living import Living
-from bringup_lint.model.living import Qos
 from bringup_lint.model.living import RunningNode
+from bringup_lint.model.node_source import INFINITE
+from bringup_lint.model.node_source import Qos
 from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.parsers import yaml_nodes
 from bringup_lint.source import Located
@@ -71,20 +72,25 @@ def _endpoints(root: Mapping) -> Iterator[Endpoint]:
 
 def _qos(item: Mapping) -> Qos:
     """What is not written is the default: no deadline, automatic liveliness, no lease."""
-    reliability, durability = (_upper(_text(item, key)) for key in ("reliability", "durability"))
-    liveliness = _upper(_text(item, "liveliness")) or "AUTOMATIC"
-    return Qos(reliability, durability, _seconds(item, "deadline"), liveliness, _seconds(item, "lease"))
+    return Qos(
+        item.span,
+        _upper(_text(item, "reliability")),
+        _upper(_text(item, "durability")),
+        deadline=_seconds(item, "deadline"),
+        liveliness=_upper(_text(item, "liveliness")) or "AUTOMATIC",
+        lease=_seconds(item, "lease"),
+    )
 
 
 def _upper(text: Located | None) -> str | None:
     return text.upper() if text else None
 
 
-def _seconds(item: Mapping, key: str) -> float | None:
+def _seconds(item: Mapping, key: str) -> float:
     try:
-        return float(_text(item, key) or "")
+        return float(_text(item, key) or INFINITE)
     except ValueError:
-        return None
+        return INFINITE
 
 
 def _elsewhere(root: Mapping) -> Iterator[tuple[int, tuple[RunningNode, ...]]]:

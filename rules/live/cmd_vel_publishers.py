@@ -47,10 +47,10 @@ def cmd_vel_publishers(robot: Robot):
         first, *others = reversed(sources.values())
         names = ", ".join(str(each.node) for each in (first, *others))
         yield finding(
-            living.end(first),
+            living.named_at(first),
             f"{len(sources)} nodes publish {topic.name} ({names}): the base obeys whoever spoke last",
             advice="give each a topic of its own and let a mux with priorities (twist_mux) publish the result",
-            related=[note(living.end(each), f"{each.node} publishes it too") for each in others],
+            related=[note(living.named_at(each), f"{each.node} publishes it too") for each in others],
         )
 
 

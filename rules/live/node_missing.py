@@ -40,9 +40,9 @@ CRASHED = "look at its log: it crashed or was never started"
 def node_missing(robot: Robot):
     living = robot.living
     domain = living.seen.domain
-    if living.missing and not living.names & living.expected.must:
+    count = len({node.name for nodes in living.missing.values() for node in nodes})
+    if count > 1 and not living.names & living.expected.must:
         entry, nodes = next(iter(living.missing.items()))
-        count = sum(map(len, living.missing.values()))
         yield finding(
             entry.where,
             f"none of the {count} nodes that the files start runs on domain {domain}",

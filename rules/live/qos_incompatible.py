@@ -39,9 +39,9 @@ def qos_incompatible(robot: Robot):
         for publisher, subscription, conflicts in topic.pairs:
             offers = " and ".join(words(each.policy, each.offered) for each in conflicts)
             asks = " and ".join(words(each.policy, each.asked) for each in conflicts)
-            where = living.end(subscription)
+            where = living.profile_at(subscription)
             related = [
-                note(living.end(publisher), f"{publisher.node} publishes"),
+                note(living.profile_at(publisher), f"{publisher.node} publishes"),
                 note(publisher.topic, f"offers {offers}"),
                 note(subscription.topic, f"asks for {asks}"),
             ]

@@ -38,18 +38,19 @@ def topic_typo(robot: Robot):
         topic = publisher.topic
         differs = " (only the namespace differs)" if why == "namespace" else ""
         yield finding(
-            living.end(subscription),
+            living.named_at(subscription),
             f"nobody publishes {subscription.topic}, which {subscription.node} waits for; "
             f"{publisher.node} publishes {topic}{differs}",
             advice=f"use one name, or remap {subscription.topic} to {topic}",
             related=[
                 note(place, said)
                 for place, said in (
-                    (living.end(publisher), f"{publisher.node} publishes {topic}"),
+                    (living.named_at(publisher), f"{publisher.node} publishes {topic}"),
                     (subscription.topic, "waited for"),
                     (topic, "published"),
                 )
-                if place not in (living.end(subscription), *((living.end(publisher),) if said == "published" else ()))
+                if place
+                not in (living.named_at(subscription), *((living.named_at(publisher),) if said == "published" else ()))
             ],
             confidence="medium",
         )

@@ -7,13 +7,10 @@ import os
 import random
 import time
 from collections.abc import Iterator
-from itertools import product
 from pathlib import Path
 
 import pytest
 
-from bringup_lint.graph.living.compatible import conflicts
-from bringup_lint.model.living import Qos
 from tests.lint import Run
 from tests.lint import lint
 from tests.oracles.live_nodes import running
@@ -209,42 +206,3 @@ def test_a_middleware_that_is_not_installed_is_told_in_one_line(
     assert run.code == 2
     assert "rmw_gurumdds_cpp" in run.stderr.splitlines()[-1]
     assert "Traceback" not in run.stderr
-
-
-def profiles() -> Iterator[Qos]:
-    limits = (None, 0.1, 0.5)
-    for values in product(
-        ("RELIABLE", "BEST_EFFORT"), ("VOLATILE", "TRANSIENT_LOCAL"), limits, ("AUTOMATIC", "MANUAL_BY_TOPIC"), limits
-    ):
-        yield Qos(*values)
-
-
-def real(qos: Qos):
-    from rclpy.duration import Duration
-    from rclpy.qos import DurabilityPolicy
-    from rclpy.qos import LivelinessPolicy
-    from rclpy.qos import QoSProfile
-    from rclpy.qos import ReliabilityPolicy
-
-    limits = {"deadline": qos.deadline, "liveliness_lease_duration": qos.lease}
-    return QoSProfile(
-        depth=1,
-        reliability=ReliabilityPolicy[qos.reliability],
-        durability=DurabilityPolicy[qos.durability],
-        liveliness=LivelinessPolicy[qos.liveliness],
-        **{name: Duration(seconds=value) for name, value in limits.items() if value is not None},
-    )
-
-
-def test_endpoints_match_as_rmw_says() -> None:
-    from rclpy.qos import QoSCompatibility
-    from rclpy.qos import qos_check_compatible
-
-    made = [(each, real(each)) for each in profiles()]
-    wrong = [
-        (offered, asked)
-        for (offered, real_offered), (asked, real_asked) in product(made, made)
-        if bool(list(conflicts(offered, asked)))
-        != (qos_check_compatible(real_offered, real_asked)[0] == QoSCompatibility.ERROR)
-    ]
-    assert wrong == []

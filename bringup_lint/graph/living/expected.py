@@ -23,12 +23,12 @@ from bringup_lint.graph.living.tools import PASSING
 from bringup_lint.graph.living.tools import is_tool
 from bringup_lint.graph.systemd.process import Ros
 from bringup_lint.graph.systemd.process import ros_command
+from bringup_lint.graph.topics.process_arguments import ros_arguments
 from bringup_lint.model.launch import LaunchFile
 from bringup_lint.model.launch import Timer
 from bringup_lint.model.launch_values import Literal
 from bringup_lint.model.launch_values import Unknown
 from bringup_lint.model.launch_values import Value
-from bringup_lint.model.launch_values import walk
 from bringup_lint.source import Located
 from bringup_lint.source import Span
 
@@ -203,9 +203,9 @@ def _program(robot: Robot, result: Expected, entry: Entry, ros: Ros) -> None:
         else:
             _nodes(robot, result, entry, robot.launch.expand(file, arguments))
         return
-    name = _run_name(ros.arguments)
+    name = _run_name(ros.arguments, _own_name(robot, ros))
     if name is None:
-        result.gaps.append((entry.where, "the name of this node stands in its code"))
+        result.gaps.append((entry.where, "the name of this node is not known here"))
     else:
         result.nodes.append(ExpectedNode(name, entry.where, entry.runs and not entry.simulates, entry))
 
@@ -214,10 +214,18 @@ def _passed(word: Located) -> Value:
     return Unknown("a variable", word.span) if "$" in word or "%" in word else Literal(word, word.span)
 
 
-def _run_name(words: Iterable[Located]) -> str | None:
-    """The full name that ``--ros-args -r __node:=x -r __ns:=/y`` gives."""
+def _own_name(robot: Robot, ros: Ros) -> str | None:
+    """What a program of the tree calls its only node."""
+    program = robot.nodes.program(str(ros.package), str(ros.target)) if ros.kind == "run" else None
+    if program is None or len(program.classes) != 1 or program.classes[0].namespace is not None:
+        return None
+    return program.classes[0].node_name
+
+
+def _run_name(words: Iterable[Located], own: str | None) -> str | None:
+    """The full name, as ``--ros-args -r __node:=x -r __ns:=/y`` changes it."""
     given = dict(word.split(":=", 1) for word in words if word.startswith(("__node:=", "__ns:=")))
-    name, namespace = given.get("__node"), given.get("__ns", "/")
+    name, namespace = given.get("__node", own), given.get("__ns", "/")
     if name is None or "$" in name + namespace or not namespace.startswith("/"):
         return None
     return f"{namespace.rstrip('/')}/{name}"
@@ -231,7 +239,8 @@ def _nodes(robot: Robot, result: Expected, entry: Entry, expansion: Expansion) -
         if not node.is_node:
             result.gaps.append((node.span, "this process may be a node"))
             continue
-        name = None if _renamed(node) else full_name(node, robot.launch.role(node))
+        name = robot.topics.node(node).fqn or full_name(node, robot.launch.role(node))
+        name = name if ros_arguments(node).known else None
         if name is None:
             result.gaps.append((node.span, "the name of this node is not known here"))
             continue
@@ -241,12 +250,6 @@ def _nodes(robot: Robot, result: Expected, entry: Entry, expansion: Expansion) -
         must = must and all(isinstance(action, Timer) for action in node.context) and not _passes(node)
         must = must and not is_tool(name)
         result.nodes.append(ExpectedNode(name, _place(node), must, entry, node))
-
-
-def _renamed(node: Started) -> bool:
-    """Whether the arguments may give the node another name."""
-    words = [value.text for argument in node.arguments for value in walk(argument) if isinstance(value, Literal)]
-    return any("__node" in word or "__ns" in word or "__name" in word for word in words)
 
 
 def _passes(node: Started) -> bool:

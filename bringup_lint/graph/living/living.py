@@ -26,6 +26,7 @@ from bringup_lint.graph.living.topics import Meant
 from bringup_lint.graph.living.topics import Topic
 from bringup_lint.graph.living.topics import meant
 from bringup_lint.graph.living.topics import topics
+from bringup_lint.graph.topics.use import Use
 from bringup_lint.model.living import Endpoint
 from bringup_lint.model.living import Living
 from bringup_lint.model.living import RunningNode
@@ -133,14 +134,32 @@ class LivingRobot:
             return known.where
         return next((node.name.span for node in self.seen.nodes if node.name == name), self.seen.source.whole)
 
-    def end(self, endpoint: Endpoint) -> Span:
-        """Where the files speak of an endpoint: the remapping that makes the topic, else its node; else the graph."""
+    def named_at(self, endpoint: Endpoint) -> Span:
+        """Where the files name an endpoint's topic: in the source, or in a remapping; else where its node is started;
+        else its line in the graph."""
+        use = self._use(endpoint)
+        if use is not None:
+            return use.name_place or use.where
         known = self.expected.named(endpoint.node)
         for _, target in known.started.remappings if known and known.started else ():
             text, where = text_of(target), literal_text(target)
             if where is not None and text in (endpoint.topic, endpoint.topic.rpartition("/")[2], endpoint.topic[1:]):
                 return where.span
         return known.where if known else endpoint.topic.span
+
+    def profile_at(self, endpoint: Endpoint) -> Span:
+        """Where the files give an endpoint its quality of service; else as ``named_at``."""
+        use = self._use(endpoint)
+        return use.qos_place if use is not None else self.named_at(endpoint)
+
+    def _use(self, endpoint: Endpoint) -> Use | None:
+        """The endpoint in the source of its node."""
+        known = self.expected.named(endpoint.node)
+        role = "publisher" if endpoint.publishes else "subscription"
+        for use in self.robot.topics.node(known.started).uses if known and known.started else ():
+            if use.role == role and use.topic == endpoint.topic and not use.of_table:
+                return use
+        return None
 
     @cached_property
     def managed(self) -> dict[str, tuple[Managed, Manager]]:

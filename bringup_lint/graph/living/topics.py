@@ -9,9 +9,9 @@ from dataclasses import dataclass
 from dataclasses import field
 from typing import NamedTuple
 
-from bringup_lint.graph.living.compatible import Conflict
-from bringup_lint.graph.living.compatible import conflicts
 from bringup_lint.graph.living.tools import is_tool
+from bringup_lint.graph.topics.compatible import Conflict
+from bringup_lint.graph.topics.compatible import conflicts
 from bringup_lint.model.living import Endpoint
 from bringup_lint.spelling import edits
 
