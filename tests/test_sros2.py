@@ -13,6 +13,7 @@ from bringup_lint.discover.kinds import kind_of
 from bringup_lint.model.sros2 import moment
 from bringup_lint.parsers import certificate
 from bringup_lint.parsers import sros2
+from bringup_lint.parsers.sros2_policy import policy
 from bringup_lint.source import Source
 from tests.conftest import PROJECT
 
@@ -83,3 +84,46 @@ def test_no_certificate_makes_the_reader_fail(data: bytes) -> None:
 def test_every_fixture_key_is_a_fake() -> None:
     for path in Path(FIXTURES).rglob("*key.pem"):
         assert "Tk9UIEEgS0VZLCBPTkxZIEEgRklYVFVSRQ==" in path.read_text("utf-8")
+
+
+POLICY = (FIXTURES / "policy_grants_nothing/good/config/policy.xml").read_text("utf-8")
+
+
+def test_policy() -> None:
+    found = policy(Source("policy.xml", POLICY))
+    (enclave,) = found.enclaves
+    assert (enclave.path, enclave.open, found.remarks) == ("/lawn/driver", False, [])
+    driver, watch = enclave.profiles
+    assert (driver.fqn, watch.fqn) == ("/lawn/driver", "/watch")
+    assert [str(right.name) for right in driver.rights if right.allows("publish")] == ["odom", "~/state", "/rtk/fix"]
+    assert kind_of("any/rights.xml", lambda: POLICY) == "sros2-policy"
+
+
+def test_what_a_policy_includes_is_never_read_and_stays_open() -> None:
+    text = POLICY.replace("<profile ns", '<xi:include href="/etc/passwd" parse="text"/><profile ns', 1)
+    (enclave,) = policy(Source("policy.xml", text)).enclaves
+    assert enclave.open
+    assert "root:" not in str([right.name for profile in enclave.profiles for right in profile.rights])
+
+
+@given(st.integers(0, len(POLICY)), st.integers(0, 40), st.text(alphabet='<>&;/a" =!-[]', max_size=12))
+@settings(max_examples=100, deadline=None)
+def test_no_policy_makes_the_reader_fail(start: int, size: int, put_in: str) -> None:
+    text = POLICY[:start] + put_in + POLICY[start + size :]
+    found = policy(Source("policy.xml", text))
+    for remark in found.remarks:
+        span = remark.where if isinstance(remark.where, tuple) else remark.where.span
+        assert 0 <= span.start <= span.end <= len(text)
+
+
+def test_attacks_on_a_policy_cost_no_time_and_are_named() -> None:
+    bomb = "".join(f'<!ENTITY e{n} "{f"&e{n - 1};" * 10}">' for n in range(1, 10))
+    deep = "<enclave>" * 100_000
+    for text in (
+        f'<!DOCTYPE policy [<!ENTITY e0 "x">{bomb}]><policy version="0.2.0"><enclaves>&e9;</enclaves></policy>',
+        '<!DOCTYPE policy SYSTEM "http://192.0.2.1/x.dtd"><policy version="0.2.0"><enclaves/></policy>',
+        f'<policy version="0.2.0"><enclaves>{deep}',
+    ):
+        found = policy(Source("policy.xml", text))
+        assert [remark.code for remark in found.remarks if remark.code == "xml"]
+        assert len(found.remarks) < 100

@@ -25,6 +25,8 @@ class Item(NamedTuple):
     children: dict[str, Item]
     attributes: dict[str, bool]
     """Name -> whether it is required."""
+    values: dict[str, tuple[str, ...]]
+    """Attribute -> its words, where only some are allowed."""
 
 
 @cache
@@ -38,11 +40,13 @@ def schema(file: str) -> Item:
         if row["kind"] == "attribute":
             owner, _, name = path.rpartition("@")
             items[owner].attributes[name] = required
+            if row["type"] == "enum":
+                items[owner].values[name] = tuple(row["allowed"].split("|"))
             continue
         above, _, name = path.rpartition("/")
         order = int(row["order"] or 0)
         item = Item(
-            name, order, required, row["max_occurs"] == "1", row["type"], tuple(row["allowed"].split("|")), {}, {}
+            name, order, required, row["max_occurs"] == "1", row["type"], tuple(row["allowed"].split("|")), {}, {}, {}
         )
         items[path] = item
         if above:

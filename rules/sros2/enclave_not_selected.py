@@ -1,12 +1,15 @@
 """A secured node without an enclave.
 
 ## What it finds
-A node whose launch file switches security on for it, without `--enclave` among its arguments and without
-`ROS_SECURITY_ENCLAVE_OVERRIDE`. A keystore with an enclave for `/` is taken as on purpose.
+A process with security switched on that selects no enclave: nodes of launch files (by `additional_env`,
+`SetEnvironmentVariable`, or the environment of the unit, service or script that runs `ros2 launch`) and `ros2 run` on
+command lines, without `--enclave` and without `ROS_SECURITY_ENCLAVE_OVERRIDE`. A keystore with an enclave for `/` is
+taken as on purpose.
 
 ## Why it matters on a robot
 The process uses the enclave `/`, whatever the node is called: with Enforce it ends because the directory is
-incomplete, else all such nodes share one identity.
+incomplete, else all such processes share one identity. Where no keystore is in the tree, an enclave `/` may exist: then
+it is a warning.
 
 ## Bad
 ```python
@@ -33,16 +36,17 @@ from bringup_lint.api import rule
 def enclave_not_selected(robot: Robot):
     if robot.sros2.overridden or any("/" in keystore.enclaves for keystore in robot.sros2.keystores):
         return
-    for node in robot.sros2.nodes:
-        switch = robot.sros2.secured_by(node)
-        chosen, _ = robot.sros2.enclave_of(node)
-        if switch is None or chosen or not node.is_node or not node.span.source.judged:
-            continue
+    for group in robot.sros2.without_enclave:
+        first = group[0]
+        more = f" and {len(group) - 1} more select" if len(group) > 1 else " selects"
+        they = "they use '/' and not their names" if len(group) > 1 else "it uses '/' and not its name"
         yield finding(
-            node.span,
-            f"{node.label()} selects no enclave: it uses '/' and not its name, with Enforce it ends, else it shares "
-            "that identity",
-            advice="add ros_arguments=['--enclave', '/...'] with the enclave of this process",
-            chain=robot.ways.to_node(node),
-            related=[note(switch.span, "security is switched on here")],
+            first.where,
+            f"{first.label}{more} no enclave: {they}, with Enforce nothing of it starts, else it shares that identity",
+            advice="add --ros-args --enclave /... to each process, in launch files ros_arguments=['--enclave', '/...']",
+            related=[
+                note(first.switch, "security is switched on here"),
+                *(note(other.where, "selects none either") for other in group[1:6]),
+            ],
+            severity=None if first.own or robot.sros2.keystores else "warning",
         )

@@ -49,3 +49,22 @@ def permissions_wildcard_topic(robot: Robot):
                     "document again",
                     related=[note(other, "and this one") for other in wide[1:]],
                 )
+    for policy in robot.sros2.used_policies:
+        for enclave in policy.enclaves:
+            yield from _of_policy(enclave)
+
+
+def _of_policy(enclave):
+    rights = (right for profile in enclave.profiles for right in profile.rights)
+    wide = [
+        right.name
+        for right in rights
+        if right.kind == "topic" and right.allows("publish") and right.name.strip() in ("*", "/*", "/**")
+    ]
+    if wide:
+        yield finding(
+            wide[0],
+            f"{enclave.path} may publish '{wide[0].strip()}', every topic of the robot: /cmd_vel is among them",
+            advice="list the topics that its nodes publish (ros2 security generate_policy)",
+            related=[note(other, "and this one") for other in wide[1:]],
+        )

@@ -1,4 +1,4 @@
-"""DDS Security documents and the keys beside them: XML by its first two elements, never other XML."""
+"""DDS Security documents, sros2 policies and the keys beside them: XML by its first two elements, never other XML."""
 
 from __future__ import annotations
 
@@ -29,6 +29,7 @@ def _below(path: str, head: Head) -> tuple[str, str]:
 KINDS = (
     Kind("sros2-governance", lambda path, head: _below(path, head) == ("dds", "domain_access_rules")),
     Kind("sros2-permissions", lambda path, head: _below(path, head) == ("dds", "permissions")),
+    Kind("sros2-policy", lambda path, head: _below(path, head) == ("policy", "enclaves")),
     Kind("sros2-key", lambda path, head: bool(_KEY.search(path)) and "PRIVATE KEY" in head()),
     Kind("sros2-certificate", lambda path, head: bool(_CERTIFICATE.search(path)) and "CERTIFICATE" in head()),
 )

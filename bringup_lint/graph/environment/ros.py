@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
+from dataclasses import field
 from functools import cached_property
 from typing import TYPE_CHECKING
 from typing import NamedTuple
@@ -94,6 +95,7 @@ class RosEnvironment:
     """All of it, read once."""
 
     robot: Robot
+    _launched: dict[int, list[Launched]] = field(default_factory=dict)
 
     @staticmethod
     def is_development(value: Located) -> bool:
@@ -153,7 +155,10 @@ class RosEnvironment:
 
     def launched_by(self, launcher: RosProcess) -> list[Launched]:
         """Every process that the launch files of a unit, service or script start, with its environment."""
-        return [each for expansion, base in self._expansions(launcher) for each in launched(expansion, base)]
+        if id(launcher) not in self._launched:
+            found = (launched(expansion, base) for expansion, base in self._expansions(launcher))
+            self._launched[id(launcher)] = [each for processes in found for each in processes]
+        return self._launched[id(launcher)]
 
     def _expansions(self, launcher: RosProcess) -> list[tuple[Expansion, Environment]]:
         if not self.robot.of_kind(*LAUNCH):

@@ -11,7 +11,6 @@ from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.model.launch import ComposableNode
-from bringup_lint.model.launch_values import Literal
 from bringup_lint.source import Located
 
 if TYPE_CHECKING:
@@ -82,10 +81,3 @@ def _script_commands(robot: Robot):
     for source in robot.of_kind("shell-script"):
         if OPTION in source.text and not source.template:
             yield from commands(source.located(0, len(source.text)))
-
-
-def secured_by(node: Started) -> Literal | None:
-    """The variable in a node's own environment that switches security on."""
-    changes = node.env.get("ROS_SECURITY_ENABLE")
-    value = changes[-1].value if changes else None
-    return value if isinstance(value, Literal) and value.text == "true" else None

@@ -14,16 +14,25 @@ from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.sros2 import enclaves as sros2_enclaves
 from bringup_lint.graph.sros2 import keystore as sros2_keystore
 from bringup_lint.graph.sros2.keystore import Keystore
+from bringup_lint.graph.sros2.policed import policed_nodes
+from bringup_lint.graph.sros2.secured import Secured
+from bringup_lint.graph.sros2.secured import without_enclave
+from bringup_lint.graph.sros2.shared import User
+from bringup_lint.graph.sros2.shared import shared_enclaves
 from bringup_lint.model.shell import Command
 from bringup_lint.model.sros2 import Governance
 from bringup_lint.model.sros2 import Grant
 from bringup_lint.model.sros2 import Permissions
 from bringup_lint.model.sros2 import Remark
 from bringup_lint.model.sros2 import moment
+from bringup_lint.model.sros2_policy import Policy
+from bringup_lint.model.sros2_policy import PolicyEnclave
+from bringup_lint.model.sros2_policy import Profile
 from bringup_lint.parsers import sros2
 from bringup_lint.parsers.certificate import Certificate
 from bringup_lint.parsers.certificate import parse as certificate
 from bringup_lint.parsers.shell import commands
+from bringup_lint.parsers.sros2_policy import policy
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
@@ -43,10 +52,10 @@ class Sros2:
     governances: list[Governance] = field(default_factory=list)
     """Templates are left out, and signed files beside the document that was signed."""
     permissions: list[Permissions] = field(default_factory=list)
+    policies: list[Policy] = field(default_factory=list)
 
     moment = staticmethod(moment)
     enclave_of = staticmethod(sros2_enclaves.of_node)
-    secured_by = staticmethod(sros2_enclaves.secured_by)
     matches = staticmethod(fnmatchcase)
 
     @cached_property
@@ -69,6 +78,16 @@ class Sros2:
     def nodes(self) -> list[Started]:
         """The processes that launch files start."""
         return sros2_enclaves.nodes(self.robot)
+
+    @property
+    def without_enclave(self) -> list[list[Secured]]:
+        """The secured processes that select no enclave; those that one setting secures together."""
+        return without_enclave(self.robot)
+
+    @property
+    def shared_enclaves(self) -> Iterator[tuple[User, list[User]]]:
+        """A process that moves the robot, and others beside it with the same enclave."""
+        return shared_enclaves(self.robot)
 
     @cached_property
     def selected(self) -> list[Located]:
@@ -135,6 +154,22 @@ class Sros2:
         return self.switched_on or bool(_USED.search(source.name))
 
     @property
+    def policy_profiles(self) -> Iterator[Profile]:
+        """The rights of nodes in all policies that can be read."""
+        for each in self.policies:
+            if not each.document.problems:
+                yield from (profile for enclave in each.enclaves for profile in enclave.profiles)
+
+    @property
+    def policed_nodes(self) -> Iterator[tuple[Started, Located, PolicyEnclave]]:
+        """The launched nodes whose enclave a policy describes completely."""
+        return policed_nodes(self.robot, [each for each in self.policies if not each.document.problems])
+
+    @property
+    def used_policies(self) -> Iterator[Policy]:
+        return (each for each in self.policies if not _OTHERS.search(each.source.name))
+
+    @property
     def used_governances(self) -> Iterator[Governance]:
         return (each for each in self.governances if self.is_used(each.source))
 
@@ -162,6 +197,7 @@ def load_sros2(robot: Robot) -> Sros2:
         robot,
         robot.parsed(sros2.governance, _sources(robot, "sros2-governance")),
         robot.parsed(sros2.permissions, _sources(robot, "sros2-permissions")),
+        robot.parsed(policy, _sources(robot, "sros2-policy")),
     )
 
 

@@ -1,0 +1,64 @@
+"""sros2 policies: what each node of an enclave may do, in names of ROS. Permissions documents are made from them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from dataclasses import field
+from typing import NamedTuple
+
+from bringup_lint.model.sros2 import Remark
+from bringup_lint.model.xml import Document
+from bringup_lint.model.xml import Element
+from bringup_lint.source import Located
+from bringup_lint.source import Source
+
+
+class Right(NamedTuple):
+    """One name of a ``topics``, ``services`` or ``actions`` element."""
+
+    kind: str
+    """``topic``, ``service`` or ``action``."""
+    name: Located
+    """As written, blanks included."""
+    ways: dict[str, str]
+    """``publish``, ``subscribe``, ``reply``, ``request``, ``call``, ``execute`` -> ``ALLOW`` or ``DENY``."""
+    element: Element
+    """The element with the ways."""
+
+    def allows(self, way: str) -> bool:
+        return self.ways.get(way) == "ALLOW"
+
+
+@dataclass(eq=False, slots=True)
+class Profile:
+    """The rights of one node."""
+
+    element: Element
+    namespace: Located
+    node: Located
+    rights: list[Right] = field(default_factory=list)
+    open: bool = False
+    """More rights are included from elsewhere."""
+
+    @property
+    def fqn(self) -> str:
+        return f"{self.namespace.rstrip('/')}/{self.node}"
+
+
+@dataclass(eq=False, slots=True)
+class PolicyEnclave:
+    element: Element
+    path: Located
+    profiles: list[Profile] = field(default_factory=list)
+    open: bool = False
+    """More profiles are included from elsewhere."""
+
+
+@dataclass(eq=False, slots=True)
+class Policy:
+    source: Source
+    document: Document
+    remarks: list[Remark] = field(default_factory=list)
+    enclaves: list[PolicyEnclave] = field(default_factory=list)
+    open: bool = False
+    """More enclaves are included from elsewhere."""
