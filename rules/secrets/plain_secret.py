@@ -3,9 +3,10 @@
 ## What it finds
 A value whose name (`..._PASSWORD`, `..._TOKEN`, `--api-key`) or form (keys of AWS, GitHub, GitLab, Slack,
 Stripe, a private key, a password in a URL) shows a secret, in `Environment=` and command lines of units, in
-environment files, compose files, Dockerfiles, parameter files and launch files. Variables, paths of
-credential files, stand-ins such as `<your-password>` and sample files are left out, and so are environment
-files that only root and a group can read.
+environment files, compose files, Dockerfiles, parameter files and launch files. In the sources of Python nodes and in
+scripts also, where such a name is set to a literal of letters and digits. Variables, paths of credential files,
+stand-ins such as `<your-password>` and sample files are left out, and so are environment files that only root and a
+group can read.
 
 ## Why it matters on a robot
 What a unit sets can be read by every local user with `systemctl show`, and by everybody who sees the
@@ -40,6 +41,7 @@ WHO = {
     "image": "it stays in the layers of the image, for everybody who can pull it",
     "params": "everybody who has a copy of this file has it, and every participant can ask the node for it",
     "launch": "everybody who has a copy of this file has it",
+    "program": "everybody who has a copy of this file has it",
 }
 INSTEAD = {
     "unit": "use LoadCredential=, or an EnvironmentFile= with mode 0600",
@@ -49,6 +51,7 @@ INSTEAD = {
     "image": "use a build secret or a secret at run time, and change this one",
     "params": "let the node read it from a file with mode 0600, and change the secret",
     "launch": "let the node read it from a file with mode 0600, and change the secret",
+    "program": "read it from the environment or from a file with mode 0600, and change the secret",
 }
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from typing import NamedTuple
 
 from bringup_lint.graph.environment.effective import environment_files
+from bringup_lint.graph.secrets.programs import assigned
 from bringup_lint.graph.secrets.ros import Indirect
 from bringup_lint.graph.secrets.ros import indirect
 from bringup_lint.graph.secrets.ros import launch_words
@@ -54,7 +55,7 @@ class Secret(NamedTuple):
     name: str
     """What it is called: a variable, an option."""
     holder: str
-    """``unit``, ``command``, ``env-file``, ``compose``, ``image``, ``params`` or ``launch``."""
+    """``unit``, ``command``, ``env-file``, ``compose``, ``image``, ``params``, ``launch`` or ``program``."""
     weak: bool
     """A well-known stand-in such as ``changeme``, which nevertheless works as a password."""
     sample: bool
@@ -62,10 +63,11 @@ class Secret(NamedTuple):
 
 
 def secrets(robot: Robot) -> Iterator[Secret]:
-    """Every secret of the judged units, environment, compose, parameter and launch files and Dockerfiles, each place
-    once."""
+    """Every secret of the judged units, environment, compose, parameter and launch files, Dockerfiles and programs,
+    each place once."""
     seen: set[tuple[int, int]] = set()
-    for found in (*_of_units(robot), *_of_env_files(robot), *_of_compose(robot), *_of_images(robot), *_of_ros(robot)):
+    holders = (_of_units, _of_env_files, _of_compose, _of_images, _of_ros, _of_programs)
+    for found in (found for holder in holders for found in holder(robot)):
         source = found.value.span.source
         place = (id(source), found.value.span.start)
         if place in seen or not source.judged or _SAMPLE.search(source.basename) or is_example(source.name):
@@ -156,6 +158,13 @@ def _of_ros(robot: Robot) -> Iterator[Secret]:
     for words in launch_words(robot):
         for found in _of_words((), words):
             yield found._replace(holder="launch")
+
+
+def _of_programs(robot: Robot) -> Iterator[Secret]:
+    for each in assigned(robot):
+        found = secret(each.name, each.value, "program")
+        if found is not None and not found.weak:
+            yield found
 
 
 def exposed(robot: Robot) -> Iterator[Indirect]:
