@@ -9,10 +9,13 @@ from pathlib import Path
 
 import pytest
 
+from bringup_lint.cli.live import command
+from bringup_lint.live import observe
 from bringup_lint.live import run as live_run
 from bringup_lint.live.text import graph_text
 from bringup_lint.model.node_source import INFINITE
 from bringup_lint.parsers.living import parse
+from bringup_lint.registry import Registry
 from bringup_lint.source import Source
 from tests.conftest import PROJECT
 from tests.lint import lint
@@ -172,3 +175,27 @@ def test_rclpy_is_imported_by_one_module_only() -> None:
     code = {path.name: path.read_text("utf-8") for path in (PROJECT / "bringup_lint").rglob("*.py")}
     pattern = re.compile(r"^\s*(?:import|from) rclpy\b", re.MULTILINE)
     assert [name for name, text in code.items() if pattern.search(text)] == ["observe.py"]
+
+
+def test_the_page_names_every_rule() -> None:
+    page = (PROJECT / "docs/live.md").read_text("utf-8")
+    rules = {rule_id for rule_id in Registry.of().paths if rule_id.startswith("live/")}
+    assert set(re.findall(r"^\| `(live/[a-z-]+)` \|", page, re.MULTILINE)) == rules
+
+
+def test_the_page_says_how_long_it_takes() -> None:
+    page = (PROJECT / "docs/live.md").read_text("utf-8")
+    (wait,) = [option.default for option in command.params if option.name == "wait"]
+    assert f"`--wait` seconds ({wait:g}), up to {observe.LONGER:g} more" in page
+    assert f"{observe.ANSWER:g} more\nat most" in page
+    assert f"`{observe.NAME}`" in page
+
+
+def test_a_graph_that_is_no_file_goes_with_the_sarif_report(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setattr(live_run, "look", lambda domains, *_, **__: [{**SEEN, "domain": each} for each in domains])
+    (tmp_path / "robot.env").write_text("ROS_DOMAIN_ID=42\nROS_SECURITY_ENABLE=true\n")
+    run = lint("live", "--domain-id", "42", "--output-format", "sarif", ".", cwd=tmp_path)
+    assert run.code == 1, run.stderr
+    log = json.loads(run.stdout)
+    (graph,) = [each for each in log["runs"][0]["artifacts"] if each.get("properties") == {"kind": "living-graph"}]
+    assert graph["contents"]["text"].startswith("# A running ROS graph")

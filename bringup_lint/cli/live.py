@@ -156,7 +156,8 @@ def seen(robot: Robot, options: dict[str, Any]) -> Source:
     text = graph_text(graph, elsewhere, told, secured)
     if options["save"]:
         write(text, options["save"])
-    return Source(str(options["save"] or f"<ROS graph, domain {domain}>"), text, KIND)
+        return Source(str(options["save"]), text, KIND)
+    return Source(f"<ROS graph, domain {domain}>", text, KIND, virtual=True)
 
 
 def chosen(robot: Robot, given: int | None) -> tuple[int, str]:

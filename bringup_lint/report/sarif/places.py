@@ -34,6 +34,8 @@ class Places:
             made: dict[str, Any] = {"location": where, "encoding": "utf-8"}
             if source.judged:
                 made["roles"] = ["analysisTarget"]
+            if source.virtual:
+                made["contents"] = {"text": source.text}
             if source.kind:
                 made["properties"] = {"kind": source.kind}
             self.artifacts.append(made)
