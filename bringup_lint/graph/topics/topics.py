@@ -17,6 +17,7 @@ from bringup_lint.graph.topics.compatible import Conflict
 from bringup_lint.graph.topics.compatible import conflicts
 from bringup_lint.graph.topics.cpp_code import CppCode
 from bringup_lint.graph.topics.launched import launched
+from bringup_lint.graph.topics.systems import systems
 from bringup_lint.graph.topics.use import LaunchedNode
 from bringup_lint.graph.topics.use import Pair
 from bringup_lint.graph.topics.use import Running
@@ -38,7 +39,7 @@ class Topics:
     @cached_property
     def entries(self) -> list[Running]:
         """What each launch file starts that no other one includes."""
-        return [self._running(expansion) for expansion in self.robot.launch.entries]
+        return [self._running(each.entry.source.name, [each]) for each in self.robot.launch.entries]
 
     def code(self, started: Started) -> Code | None:
         """What the tree's sources say about a launched program."""
@@ -49,11 +50,20 @@ class Topics:
             self._launched[id(started)] = launched(self.robot, started, self.code(started))
         return self._launched[id(started)]
 
-    def _running(self, expansion: Expansion) -> Running:
-        running = Running(expansion.entry.source.name)
-        running.nodes = [self.node(started) for started in expansion.nodes if started.is_node]
-        others = any(not started.is_node for started in expansion.nodes)
-        running.complete = not (expansion.open or others) and all(node.complete for node in running.nodes)
+    @cached_property
+    def runs(self) -> list[Running]:
+        """What runs together: each entry alone, and all that the units of one boot or one compose file launch."""
+        found = [self._running(label, expansions, whole=whole) for label, expansions, whole in systems(self.robot)]
+        return [*found, *self.entries]
+
+    def _running(self, label: str, expansions: list[Expansion], *, whole: bool = False) -> Running:
+        running = Running(label)
+        started = [each for expansion in expansions for each in expansion.nodes]
+        running.nodes = [self.node(each) for each in started if each.is_node]
+        known = all(each.is_node for each in started) and not any(expansion.open for expansion in expansions)
+        running.complete = known and all(node.complete for node in running.nodes)
+        running.whole = running.complete and whole
+        running.simulated = any(self.robot.launch.simulated(expansion.entry) for expansion in expansions)
         return running
 
     @staticmethod
@@ -94,11 +104,17 @@ class Topics:
                     yield from (each for each in code.endpoints if each.span.source.name.endswith(CPP))
 
     @cached_property
+    def published_anywhere(self) -> frozenset[str]:
+        """The last parts of the names that any source of the tree publishes, started or not."""
+        published = (each.name for each in self.endpoints if each.role == "publisher" and each.name)
+        return frozenset(names.tail(str(name)) for name in published)
+
+    @cached_property
     def pairs(self) -> list[Pair]:
         """Publishers and subscriptions of one topic that run together when launch files are started without arguments,
         each once."""
         found: dict[tuple, Pair] = {}
-        for running in self.entries:
+        for running in self.runs:
             for uses in running.by_topic().values():
                 publishers = [use for use in uses if use.role == "publisher"]
                 subscriptions = [use for use in uses if use.role == "subscription"]
@@ -120,10 +136,3 @@ def together(one: LaunchedNode, other: LaunchedNode) -> bool:
 
 def load_topics(robot: Robot) -> Topics:
     return Topics(robot)
-
-
-def velocity_topics(running: Running) -> Iterator[tuple[str, list[Use]]]:
-    """The topics of one robot by which something commands its motion."""
-    for topic, uses in running.by_topic().items():
-        if topic.rpartition("/")[2].startswith("cmd_vel"):
-            yield topic, uses

@@ -103,6 +103,8 @@ class Running:
     """All topics of all nodes are known."""
     whole: bool = False
     """Nothing else of ROS runs beside them."""
+    simulated: bool = False
+    """For a simulator, a test or a look at a model."""
 
     @property
     def uses(self) -> Iterator[Use]:

@@ -1,0 +1,64 @@
+"""Topics that command or stop the robot's motion, and the nodes that choose or limit what gets through."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from itertools import combinations
+
+from bringup_lint.graph.launch.started import exclusive
+from bringup_lint.graph.launch.started import literal_text
+from bringup_lint.graph.topics.names import tail
+from bringup_lint.graph.topics.use import LaunchedNode
+from bringup_lint.graph.topics.use import Running
+from bringup_lint.graph.topics.use import Use
+
+VELOCITY = re.compile(r"(?:\w+_)?cmd_?vel(?:_\w+)?|\w*velocity_command\w*")
+FINAL = ("cmd_vel", "cmd_vel_unstamped")
+"""Names of topics that drive the wheels; others may be the inputs of a multiplexer that is not known."""
+STOP = re.compile(r"(?:^|[/_])(?:e_?stop|emergency(?:_?stop)?)(?:$|[/_])", re.I)
+TWISTS = ("geometry_msgs/msg/Twist", "geometry_msgs/msg/TwistStamped")
+GATE = re.compile(r"mux|gate|arbit|smooth|collision|limit|safe|guard|filter|supervis|priorit|switch|select")
+TOGETHER = ("nav2_", "opennav_")
+"""Packages whose servers take turns, as the navigator tells them."""
+
+
+def is_velocity(name: str, type_: str | None = None) -> bool:
+    return bool(VELOCITY.fullmatch(tail(name))) and type_ in (None, *TWISTS)
+
+
+def is_stop(name: str) -> bool:
+    return bool(STOP.search(name))
+
+
+def is_gate(node: LaunchedNode) -> bool:
+    """Whether a node chooses or limits velocities, by its name or because it turns one velocity into another."""
+    words = (node.started.package, node.started.executable, node.started.plugin, node.started.name)
+    if any(GATE.search(literal_text(word) or "") for word in words):
+        return True
+    taken = {use.topic for use in node.uses if use.role == "subscription" and is_velocity(use.topic, use.type)}
+    given = {use.topic for use in node.uses if use.role == "publisher" and is_velocity(use.topic, use.type)}
+    return bool(taken and given)
+
+
+def rivals(running: Running) -> Iterator[list[Use]]:
+    """The publishers of one velocity topic that all start when no argument is passed, when there are several of them
+    and no multiplexer or gate is among them or listens to them."""
+    for topic, uses in running.by_topic().items():
+        listeners = [use.node for use in uses if use.role == "subscription"]
+        if any(map(is_gate, listeners)) or (tail(topic) not in FINAL and not listeners):
+            continue
+        found: dict[object, Use] = {}
+        for use in uses:
+            sure = use.node.started.by_default is True and not use.conditional_source and not use.node.started.context
+            if use.role == "publisher" and is_velocity(topic, use.type) and sure:
+                found.setdefault(_who(use.node), use)
+        several = list(found.values())
+        apart = any(exclusive(one.node.started, other.node.started) for one, other in combinations(several, 2))
+        if len(several) > 1 and not apart and not any(is_gate(use.node) for use in several):
+            yield several
+
+
+def _who(node: LaunchedNode) -> object:
+    package = literal_text(node.started.package) or ""
+    return TOGETHER if package.startswith(TOGETHER) else node.fqn or id(node)

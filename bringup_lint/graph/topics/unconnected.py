@@ -1,0 +1,121 @@
+"""Topics with only one side, and the name that was probably meant."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from bringup_lint.graph.topics.use import Running
+from bringup_lint.graph.topics.use import Use
+from bringup_lint.source import Located
+from bringup_lint.spelling import nearest
+
+EVERYWHERE = (
+    "/rosout",
+    "/parameter_events",
+    "/clock",
+    "/tf",
+    "/tf_static",
+    "/diagnostics",
+    "/diagnostics_agg",
+    "/bond",
+)
+"""Topics that tools, or every node, use."""
+BY_HAND = re.compile(
+    r"goal|initial_?pose|clicked|command|cmd|joy|teleop|stop|start|trigger|request|enable|reset|mode|feedback|set_|debug|input"
+)
+"""Topics to which a person, a tool or another computer publishes."""
+SHORTEST = 4
+"""Letters of a word that may be misspelt."""
+_DIGITS = {ord(digit): None for digit in "0123456789"}
+
+
+class Misspelt(NamedTuple):
+    use: Use
+    """The side that nobody answers."""
+    meant: Use
+    """The other side, under the other name."""
+    near: str
+
+
+def lonely(running: Running) -> Iterator[Use]:
+    """The uses of topics that no other side of the running nodes uses, whether or not it starts by default."""
+    for topic, uses in running.by_topic().items():
+        if len({use.role for use in uses}) == 1 and topic not in EVERYWHERE:
+            yield from (use for use in uses if not use.implied and use.node.started.by_default is True)
+
+
+def unserved(running: Running) -> Iterator[Use]:
+    """The subscriptions of sources in the tree that nobody serves, and that nobody serves by hand."""
+    for use in lonely(running):
+        if use.role == "subscription" and not use.of_table and not use.conditional and not BY_HAND.search(use.topic):
+            yield use
+
+
+def misspelt(running: Running) -> Iterator[Misspelt]:
+    """Subscriptions that nobody serves beside a publisher of the same type under nearly the same name, and publishers
+    that nobody hears beside such a subscription. Only where all topics are known."""
+    if not running.complete:
+        return
+    alone = list(lonely(running))
+    topics = {use.topic for use in alone}
+    seen = set()
+    for use in alone:
+        others = [each for each in running.uses if each.role != use.role and each.type == use.type and use.type]
+        if use.role == "publisher":
+            others = [each for each in others if each.topic in topics]
+        found = _meant(use, others, topics)
+        if found is None or frozenset((use.topic, found.topic)) in seen:
+            continue
+        seen.add(frozenset((use.topic, found.topic)))
+        if _is_fixed(use) and found.topic in topics:
+            use, found = found, use
+        yield Misspelt(use, found, found.topic)
+
+
+def _is_fixed(use: Use) -> bool:
+    return use.of_table and use.remapping is None and use.given is None
+
+
+def _meant(use: Use, others: Iterable[Use], alone: set[str]) -> Use | None:
+    """The one name that is nearly the same: one part an edit or two away, or the same name in another namespace that is
+    alone as well."""
+    by_name = {each.topic: each for each in others if not _numbered(each.topic, use.topic)}
+    near = [name for name in by_name if _alike(name, use.topic)]
+    if not near:
+        near = [name for name in by_name if name in alone and _nested(name, use.topic)]
+    return by_name[near[0]] if len(near) == 1 else None
+
+
+def _alike(one: str, other: str) -> bool:
+    """Whether two names differ in one part only, and that part is one word misspelt; a few letters are another word."""
+    ours, theirs = one.split("/"), other.split("/")
+    if len(ours) != len(theirs):
+        return False
+    apart = [(own, their) for own, their in zip(ours, theirs, strict=True) if own != their]
+    return len(apart) == 1 and min(map(len, apart[0])) >= SHORTEST and bool(nearest(apart[0][0], [apart[0][1]]))
+
+
+def _nested(one: str, other: str) -> bool:
+    """Whether a name is the other one in a namespace: ``/scan`` and ``/front/scan``."""
+    return one.endswith(other) or other.endswith(one)
+
+
+def _numbered(one: str, other: str) -> bool:
+    return one != other and one.translate(_DIGITS) == other.translate(_DIGITS)
+
+
+def corrected(use: Use, name: str) -> tuple[Located, str] | None:
+    """What to write instead of a name in the source, so that it becomes another full name; None when a remapping or
+    parameter gives the name, or when it cannot be written there."""
+    written = use.written
+    if use.remapping is not None or use.given is not None or not isinstance(written, Located) or use.of_table:
+        return None
+    if written.startswith("/"):
+        return written, name
+    before = use.topic[: len(use.topic) - len(written)] if use.topic.endswith(written) else None
+    if before is None or not name.startswith(before) or len(name) == len(before):
+        return None
+    return written, name[len(before) :]

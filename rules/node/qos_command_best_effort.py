@@ -1,0 +1,62 @@
+"""Commands to stop or to move that may be lost, or that come from a long queue.
+
+## What it finds
+In Python nodes: an emergency stop topic published or subscribed best effort; a velocity command published best effort
+by a node without a timer that repeats it, or subscribed best effort by one without a timer that would notice silence;
+and a subscription of either that queues more than ten messages.
+
+## Why it matters on a robot
+Best effort sends a message once. On a busy network the one stop command is the one that is lost. And a node that falls
+behind works through its queue: with 100 queued commands at 20 Hz the robot does what was wanted five seconds ago.
+
+## Bad
+```python
+self.stop = self.create_publisher(Bool, "emergency_stop", qos_profile_sensor_data)
+self.create_subscription(Twist, "cmd_vel", self.drive, 100)
+```
+
+## Good
+```python
+self.stop = self.create_publisher(Bool, "emergency_stop", 1)
+self.create_subscription(Twist, "cmd_vel", self.drive, 1)
+```
+
+## References
+- ROS 2 documentation, "Quality of Service settings"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+from bringup_lint.api import topics
+
+QUEUE = 10
+
+
+@rule("warning")
+def qos_command_best_effort(robot: Robot):
+    for node in robot.nodes.classes:
+        if robot.nodes.purpose(node.source):
+            continue
+        for endpoint in node.endpoints:
+            if endpoint.name is None or endpoint.qos is None or endpoint.role not in ("publisher", "subscription"):
+                continue
+            stop, drive = topics.is_stop(endpoint.name), topics.is_velocity(endpoint.name, endpoint.type)
+            related = [note(endpoint.name, f"{endpoint.name} is set up here")]
+            if endpoint.qos.reliability == "BEST_EFFORT" and (stop or (drive and not node.all_timers)):
+                yield finding(
+                    endpoint.qos.span,
+                    f"the {endpoint.role} of {endpoint.name} is best effort: a single "
+                    f"{'stop' if stop else 'command'} that the network drops is never sent again",
+                    advice="use a reliable profile with depth 1",
+                    related=related,
+                )
+            elif endpoint.role == "subscription" and (stop or drive) and (endpoint.qos.depth or 0) > QUEUE:
+                yield finding(
+                    endpoint.qos.span,
+                    f"{endpoint.name} queues {endpoint.qos.depth} commands: a node that falls behind does what "
+                    f"was wanted {endpoint.qos.depth} messages ago",
+                    advice="use depth 1, so that only the newest command counts",
+                    related=related,
+                )

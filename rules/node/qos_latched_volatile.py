@@ -1,0 +1,57 @@
+"""A map or description that is published once, and only to those who already listen.
+
+## What it finds
+A Python node that publishes a map (`OccupancyGrid` on `map`), `robot_description` or `tf_static` with durability
+volatile, and only while it starts: in its constructor, or in a function that is called only from there.
+
+## Why it matters on a robot
+Nodes start in no fixed order. Whoever subscribes a moment later never gets the map, and waits for it forever: it works
+on the desk and fails on every third boot.
+
+## Bad
+```python
+self.map = self.create_publisher(OccupancyGrid, "map", 1)
+self.map.publish(self.load(path))
+```
+
+## Good
+```python
+latched = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+self.map = self.create_publisher(OccupancyGrid, "map", latched)
+self.map.publish(self.load(path))
+```
+
+## References
+- ROS 2 documentation, "Quality of Service settings", durability
+- REP 2003, maps are published transient local
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+from bringup_lint.api import topics
+
+LATCHED = {
+    "map": "nav_msgs/msg/OccupancyGrid",
+    "robot_description": "std_msgs/msg/String",
+    "tf_static": "tf2_msgs/msg/TFMessage",
+}
+
+
+@rule("warning", symptoms=["Waiting for map", "Waiting for robot_description"])
+def qos_latched_volatile(robot: Robot):
+    for node in robot.nodes.classes:
+        for endpoint in node.endpoints if not robot.nodes.purpose(node.source) else ():
+            name = topics.tail(endpoint.name or "")
+            volatile = endpoint.qos is not None and endpoint.qos.durability == "VOLATILE"
+            if endpoint.role != "publisher" or LATCHED.get(name) != endpoint.type or not volatile:
+                continue
+            published = topics.published_at_start(robot.nodes.file_of(node), node, endpoint)
+            if published:
+                yield finding(
+                    endpoint.qos.span,
+                    f"{endpoint.name} is published once, durability volatile: a node that starts later never gets it",
+                    advice="use a profile with durability transient local and depth 1",
+                    related=[note(span, "published here, while the node starts") for span in published],
+                )

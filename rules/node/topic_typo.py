@@ -1,0 +1,51 @@
+"""A topic name one typo away from the one that was meant.
+
+## What it finds
+In a launch file of which all nodes and their topics are known: a subscription to which nobody publishes, beside a
+publisher of the same type under nearly the same name, or under the same name in another namespace; and a
+publisher that nobody hears, beside such a subscription. Numbered names are different names.
+
+## Why it matters on a robot
+Nothing fails. The node waits for messages that go somewhere else, and
+`ros2 topic list` shows two names that look alike.
+
+## Bad
+```python
+self.create_publisher(Twist, "cmd_vell", 10)
+self.create_subscription(Twist, "cmd_vel", self.drive, 1)
+```
+
+## Good
+```python
+self.create_publisher(Twist, "cmd_vel", 10)
+```
+
+## References
+- ROS 2 documentation, "Topic and service name mapping"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import note
+from bringup_lint.api import rule
+from bringup_lint.api import topics
+
+
+@rule("warning", fix="unsafe", symptoms=["does not appear to be published yet"])
+def topic_typo(robot: Robot):
+    for running in robot.topics.runs:
+        for use, meant, near in topics.misspelt(running):
+            nobody = "nobody publishes" if use.role == "subscription" else "nobody subscribes"
+            better = topics.corrected(use, near)
+            yield finding(
+                use.name_place or use.where,
+                f"{nobody} {use.topic}, which {use.node.label()} {robot.topics.does(use)}: {meant.node.label()} "
+                f"{robot.topics.does(meant)} {near}",
+                advice=f"use {near} on both sides, or remap one of them",
+                related=[
+                    note(meant.name_place or meant.where, f"{near} is named here"),
+                    note(use.node.started.span, f"{use.node.label()} is started here"),
+                ],
+                fix=fix(f"use {near}", better, safe=False) if better else None,
+            )

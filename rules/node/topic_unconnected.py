@@ -1,0 +1,45 @@
+"""A subscription that nothing on the robot serves.
+
+## What it finds
+On a robot whose units or compose services are all known to the last node: a topic that a node subscribes and that no
+node publishes. Topics of tools and people (`goal_pose`, `joy`, commands, triggers), what only the table of common nodes
+tells, and names that any other source of the tree publishes are left alone.
+
+## Why it matters on a robot
+The callback never runs. What depends on it, a filter, a watchdog, a localisation, waits forever.
+
+## Bad
+```python
+Node(package="mower", executable="safety", remappings=[("scan", "scan_filtered")]),   # and no filter is started
+```
+
+## Good
+```python
+Node(package="laser_filters", executable="scan_to_scan_filter_chain"),
+Node(package="mower", executable="safety", remappings=[("scan", "scan_filtered")]),
+```
+
+## References
+- ROS 2 documentation, "Understanding topics"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+from bringup_lint.api import topics
+
+
+@rule("warning", confidence="medium")
+def topic_unconnected(robot: Robot):
+    for running in robot.topics.runs:
+        near = {each.use.topic for each in topics.misspelt(running)}
+        for use in topics.unserved(running) if running.whole else ():
+            if use.topic not in near and topics.tail(use.topic) not in robot.topics.published_anywhere:
+                yield finding(
+                    use.name_place or use.where,
+                    f"nobody publishes {use.topic}: {use.node.label()} waits for it in vain",
+                    advice="start what publishes it, or look at the remappings of both sides",
+                    related=[note(use.node.started.span, f"{use.node.label()} is started here")],
+                    confidence="medium",
+                )
