@@ -227,12 +227,21 @@ class Params:
         again."""
         from bringup_lint.graph.params.loads import is_replaced
 
-        return [
-            load
-            for load in self.loads(file)
-            if (load.node.fqn is None or matches(parameter.block.name, load.node.fqn))
-            and not is_replaced(load, parameter.name)
-        ]
+        return [load for load in self._reached(file, parameter) if not is_replaced(load, parameter.name)]
+
+    def _reached(self, file: ParameterFile, parameter: Parameter) -> list[Load]:
+        """The loads for whose nodes the block of a parameter may be."""
+        block = parameter.block.name
+        known = self._reached_by_block.get((id(file), block))
+        if known is None:
+            named = [(load, load.node.fqn) for load in self.loads(file)]
+            known = [load for load, fqn in named if fqn is None or matches(block, fqn)]
+            self._reached_by_block[id(file), block] = known
+        return known
+
+    @cached_property
+    def _reached_by_block(self) -> dict[tuple[int, str], list[Load]]:
+        return {}
 
     def reader(self, file: ParameterFile) -> str:
         """``rcl`` when at least one node gets the file as it is, ``pyyaml`` when all get it through PyYAML, else
