@@ -13,8 +13,13 @@ from bringup_lint.cli.options import root_option
 from bringup_lint.cli.options import target_options
 from bringup_lint.cli.outputs import write
 from bringup_lint.config import ConfigError
+from bringup_lint.graph.layers import LAYERS
 
+<<<<<<< HEAD
 FORMATS = ("dot", "html", "json")
+=======
+FORMATS = ("dot", "mermaid", "json")
+>>>>>>> d266d96 (Draw the graph as a Mermaid flowchart, and only what leads to something or one layer of it)
 UNSET = dict.fromkeys(("select", "ignore"), ()) | dict.fromkeys(
     ("min_severity", "fail_on", "baseline", "stdin_filename")
 )
@@ -29,6 +34,9 @@ UNSET = dict.fromkeys(("select", "ignore"), ()) | dict.fromkeys(
 @click.option(
     "--output-file", type=click.Path(dir_okay=False, path_type=Path), help="Where to. [default: standard output]"
 )
+@click.option("--focus", multiple=True, metavar="NAME", help="Only what leads to this unit, node or file, and from it.")
+@click.option("--depth", type=click.IntRange(0), help="With --focus: at most so many steps away.")
+@click.option("--layer", "layers", type=click.Choice(list(LAYERS)), multiple=True, help="Only this layer.")
 @root_option
 @target_options
 @configuration_options
@@ -37,13 +45,16 @@ def command(ctx: click.Context, paths: tuple[str, ...], **options: Any) -> None:
     """Draw what starts what on a robot: units, launch files, nodes and what they need, with the findings.
 
     \b
-    bringup-lint graph --format json .
+    bringup-lint graph --format mermaid --focus robot.service .
     """
     from bringup_lint.registry import RuleError
+    from bringup_lint.report.picture.selection import NothingFound
 
+    if options["depth"] is not None and not options["focus"]:
+        raise click.UsageError("--depth needs a --focus")
     try:
         drawn = _draw(paths or ("/" if options["root"] else ".",), options)
-    except (ConfigError, RuleError) as error:
+    except (ConfigError, NothingFound, RuleError) as error:
         click.echo(f"bringup-lint: {error}", err=True)
         ctx.exit(2)
     write(drawn, options["output_file"])
@@ -55,6 +66,8 @@ def _draw(paths: tuple[str, ...], options: dict[str, Any]) -> str:
     from bringup_lint.engine import run
     from bringup_lint.registry import Registry
     from bringup_lint.report.picture.document import picture
+    from bringup_lint.report.picture.selection import focused
+    from bringup_lint.report.picture.selection import in_layers
 
     settings = UNSET | options
     config, rule_folders = configuration(paths, settings)
@@ -63,4 +76,8 @@ def _draw(paths: tuple[str, ...], options: dict[str, Any]) -> str:
     for failure in outcome.failures:
         click.echo(f"bringup-lint: {failure}", err=True)
     document = picture(robot.graph, outcome.findings)
+    if options["focus"]:
+        document = focused(document, options["focus"], options["depth"])
+    if options["layers"]:
+        document = in_layers(document, options["layers"])
     return import_module(f"bringup_lint.report.picture.{options['output_format']}").render(document)

@@ -50,7 +50,7 @@ def drawing(*labels: str) -> dict[str, Any]:
         for one, other in pairwise(nodes)
     ]
     layers = [{"id": "boot", "title": labels[0]}]
-    return {"layers": layers, "nodes": nodes, "edges": edges, "findings": []}
+    return {"layers": layers, "focus": [], "nodes": nodes, "edges": edges, "findings": []}
 
 
 @settings(max_examples=40, deadline=None)

@@ -42,6 +42,7 @@ def picture(graph: Graph, findings: Iterable[Finding]) -> dict[str, Any]:
         "schema_version": VERSION,
         "tool": {"name": "bringup-lint", "version": __version__},
         "layers": [{"id": layer, "title": title} for layer, title in LAYERS.items()],
+        "focus": [],
         "nodes": [
             {
                 "id": hide(node_id(node)),

@@ -9,6 +9,7 @@ from bringup_lint.report.picture.arrows import Arrow
 from bringup_lint.report.picture.arrows import arrows
 from bringup_lint.report.picture.arrows import shortened
 from bringup_lint.report.picture.arrows import worst
+from bringup_lint.report.picture.marks import ALWAYS_WHOLE
 from bringup_lint.report.picture.marks import FILLS
 from bringup_lint.report.picture.marks import SIGNS
 from bringup_lint.report.picture.marks import STROKES
@@ -32,8 +33,6 @@ SHAPES = {
     "udev-rule": "note",
 }
 """Files are notes."""
-ALWAYS_WHOLE = frozenset({"user", "program", "topic", "process", "enclave"})
-"""Kinds that are no files, so that nothing is missing when no file defines them."""
 LONGEST = 48
 """Characters of a label."""
 FONT = f'fontname="Helvetica,Arial,sans-serif", fontcolor="{TEXT}"'
@@ -74,6 +73,8 @@ def _node(document: dict[str, Any], node: dict[str, Any]) -> str:
         "penwidth": "2.4" if severity in ("error", "warning") else "1",
         "tooltip": "\n".join(_tooltip(document, node)),
     }
+    if node["id"] in document["focus"]:
+        attributes["peripheries"] = "2"
     return f"{quoted(node['id'])} [{', '.join(f'{name}={quoted(value)}' for name, value in attributes.items())}];"
 
 

@@ -17,6 +17,9 @@ FILLS = {
 }
 TEXT = "#1f1f1f"
 
+ALWAYS_WHOLE = frozenset({"user", "program", "topic", "process", "enclave"})
+"""Kinds that are no files, so that nothing is missing when no file defines them."""
+
 
 def marked(label: str, severity: str, count: int) -> list[str]:
     """The lines of a node: its label, and the sign of its worst finding with their number."""
