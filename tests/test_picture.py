@@ -49,6 +49,8 @@ def test_guide_robot_is_joined_from_power_on_to_its_nodes() -> None:
         ("/lidar", "opens", "/dev/heron/lidar"),
         ("/dev/heron/lidar", "links", "99-heron.rules:6"),
         ("/heron/lidar", "grants", "permissions.xml"),
+        ("/lidar", "publishes", "/scan"),
+        ("/slam", "subscribes", "/scan"),
     } <= edges
 
 

@@ -15,11 +15,7 @@ from bringup_lint.cli.outputs import write
 from bringup_lint.config import ConfigError
 from bringup_lint.graph.layers import LAYERS
 
-<<<<<<< HEAD
-FORMATS = ("dot", "html", "json")
-=======
-FORMATS = ("dot", "mermaid", "json")
->>>>>>> d266d96 (Draw the graph as a Mermaid flowchart, and only what leads to something or one layer of it)
+FORMATS = ("dot", "mermaid", "json", "html")
 UNSET = dict.fromkeys(("select", "ignore"), ()) | dict.fromkeys(
     ("min_severity", "fail_on", "baseline", "stdin_filename")
 )

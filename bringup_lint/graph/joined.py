@@ -69,9 +69,11 @@ def _add_services(graph: Graph, robot: Robot) -> None:
 def _add_launch(graph: Graph, robot: Robot) -> None:
     from bringup_lint.graph.launch.edges import launch_edges
     from bringup_lint.graph.launch.edges import launch_places
+    from bringup_lint.graph.topics.edges import topic_edges
 
     graph.add(launch_edges(robot.launch))
     graph.define(launch_places(robot.launch))
+    graph.add(topic_edges(robot))
 
 
 def _add_files(graph: Graph, robot: Robot) -> None:
