@@ -196,7 +196,9 @@ class NodeSource:
     qualified: Callable[[ast.AST], str | None] = None
     """The dotted name of a name or attribute, through the imports: ``rclpy.spin``."""
     constant: Callable[..., object] = None
-    """``constant(expression, function, class)``: the literal value of an expression, or None."""
+    """``constant(expression, function)``: the literal value of an expression that stands in a function, or None."""
+    named: Callable[..., str | None] = None
+    """``named(expression, function)``: the dotted name of what was imported, or called to make the value, or None."""
 
     def class_named(self, name: str) -> NodeClass | None:
         return next((each for each in self.classes if each.name == name), None)

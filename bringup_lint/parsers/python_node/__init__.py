@@ -42,7 +42,7 @@ _DECLARE = ("declare_parameter", "declare_parameters")
 def parse(source: Source) -> NodeSource:
     """The classes, endpoints and parameters of a file. Never raises; ``problems``: ``syntax``, ``too-large``."""
     file = NodeSource(source, span_of=lambda node: source.whole, qualified=lambda node: None)
-    file.constant = lambda *_: None
+    file.constant = file.named = lambda *_: None
     if len(source.text) > TEXT:
         file.problems.append(Problem("too-large", source.whole))
         return file
@@ -68,7 +68,7 @@ def _read(file: NodeSource, tree: ast.Module) -> None:
     if not module.complete:
         file.problems.append(Problem("too-large", file.source.whole))
     reading = Reading(file, module, values)
-    file.constant = reading.constant
+    file.constant, file.named = reading.constant, reading.named
     reading.run()
 
 
@@ -82,7 +82,6 @@ class Reading:
         self.classes: dict[int, NodeClass] = {}
         self.single: dict[int, NodeClass] = {}
         """Nodes that a call makes, by the ``id`` of the call."""
-        self.scopes: dict[int, Scope] = {}
         self.class_scopes: dict[int, ClassScope] = {}
         """Class of the model (by ``id``) -> its scope."""
         self.instances: dict[str, list[Call]] = {}
@@ -92,8 +91,6 @@ class Reading:
         for scope in self.module.all_classes:
             found = self.classes[id(scope)] = node_class(self.values, scope)
             self.class_scopes[id(found)] = scope
-            for method in scope.scopes.values():
-                self.scopes[id(method.node)] = method
         for scope in self.module.all_classes:
             if scope.base is not None:
                 self.classes[id(scope)].base = self.classes[id(scope.base)]
@@ -115,8 +112,13 @@ class Reading:
 
     def constant(self, node: ast.expr, within: ast.AST | None = None) -> Any:
         """The literal value of an expression that stands in a function; None when it is not known."""
-        value = self.values.of(node, self.scopes.get(id(within), self.module.scope))
+        value = self.values.of(node, self.module.scopes.get(id(within), self.module.scope))
         return None if value is UNKNOWN or isinstance(value, (Symbol, Called, Read)) else value
+
+    def named(self, node: ast.expr, within: ast.AST | None = None) -> str | None:
+        """The dotted name of something imported, of a class of the file, or of what was called to make the value."""
+        value = self.values.of(node, self.module.scopes.get(id(within), self.module.scope))
+        return value.name if isinstance(value, (Symbol, Called)) else None
 
     def declare(self, call: Call) -> None:
         function = call.node.func

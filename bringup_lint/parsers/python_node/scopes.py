@@ -88,6 +88,8 @@ class Module:
     functions: dict[str, Def] = field(default_factory=dict)
     calls: list[Call] = field(default_factory=list)
     main: str | None = None
+    scopes: dict[int, Scope] = field(default_factory=dict)
+    """Every function, by the ``id`` of its syntax node."""
     complete: bool = True
     """False when the file is too long to be read to the end."""
 
@@ -134,6 +136,7 @@ def _function(module: Module, todo: Todo) -> Iterator[Todo]:
     arguments = [*node.args.posonlyargs, *node.args.args, *node.args.kwonlyargs, node.args.vararg, node.args.kwarg]
     inner.arguments = frozenset(argument.arg for argument in arguments if argument is not None)
     inner.names = {name: [None] for name in inner.arguments}
+    module.scopes[id(node)] = inner
     if todo.cls is not None:
         todo.cls.methods[node.name] = node
         todo.cls.scopes[node.name] = inner

@@ -1,0 +1,82 @@
+"""Where in a node source a piece of syntax stands: its statement, block and function."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterable
+from collections.abc import Iterator
+
+from bringup_lint.model.node_source import NodeSource
+
+FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)
+
+
+class Syntax:
+    """The tree of one file, read upwards."""
+
+    def __init__(self, file: NodeSource) -> None:
+        self.file = file
+        self.calls: list[ast.Call] = []
+        self._above: dict[int, tuple[ast.AST, str]] = {}
+        stack: list[ast.AST] = [file.tree]
+        while stack:
+            node = stack.pop()
+            if isinstance(node, ast.Call):
+                self.calls.append(node)
+            for name, value in ast.iter_fields(node):
+                for child in value if isinstance(value, list) else (value,):
+                    if isinstance(child, ast.AST):
+                        self._above[id(child)] = (node, name)
+                        stack.append(child)
+        self.calls.sort(key=lambda call: (call.lineno, call.col_offset))
+
+    def above(self, node: ast.AST) -> Iterator[tuple[ast.AST, str]]:
+        """What a node stands in, innermost first, each with the field that holds it."""
+        while id(node) in self._above:
+            node, name = self._above[id(node)]
+            yield node, name
+
+    def within(self, node: ast.AST) -> Iterator[tuple[ast.AST, str]]:
+        """As ``above``, up to the function that the node stands in."""
+        for outer, name in self.above(node):
+            if isinstance(outer, (*FUNCTIONS, ast.ClassDef)):
+                return
+            yield outer, name
+
+    def function(self, node: ast.AST) -> ast.FunctionDef | ast.AsyncFunctionDef | None:
+        """The innermost function that a node stands in."""
+        for outer, _ in self.above(node):
+            if isinstance(outer, (ast.FunctionDef, ast.AsyncFunctionDef)):
+                return outer
+        return None
+
+    def after(self, statement: ast.stmt) -> list[ast.stmt]:
+        """The statements behind one in its own block."""
+        if id(statement) not in self._above:
+            return []
+        outer, name = self._above[id(statement)]
+        block = getattr(outer, name)
+        return block[block.index(statement) + 1 :] if isinstance(block, list) else []
+
+    def qualified(self, call: ast.Call) -> str | None:
+        return self.file.qualified(call.func)
+
+
+def own(nodes: Iterable[ast.AST]) -> Iterator[ast.AST]:
+    """The nodes and all that stands in them, in the order of the text, without the functions and classes defined there."""
+    stack = list(reversed(list(nodes)))
+    while stack:
+        node = stack.pop()
+        yield node
+        if not isinstance(node, (*FUNCTIONS, ast.ClassDef)):
+            stack.extend(reversed(list(ast.iter_child_nodes(node))))
+
+
+def own_calls(nodes: Iterable[ast.AST]) -> Iterator[ast.Call]:
+    return (node for node in own(nodes) if isinstance(node, ast.Call))
+
+
+def body_of(function: ast.AST) -> list[ast.AST]:
+    """The statements of a function; the expression of a lambda."""
+    body = getattr(function, "body", [])
+    return body if isinstance(body, list) else [body]
