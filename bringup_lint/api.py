@@ -49,6 +49,7 @@ _WORDS = {
     "memory": "bringup_lint.graph.systemd.memory",
     "move_lines": "bringup_lint.graph.systemd.unit_edits",
     "nearest": "bringup_lint.spelling",
+    "nodes": "bringup_lint.graph.nodes.words",
     "paths": "bringup_lint.graph.systemd.sandbox",
     "ros_values": "bringup_lint.parsers.ros_values",
     "runs_as_root": "bringup_lint.model.dockerfile",

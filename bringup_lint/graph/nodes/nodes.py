@@ -8,21 +8,32 @@ from collections.abc import Iterator
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from bringup_lint.finding import Related
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.nodes.modules import Modules
 from bringup_lint.graph.nodes.programs import Program
+from bringup_lint.graph.nodes.programs import made
 from bringup_lint.graph.nodes.programs import program_of
+from bringup_lint.graph.nodes.shutdown import Ending
+from bringup_lint.graph.nodes.syntax import Syntax
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
 from bringup_lint.parsers.python_node import parse
+from bringup_lint.parsers.python_node.classes import ROOTS
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.systemd.unit import Unit
     from bringup_lint.robot import Robot
 
+_TIMERS = re.compile(r"\bcreate_(?:timer|rate|wall_timer)\b|\bTimer\(|\bcreate_task\b")
 _TEST = re.compile(r"(?:^|[/_-])tests?(?:[/_.-]|$)|(?:^|/)(?:testing|integration_tests?)/", re.I)
-_EXAMPLE = re.compile(r"(?:^|[/_-])(?:examples?|demos?|tutorials?|samples?)(?:[/_.-]|$)|(?:^|/)docs?/", re.I)
+_EXAMPLE = re.compile(
+    r"(?:^|[/_-])(?:examples?|demos?|tutorials?|samples?)(?:[/_.-]|$)|(?:^|/)(?:docs?|tools?|benchmarks?)/", re.I
+)
+_SIMULATION = re.compile(r"(?:^|[/_-])(?:sim|simulation|simulator|gazebo|gz|mujoco|webots|isaac\w*)(?:[/_.-]|$)", re.I)
+_PURPOSES = (("test", _TEST), ("example", _EXAMPLE), ("simulation", _SIMULATION))
 
 
 class Nodes:
@@ -52,10 +63,10 @@ class Nodes:
         return self._modules.by_source[id(node.source)]
 
     def purpose(self, source: Source) -> str:
-        """``test``, ``example`` or an empty string, by the path of the file in its package."""
+        """``test``, ``example``, ``simulation`` or an empty string, by the path of the file in its package."""
         if id(source) not in self._purposes:
             path = self._path(source)
-            self._purposes[id(source)] = "test" if _TEST.search(path) else "example" if _EXAMPLE.search(path) else ""
+            self._purposes[id(source)] = next((name for name, words in _PURPOSES if words.search(path)), "")
         return self._purposes[id(source)]
 
     @cached_property
@@ -99,6 +110,88 @@ class Nodes:
             for node in program.classes if program is not None else ():
                 found.setdefault(id(node), []).append(started)
         return found
+
+    @cached_property
+    def _programs_of(self) -> dict[int, list[Started]]:
+        found: dict[int, list[Started]] = {}
+        for started in self.robot.launch.nodes:
+            program = self.program_of(started)
+            if program is not None:
+                found.setdefault(id(program.file.source), []).append(started)
+        return found
+
+    def launched(self, file: NodeSource) -> list[Started]:
+        """The launch actions that run a file as a program."""
+        return self._programs_of.get(id(file.source), [])
+
+    def units(self, file: NodeSource) -> list[Unit]:
+        """The units whose launch files run a file as a program."""
+        actions = {id(started.action) for started in self.launched(file)}
+        found: dict[int, Unit] = {}
+        for command in self.robot.launch.commands if actions else ():
+            if command.file is not None and command.process is not None:
+                nodes = self.robot.launch.expansion(command.file).nodes
+                if any(id(node.action) in actions for node in nodes):
+                    found[id(command.process.unit)] = command.process.unit
+        return list(found.values())
+
+    def made(self, file: NodeSource) -> list[NodeClass]:
+        """The nodes that the code of a file makes, also of classes that stand in other files."""
+        return list(dict.fromkeys(made(self._modules, file, None)))
+
+    def makers(self, node: NodeClass) -> list[NodeSource]:
+        """The files of the tree that make a node of this class."""
+        return self._makers.get(id(node), [])
+
+    @cached_property
+    def _makers(self) -> dict[int, list[NodeSource]]:
+        found: dict[int, list[NodeSource]] = {}
+        for file in self.sources:
+            for node in self.made(file) if file.tree is not None else ():
+                found.setdefault(id(node), []).append(file)
+        return found
+
+    @cached_property
+    def programs(self) -> list[NodeSource]:
+        """The judged sources but tests: those whose ends are looked at."""
+        return [file for file in self.judged if self.purpose(file.source) != "test"]
+
+    def stopped_by(self, file: NodeSource) -> set[str]:
+        """The signals with which units stop a file that they start; empty when no unit does, or that is not known."""
+        services = [self.robot.units.supervision(unit) for unit in self.units(file)]
+        signals = {str(service.kill_signal.value) for service in services}
+        return signals if "None" not in signals else set()
+
+    def way(self, file: NodeSource, *more: Related) -> tuple[Related, ...]:
+        """How a unit and launch files lead to a file; empty when none does."""
+        return next(filter(None, (self.robot.ways.to_node(each, *more) for each in self.launched(file))), ())
+
+    def without_timer(self, file: NodeSource) -> list[NodeClass]:
+        """The nodes that a program makes, when surely none of them has a timer; else empty."""
+        made = self.made(file)
+        lineages = [each for node in made for each in node.lineage]
+        known = all(each.is_node is True and self._is_followed(each) for each in lineages)
+        texts = {each.source.text for each in lineages} | {file.source.text}
+        if not known or any(_TIMERS.search(text) for text in texts):
+            return []
+        return made
+
+    def _is_followed(self, node: NodeClass) -> bool:
+        """Whether all that a class builds on is known."""
+        return node.name is None or node.base is not None or all(base in ROOTS for base in node.bases)
+
+    def syntax(self, file: NodeSource) -> Syntax:
+        return self.ending(file).syntax
+
+    def ending(self, file: NodeSource) -> Ending:
+        """How the programs of a file end."""
+        if id(file) not in self._endings:
+            self._endings[id(file)] = Ending(Syntax(file))
+        return self._endings[id(file)]
+
+    @cached_property
+    def _endings(self) -> dict[int, Ending]:
+        return {}
 
     def started(self, node: NodeClass) -> list[Started]:
         """The launch actions that start a node of this class, each as its own file starts it."""

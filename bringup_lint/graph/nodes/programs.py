@@ -71,11 +71,11 @@ def _program(modules: Modules, file: NodeSource, function: str | None, declared:
             break
         file, function = other, name
     start = function if function in file.functions else None
-    classes = list(dict.fromkeys(_made(modules, file, start or file.main or None)))
+    classes = list(dict.fromkeys(made(modules, file, start or file.main or None)))
     return Program(file, start, tuple(classes), declared)
 
 
-def _made(modules: Modules, file: NodeSource, function: str | None) -> Iterator[NodeClass]:
+def made(modules: Modules, file: NodeSource, function: str | None) -> Iterator[NodeClass]:
     """The nodes that a function, or the whole file, makes; functions of the same file are followed."""
     todo: list[ast.AST] = [file.functions[function].node] if function in file.functions else [file.tree]
     seen = {function}

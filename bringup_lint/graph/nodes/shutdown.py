@@ -1,8 +1,8 @@
 """How a node source ends: who handles the signals, what runs when ``spin`` is over.
 
-As tried with rclpy (Jazzy): unless ``rclpy.init`` is told otherwise, SIGINT and SIGTERM invalidate the context before any
-``except`` or ``finally`` runs. A handler of ``signal.signal`` runs only when the interpreter gets control, and a spin that
-nothing wakes keeps waiting in C.
+As tried with rclpy (Jazzy): unless ``rclpy.init`` is told otherwise, SIGINT and SIGTERM invalidate the context before
+any ``except`` or ``finally`` runs. A handler of ``signal.signal`` runs only when the interpreter gets control, and a
+spin that nothing wakes keeps waiting in C.
 """
 
 from __future__ import annotations
@@ -62,7 +62,7 @@ class Ending:
 
     @cached_property
     def signals(self) -> str | None:
-        """What handles SIGINT and SIGTERM: ``rclpy`` (the default), ``none`` (rclpy leaves them alone), None: not known."""
+        """What handles SIGINT and SIGTERM: ``rclpy`` (the default), ``none`` (not rclpy); None: not known."""
         options = {self._option(call) for call in self.inits}
         if len(options) != 1 or any(self.syntax.qualified(call) in _OWN_SIGNALS for call in self.syntax.calls):
             return None
@@ -138,9 +138,14 @@ class Ending:
         """The ``try`` statements around a spin."""
         found = []
         for node in ast.walk(self.file.tree):
-            if isinstance(node, ast.Try) and (spins := list(self.spins_in(node.body))):
+            if isinstance(node, ast.Try) and (spins := list(self.spins_in(node.body))) and not self._in_thread(node):
                 found.append((node, spins))
         return found
+
+    def _in_thread(self, node: ast.AST) -> bool:
+        """Whether code stands in a class of threads: what a signal raises is not raised there."""
+        classes = [outer for outer, _ in self.syntax.above(node) if isinstance(outer, ast.ClassDef)]
+        return any((self.file.qualified(base) or "").endswith("Thread") for each in classes for base in each.bases)
 
     def caught(self, handler: ast.ExceptHandler) -> frozenset[str]:
         """The names of the exceptions that a handler takes; ``BaseException`` when it takes all. Empty: not known."""

@@ -63,7 +63,7 @@ class Syntax:
 
 
 def own(nodes: Iterable[ast.AST]) -> Iterator[ast.AST]:
-    """The nodes and all that stands in them, in the order of the text, without the functions and classes defined there."""
+    """The nodes and all that stands in them, in the order of the text, without functions and classes defined there."""
     stack = list(reversed(list(nodes)))
     while stack:
         node = stack.pop()

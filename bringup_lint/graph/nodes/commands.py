@@ -1,0 +1,42 @@
+"""Which topics move the robot: velocities, efforts and brakes."""
+
+from __future__ import annotations
+
+import re
+
+from bringup_lint.model.node_source import Endpoint
+
+_VELOCITIES = frozenset(
+    f"{package}/msg/{name}"
+    for package, names in {
+        "geometry_msgs": ("Twist", "TwistStamped"),
+        "ackermann_msgs": ("AckermannDrive", "AckermannDriveStamped"),
+        "std_msgs": (
+            "Float64",
+            "Float32",
+            "Float64MultiArray",
+            "Float32MultiArray",
+            "Int16",
+            "Int32",
+            "Int16MultiArray",
+        ),
+        "control_msgs": ("JointJog", "MultiDOFCommand"),
+    }.items()
+    for name in names
+)
+_COMMAND = re.compile(
+    r"(?:^|[/_])(?:cmd_?vel|cmd|commands?|vel|velocity|drive|throttle|pwm|effort|brake)s?(?=$|[/_])", re.I
+)
+_REPORT = re.compile(
+    r"(?:^|[/_])(?:odom\w*|state|status|feedback|measured|actual|current|estimate\w*|viz|debug|imu|encoder\w*)(?=$|[/_])",
+    re.I,
+)
+
+
+def moves(endpoint: Endpoint) -> bool:
+    """Whether what is published here makes something move until it is told to stop."""
+    if endpoint.name is None or endpoint.type not in (None, *_VELOCITIES):
+        return False
+    if endpoint.type is None:
+        return endpoint.name.rpartition("/")[2] == "cmd_vel"
+    return bool(_COMMAND.search(endpoint.name)) and not _REPORT.search(endpoint.name)

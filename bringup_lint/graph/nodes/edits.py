@@ -1,0 +1,37 @@
+"""Changes of node sources: imports that a fix needs."""
+
+from __future__ import annotations
+
+import ast
+
+from bringup_lint.model.node_source import NodeSource
+from bringup_lint.source import Span
+
+
+def import_edits(file: NodeSource, module: str, name: str) -> list[tuple[Span, str]]:
+    """The edit that imports a name; none when the file has it."""
+    if file.imports.get(name) == f"{module}.{name}":
+        return []
+    imports = [node for node in file.tree.body if isinstance(node, (ast.Import, ast.ImportFrom))]
+    ours = [node for node in imports if _sorts_before(node, module)]
+    line = f"from {module} import {name}\n"
+    if ours:
+        return [(_behind(file, ours[-1]), line)]
+    first = imports[0] if imports else next(iter(file.tree.body), None)
+    start = file.span_of(first).start if first is not None else 0
+    return [(Span(file.source, start, start), line)]
+
+
+def _sorts_before(node: ast.Import | ast.ImportFrom, module: str) -> bool:
+    """Whether an import of the same package stands before one of the module in the order of the alphabet."""
+    root = module.partition(".")[0]
+    if isinstance(node, ast.Import):
+        return any(each.name.partition(".")[0] == root for each in node.names)
+    return not node.level and (node.module or "").partition(".")[0] == root and (node.module or "") <= module
+
+
+def _behind(file: NodeSource, node: ast.stmt) -> Span:
+    """The start of the line behind a statement."""
+    end = file.source.text.find("\n", file.span_of(node).end)
+    at = len(file.source.text) if end < 0 else end + 1
+    return Span(file.source, at, at)

@@ -1,0 +1,238 @@
+"""What goes wrong when a node is stopped: exceptions that nobody takes, shutdowns and commands that come too late."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from bringup_lint.graph.nodes.sending import Sending
+from bringup_lint.graph.nodes.sending import sendings
+from bringup_lint.graph.nodes.shutdown import Ending
+from bringup_lint.graph.nodes.shutdown import Spin
+from bringup_lint.graph.nodes.syntax import body_of
+from bringup_lint.graph.nodes.syntax import own_calls
+from bringup_lint.model.node_source import Callback
+from bringup_lint.model.node_source import NodeClass
+
+STOPS = frozenset({"KeyboardInterrupt", "ExternalShutdownException"})
+"""The exceptions by which a spin ends when a signal comes."""
+_TAKES_TERM = frozenset({"ExternalShutdownException", "Exception", "BaseException"})
+_LEAVES = (ast.Return, ast.Raise)
+
+
+class Uncaught(NamedTuple):
+    """A ``try`` around a spin that takes KeyboardInterrupt alone: ``caught`` is that name."""
+
+    caught: ast.expr
+    spin: Spin
+
+
+class Double(NamedTuple):
+    """A ``rclpy.shutdown()`` behind a spin that the signal has ended together with the context."""
+
+    call: ast.Call
+    spin: Spin
+
+
+class TooLate(NamedTuple):
+    """A message that is published when the context is invalid. ``how``: ``raises``, ``caught`` (the exception is
+    taken), ``skipped`` (a condition on ``rclpy.ok()`` is false) or ``registered`` (at exit, or on shutdown)."""
+
+    sending: Sending
+    how: str
+    place: ast.AST
+    spin: Spin | None
+
+
+def default_signals(ending: Ending) -> bool:
+    """Whether rclpy alone handles SIGINT and SIGTERM."""
+    return ending.signals == "rclpy" and not ending.handlers
+
+
+def behind(ending: Ending, node: ast.Try) -> list[list[ast.stmt]]:
+    """The blocks that run when a signal has ended the spin in a ``try``."""
+    taken = [handler for handler in node.handlers if ending.caught(handler) & (STOPS | {"BaseException", "Exception"})]
+    blocks = [handler.body for handler in taken if ending.caught(handler) & STOPS]
+    blocks.append(node.finalbody)
+    quiet = [handler for handler in taken if "KeyboardInterrupt" in ending.caught(handler)]
+    if quiet and not any(isinstance(last, _LEAVES) or _exits(ending, last) for each in quiet for last in each.body):
+        blocks.append(ending.syntax.after(node))
+    return [block for block in blocks if block]
+
+
+def _exits(ending: Ending, statement: ast.stmt) -> bool:
+    calls = [node for node in ast.walk(statement) if isinstance(node, ast.Call)]
+    return any(ending.syntax.qualified(call) in ("sys.exit", "os._exit") for call in calls)
+
+
+def uncaught(ending: Ending) -> Iterator[Uncaught]:
+    """Spins whose ExternalShutdownException passes every ``except`` around them."""
+    if not default_signals(ending):
+        return
+    for node, spins in ending.tries:
+        single = next((spin for spin in spins if spin.executor == "single"), None)
+        names = [ending.caught(handler) for handler in node.handlers]
+        if single is None or frozenset() in names or any(each & _TAKES_TERM for each in names):
+            continue
+        for handler in node.handlers:
+            if "KeyboardInterrupt" in ending.caught(handler) and not _taken_outside(ending, node):
+                types = handler.type.elts if isinstance(handler.type, ast.Tuple) else [handler.type]
+                named = [each for each in types if ending.file.span_of(each).text.endswith("KeyboardInterrupt")]
+                yield from (Uncaught(each, single) for each in named[:1])
+
+
+def _taken_outside(ending: Ending, node: ast.AST) -> bool:
+    """Whether an outer ``try``, here or around a call of this function, takes the exception."""
+    if _taken(ending, node):
+        return True
+    function = ending.syntax.function(node)
+    if function is None:
+        return False
+    return any(
+        isinstance(call.func, (ast.Name, ast.Attribute)) and _last(call.func) == function.name and _taken(ending, call)
+        for call in ending.syntax.calls
+    )
+
+
+def _last(node: ast.Name | ast.Attribute) -> str:
+    return node.id if isinstance(node, ast.Name) else node.attr
+
+
+def _taken(ending: Ending, node: ast.AST) -> bool:
+    for outer, name in ending.syntax.within(node):
+        if isinstance(outer, ast.Try) and name == "body":
+            names = [ending.caught(handler) for handler in outer.handlers]
+            if frozenset() in names or any(each & _TAKES_TERM for each in names):
+                return True
+        if isinstance(outer, ast.With):
+            return True
+    return False
+
+
+def doubles(ending: Ending) -> Iterator[Double]:
+    """Every ``rclpy.shutdown()`` that finds the context shut down already."""
+    if not default_signals(ending):
+        return
+    seen: set[int] = set()
+    for node, spins in ending.tries:
+        for block in behind(ending, node):
+            for call in own_calls(block):
+                plain = ending.syntax.qualified(call) == "rclpy.shutdown" and not call.args and not call.keywords
+                if plain and id(call) not in seen and not _guarded(ending, call, block):
+                    seen.add(id(call))
+                    yield Double(call, spins[0])
+
+
+def _guarded(ending: Ending, call: ast.AST, block: list[ast.stmt]) -> bool:
+    """Whether a condition, ``with`` or ``try`` stands between a block and a call in it."""
+    outer = next(ending.syntax.above(block[0]))[0]
+    return ending.guarded(call, outer)
+
+
+def too_late(ending: Ending) -> Iterator[TooLate]:
+    """The messages that are published behind a spin which a signal has ended."""
+    if ending.signals == "rclpy" and not ending.handlers:
+        seen: set[int] = set()
+        for node, spins in ending.tries:
+            for block in behind(ending, node):
+                for sending in sendings(ending.syntax, block):
+                    if id(sending.call) not in seen:
+                        seen.add(id(sending.call))
+                        yield TooLate(sending, _how(ending, sending.call, block), sending.call, spins[0])
+    yield from _registered(ending)
+
+
+def _how(ending: Ending, call: ast.Call, block: list[ast.stmt]) -> str:
+    outer = next(ending.syntax.above(block[0]))[0]
+    for above, name in ending.syntax.within(call):
+        if above is outer:
+            break
+        if isinstance(above, (ast.If, ast.While, ast.IfExp, ast.BoolOp)):
+            return "skipped" if "ok()" in ast.unparse(getattr(above, "test", above)) else "perhaps"
+        if isinstance(above, ast.With) or (isinstance(above, ast.Try) and name == "body" and above.handlers):
+            return "caught"
+    return "raises"
+
+
+def _registered(ending: Ending) -> Iterator[TooLate]:
+    """Functions that publish, given to ``context.on_shutdown``; to ``atexit`` when rclpy handles the signals."""
+    for call in ending.syntax.calls:
+        if not call.args:
+            continue
+        on_shutdown = is_on_shutdown(call)
+        if not on_shutdown and (ending.syntax.qualified(call) != "atexit.register" or not default_signals(ending)):
+            continue
+        cls = class_around(ending, call)
+        for sending in sendings(ending.syntax, handed(ending, call.args[0], cls), cls):
+            yield TooLate(sending, "on-shutdown" if on_shutdown else "at-exit", call, None)
+
+
+def is_on_shutdown(call: ast.Call) -> bool:
+    function = call.func
+    return isinstance(function, ast.Attribute) and function.attr == "on_shutdown" and _is_context(function.value)
+
+
+def _is_context(node: ast.expr) -> bool:
+    node = node.func if isinstance(node, ast.Call) else node
+    return isinstance(node, (ast.Name, ast.Attribute)) and "context" in _last(node).lower()
+
+
+def class_around(ending: Ending, node: ast.AST) -> NodeClass | None:
+    """The class of nodes in which a piece of syntax stands."""
+    for outer, _ in ending.syntax.above(node):
+        if isinstance(outer, ast.ClassDef):
+            return next((each for each in ending.file.classes if each.node is outer), None)
+    return None
+
+
+def handed(ending: Ending, node: ast.expr, cls: NodeClass | None) -> list[ast.AST]:
+    """The statements of a function that is handed over by name, as a method or as a lambda."""
+    if isinstance(node, ast.Lambda):
+        return [node.body]
+    if isinstance(node, ast.Name) and node.id in ending.file.functions:
+        return body_of(ending.file.functions[node.id].node)
+    if isinstance(node, ast.Attribute):
+        owners = [cls] if cls is not None else [each for each in ending.file.classes if each.is_node]
+        found = next((method for each in owners if (method := each.method(node.attr))), None)
+        return body_of(found.node) if found is not None else []
+    return []
+
+
+class Starved(NamedTuple):
+    """A signal handler of Python that a waiting spin keeps from running.
+
+    ``place``: ``signal.signal(...)``, or the option that leaves the signals to Python."""
+
+    place: ast.AST
+    signals: frozenset[str]
+    spin: Spin
+    wakers: list[Callback]
+    """What wakes the node now and then: its subscriptions and services."""
+
+
+def starved(ending: Ending, nodes: list[NodeClass]) -> Iterator[Starved]:
+    """``nodes``: all that the program makes, none of them with a timer."""
+    direct = [spin for spin in ending.spins if not spin.loop]
+    if not direct or len(direct) < len(ending.spins) or ending.signals is None:
+        return
+    wakers = [callback for node in nodes for each in node.lineage for callback in each.callbacks]
+    shown = False
+    for handler in ending.handlers:
+        if handler.python and (ending.signals == "none" or _surely_after(ending, handler.call)):
+            shown = True
+            yield Starved(handler.call, handler.signals, direct[0], wakers)
+    if ending.signals == "none" and not shown and not ending.handlers:
+        option = next(each for each in ending.inits[0].keywords if each.arg == "signal_handler_options")
+        yield Starved(option.value, frozenset({"SIGINT"}), direct[0], wakers)
+
+
+def _surely_after(ending: Ending, call: ast.Call) -> bool:
+    """Whether a handler is set after ``rclpy.init``, so that it replaces the one of rclpy."""
+    function = ending.syntax.function(call)
+    inits = ending.inits
+    if function is None or any(isinstance(outer, (ast.If, ast.While)) for outer, _ in ending.syntax.within(call)):
+        return False
+    if class_around(ending, call) is not None and function.name == "__init__":
+        return True
+    return all(ending.syntax.function(init) is function and init.lineno < call.lineno for init in inits)

@@ -1,0 +1,59 @@
+"""rclpy.shutdown() after a signal finds the context shut down already.
+
+## What it finds
+`rclpy.shutdown()` in a `finally`, in an `except KeyboardInterrupt`, or behind such a `try`, where rclpy handles the
+signals itself and neither `rclpy.ok()` nor another `try` stands before it.
+
+## Why it matters on a robot
+On SIGINT and SIGTERM rclpy shuts the context down before the `finally` runs. The second shutdown raises, so every
+Ctrl-C and every stop by systemd ends in a traceback and status 1: the unit is "failed", and real crashes drown in the
+noise.
+
+## Bad
+```python
+try:
+    rclpy.spin(node)
+except (KeyboardInterrupt, ExternalShutdownException):
+    pass
+finally:
+    rclpy.shutdown()
+```
+
+## Good
+```python
+try:
+    rclpy.spin(node)
+except (KeyboardInterrupt, ExternalShutdownException):
+    pass
+finally:
+    rclpy.try_shutdown()
+```
+
+## References
+- tried with rclpy 7.1 (Jazzy)
+- https://docs.ros.org/en/jazzy/p/rclpy/, rclpy.try_shutdown
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import nodes
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning", fix="safe", symptoms=["failed to shutdown: rcl_shutdown already called on the given context"])
+def shutdown_double(robot: Robot):
+    for file in robot.nodes.programs:
+        for call, spin in nodes.doubles(robot.nodes.ending(file)):
+            name = file.span_of(call.func)
+            change = fix("call rclpy.try_shutdown()", (name, f"{name.text[: -len('shutdown')]}try_shutdown"))
+            yield finding(
+                file.span_of(call),
+                "'rcl_shutdown already called': Ctrl-C and systemd's stop end in this exception and status 1, "
+                "because the signal has shut the context down before",
+                advice="call rclpy.try_shutdown()",
+                related=[note(file.span_of(spin.call), "the signal ends this spin")],
+                fix=change if name.text.endswith(".shutdown") else None,
+                severity="info" if robot.nodes.purpose(file.source) else None,
+            )

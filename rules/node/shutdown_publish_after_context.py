@@ -1,0 +1,80 @@
+"""The stop command is published when the context is gone.
+
+## What it finds
+A message that is published in the `finally` or `except` of a spin (directly, or through a method such as `stop()` or
+an own `destroy_node()`), where rclpy handles the signals itself; and one in a callback of `context.on_shutdown` or
+`atexit`.
+
+## Why it matters on a robot
+SIGINT and SIGTERM invalidate the context before any `finally` runs. `publish` then raises, or `rclpy.ok()` is false
+and the command is skipped: the stop command that the code shows is never sent, and the robot keeps its last velocity.
+
+## Bad
+```python
+rclpy.init()
+node = Drive()
+try:
+    rclpy.spin(node)
+except KeyboardInterrupt:
+    pass
+finally:
+    node.publish_zero()
+```
+
+## Good
+```python
+rclpy.init(signal_handler_options=SignalHandlerOptions.NO)
+signal.signal(signal.SIGTERM, signal.default_int_handler)
+node = Drive()  # with a timer: a spin that nothing wakes does not notice the signal
+try:
+    rclpy.spin(node)
+except KeyboardInterrupt:
+    pass
+finally:
+    node.publish_zero()
+    node.destroy_node()
+    rclpy.try_shutdown()
+```
+
+## References
+- tried with rclpy 7.1 (Jazzy)
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import nodes
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+WHY = {
+    "raises": 'the signal has invalidated the context: publish raises "publisher\'s context is invalid"',
+    "caught": "the signal has invalidated the context: publish fails, and the exception is swallowed",
+    "skipped": "the signal has shut the context down: rclpy.ok() is false",
+    "on-shutdown": "the callback does not run when a signal comes, and on rclpy.shutdown() the context is invalid",
+    "at-exit": "the signal has invalidated the context long before the process exits",
+}
+
+
+@rule("error", symptoms=["Failed to publish: publisher's context is invalid"], tags=["CWE-404"])
+def shutdown_publish_after_context(robot: Robot):
+    for file in robot.nodes.programs:
+        told = set()
+        for late in nodes.too_late(robot.nodes.ending(file)):
+            endpoint, place = late.sending.endpoint, file.span_of(late.place)
+            if late.how not in WHY or place in told:
+                continue
+            told.add(place)
+            moves = nodes.moves(endpoint)
+            what = "stop command" if moves else "last message"
+            steps = [note(endpoint.span, f"the publisher of {endpoint.name or 'the command'}")]
+            if late.spin is not None:
+                steps.insert(0, note(file.span_of(late.spin.call), "SIGINT or SIGTERM ends this spin"))
+            yield finding(
+                place,
+                f"The {what} is never sent: {WHY[late.how]}",
+                advice="init with SignalHandlerOptions.NO, turn SIGTERM into KeyboardInterrupt with "
+                "signal.signal(signal.SIGTERM, signal.default_int_handler), and give the node a timer",
+                related=steps,
+                chain=robot.nodes.way(file, note(place, f"the {what} comes too late")),
+                severity=nodes.lowered(robot.nodes.purpose(file.source), "error" if moves else "warning"),
+            )

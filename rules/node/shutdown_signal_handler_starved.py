@@ -1,0 +1,62 @@
+"""A signal handler of Python that never runs.
+
+## What it finds
+`signal.signal(SIGTERM or SIGINT, ...)` set after `rclpy.init()`, or `SignalHandlerOptions.NO`, in a program whose
+nodes have no timer and that waits in `rclpy.spin`.
+
+## Why it matters on a robot
+Python runs signal handlers only when the interpreter has control, and a spin that nothing wakes waits in C. Since
+rclpy's own handler is gone, nothing happens at all: the node ignores the stop until systemd or launch kills it,
+without its safe state. With subscriptions it notices the signal when the next message comes.
+
+## Bad
+```python
+rclpy.init(signal_handler_options=SignalHandlerOptions.NO)
+signal.signal(signal.SIGTERM, signal.default_int_handler)
+rclpy.spin(Gripper())  # without a timer
+```
+
+## Good
+```python
+class Gripper(Node):
+    def __init__(self):
+        super().__init__('gripper')
+        self.create_timer(0.2, lambda: None)  # lets signal handlers run
+```
+
+## References
+- tried with rclpy 7.1 (Jazzy)
+- https://docs.python.org/3/library/signal.html, "Execution of Python signal handlers"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import nodes
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["State 'stop-sigterm' timed out. Killing."])
+def shutdown_signal_handler_starved(robot: Robot):
+    for file in robot.nodes.programs:
+        waiting = robot.nodes.without_timer(file)
+        for found in nodes.starved(robot.nodes.ending(file), waiting) if waiting else ():
+            signals = " and ".join(sorted(found.signals))
+            message = (
+                f"The node ignores {signals} until it is killed: nothing wakes the spin, so the handler never runs"
+            )
+            if found.wakers:
+                message = (
+                    f"The node notices {signals} only when the next message or call comes: no timer wakes the spin"
+                )
+            yield finding(
+                file.span_of(found.place),
+                message,
+                advice="give the node a periodic timer (0.2 s), or spin_once with a time-out in an own loop",
+                related=[
+                    note(file.span_of(found.spin.call), "this spin waits in C"),
+                    *(note(node.name or node.span, "this node has no timer") for node in waiting[:3]),
+                ],
+                chain=robot.nodes.way(file, note(file.span_of(found.place), "the signal is not noticed")),
+                severity=nodes.lowered(robot.nodes.purpose(file.source), "warning" if found.wakers else "error"),
+            )
