@@ -125,6 +125,18 @@ def test_findings_and_picture_lead_to_each_other(opened) -> None:
     assert not tab.is_visible("#finding-1 .locate")
 
 
+def test_a_finding_explains_its_rule(opened) -> None:
+    tab = opened(page({}, sample()))
+    assert tab.is_hidden("#finding-1 .explain")
+    tab.click("#finding-0 .explain")
+    said = tab.inner_text("#finding-0 .doc")
+    assert "The participant binds to nothing, and stays so." in said
+    assert "does not match an available interface" in said
+    assert tab.get_attribute("#finding-0 .doc a", "href") == "https://www.rfc-editor.org/rfc/rfc1112"
+    tab.click("#finding-0 .explain")
+    assert tab.locator(".doc").count() == 0
+
+
 def test_an_edge_says_why(opened) -> None:
     tab = opened(page(mower()))
     tab.locator('.edge[data-kind="binds"]').dispatch_event("click")

@@ -15,6 +15,7 @@ from bringup_lint.report.html.markup import code
 from bringup_lint.report.html.markup import icon
 from bringup_lint.report.html.markup import lines
 from bringup_lint.report.html.markup import text
+from bringup_lint.report.html.prose import prose
 from bringup_lint.report.model import Report
 from bringup_lint.report.place import is_whole_file
 from bringup_lint.report.place import place_of
@@ -35,7 +36,14 @@ def articles(report: Report) -> str:
         if held:
             heading = f'<h2>{title} <span class="count">{len(held)}</span></h2>'
             sections.append(f'<section class="group">{heading}{"".join(held)}</section>')
-    return "\n".join(sections)
+    return "\n".join((*sections, *_documentation(report)))
+
+
+def _documentation(report: Report) -> Iterator[str]:
+    """What the rules of the findings say, once each; the script shows it below a finding."""
+    for rule in sorted({finding.rule for finding in report.shown}):
+        if rule in report.rules:
+            yield f'<template data-rule="{text(rule)}">{prose(report.rules[rule])}</template>'
 
 
 def _nothing(report: Report) -> str:
@@ -56,10 +64,12 @@ def _article(number: int, finding: Finding, report: Report) -> str:
     severity = str(finding.severity)
     family = finding.rule.partition("/")[0]
     body = "".join(_body(finding))
+    about = {"finding": number, "severity": severity, "family": family, "rule": finding.rule, "file": finding.span.path}
+    held = "".join(f' data-{key}="{text(value)}"' for key, value in about.items())
     return (
-        f'<article class="finding {severity}" id="finding-{number}" data-finding="{number}" data-severity="{severity}" '
-        f'data-family="{text(family)}" data-file="{text(finding.span.path)}" tabindex="-1">'
+        f'<article class="finding {severity}" id="finding-{number}"{held} tabindex="-1">'
         f'<header><span class="severity {severity}">{icon(severity)}{severity}</span>{_rule(finding.rule, report)}'
+        '<button type="button" class="explain" aria-expanded="false" hidden>Why</button>'
         '<button type="button" class="locate" hidden>Show in the picture</button></header>'
         f"<h3>{text(' '.join(finding.message.split()))}</h3>{body}</article>\n"
     )

@@ -6,9 +6,9 @@
    runs through a box; links of one hub share their tracks. The same graph in the same room gives the same drawing. */
 
 const SIZE = {
-  letter: 7.25, padding: 20, badge: 20, narrow: 72, wide: 250,
+  letter: 7.25, padding: 20, badge: 20, narrow: 72, wide: 290,
   low: 24, high: 38, roomy: 60, gap: 8, track: 7,
-  margin: 14, between: 12, corridor: 42, crowd: 1.1, broad: 150, arrow: 7, rank: 16,
+  margin: 14, between: 12, corridor: 42, crowd: 1.1, broad: 150, arrow: 7, rank: 16, bow: 30,
 };
 const ROWS = [1, 2, 3, 4, 5, 6, 8, 10, 12, 14, 17, 20, 24, 28, 33, 39, 46, 54, 64];
 const SWEEPS = 14;
@@ -23,13 +23,13 @@ function arrange(nodes, links, layers, room) {
   rest(columns);
   settle(columns);
   const bands = spread(columns, nodes, layers);
-  const top = Math.min(...items.map((item) => item.y - item.height / 2), 0);
+  const top = Math.min(...columns.flatMap((column) => column.items.map(topOf)));
   for (const column of columns) for (const item of column.items) item.y -= top;
   return {
     high,
     bands,
     width: bands.length ? bands.at(-1).x + bands.at(-1).width : 0,
-    height: Math.max(0, ...items.map((item) => item.y + item.height / 2)),
+    height: Math.max(0, ...columns.flatMap((column) => column.items.map(bottomOf))),
     boxes: items.map((item) => ({
       x: item.column.x, y: item.y - item.height / 2, width: item.column.width, height: item.height,
     })),
@@ -207,8 +207,9 @@ function rest(columns) {
       column.items.forEach((item, index) => {
         offset += index ? distanceOf(column.items[index - 1], item) : 0;
         item.offset = offset;
-        const near = both ? [...item.before, ...item.after] : forward ? item.before : item.after;
-        const weight = near.length ? (item.index < 0 ? 2 : 1) : 0.02;
+        const aside = !item.before.length && !item.after.length;
+        const near = aside ? item.beside : both ? [...item.before, ...item.after] : forward ? item.before : item.after;
+        const weight = aside || !near.length ? 0.02 : item.index < 0 ? 2 : 1;
         const wanted = near.length ? middle(near) : Number.isFinite(item.y) ? item.y : 0;
         blocks.push({ sum: weight * (wanted - offset), weight, size: 1 });
         while (blocks.length > 1 && mean(blocks.at(-2)) > mean(blocks.at(-1))) {
@@ -227,15 +228,36 @@ function rest(columns) {
   }
 }
 
-/* What is tied to nothing stands right below what is above it. */
+/* What is tied to nothing stands right below the rest of its column, and above it where there is no room below. */
 function settle(columns) {
+  const tied = columns.flatMap(({ items }) => items.filter((item) => !lonely(item)));
+  const [top, bottom] = tied.length ? [Math.min(...tied.map(topOf)), Math.max(...tied.map(bottomOf))] : [0, 0];
   for (const { items } of columns) {
-    items.forEach((item, index) => {
-      if (index && lonely(item)) item.y = items[index - 1].y + distanceOf(items[index - 1], item);
-    });
+    const free = items.filter(lonely);
+    const held = items.filter((item) => !lonely(item));
+    if (!free.length) continue;
+    const step = free[0].height + SIZE.gap;
+    let edge = (top + bottom - free.length * step) / 2;
+    if (held.length) {
+      const below = Math.floor(Math.max(0, bottom - bottomOf(held.at(-1))) / step);
+      const above = Math.floor(Math.max(0, topOf(held[0]) - top) / step);
+      const first = Math.max(0, Math.min(above, free.length - below));
+      edge = topOf(held[0]);
+      for (const item of free.splice(0, first).reverse()) {
+        edge -= step;
+        item.y = edge + item.height / 2;
+      }
+      edge = bottomOf(held.at(-1)) + SIZE.gap;
+    }
+    for (const item of free) {
+      item.y = edge + item.height / 2;
+      edge += step;
+    }
   }
 }
 
+const topOf = (item) => item.y - item.height / 2;
+const bottomOf = (item) => item.y + item.height / 2;
 const lonely = (item) => !item.before.length && !item.after.length && !item.beside.length;
 const mean = (block) => block.sum / block.weight;
 
@@ -259,6 +281,7 @@ function spread(columns, nodes, layers) {
       x = SIZE.margin;
       bands.push({ layer: column.layer, x: 0 });
     }
+    if (column.items.some((item) => item.beside.length)) x += SIZE.bow;
     column.x = x;
     column.width = Math.max(SIZE.narrow, ...column.items.filter((item) => item.index >= 0).map((item) => widthOf(nodes[item.index])));
     x += column.width;
@@ -281,7 +304,7 @@ function route(path) {
   const right = (item) => item.column.x + item.column.width;
   if (!way) {
     const x = left(source);
-    const bow = x - 16 - Math.min(34, Math.abs(target.y - source.y) * 0.1);
+    const bow = x - 14 - Math.min(SIZE.bow, Math.abs(target.y - source.y) * 0.1);
     const end = `${num(bow)} ${num(target.y)} ${num(x - SIZE.arrow)} ${num(target.y)}`;
     return { d: `M${num(x)} ${num(source.y)}C${num(bow)} ${num(source.y)} ${end}`, arrow: arrowAt(x, target.y, 1) };
   }

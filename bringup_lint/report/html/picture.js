@@ -151,7 +151,8 @@ function boxFor(node, { x, y, width, height }, index) {
     low ? null : make("text", { class: "kind", x: ranked ? 12 + SIZE.rank : 12, y: 14 }, node.kind === "folded" ? "folded" : node.kind),
     ranked ? make("text", { class: "rank", x: 10, y: low ? 16 : 29 }, String(node.rank)) : null,
     make("text", { class: "label", x: ranked ? 12 + SIZE.rank : 12, y: low ? 16 : 29 }, node.label),
-    node.worst ? make("use", { class: `icon ${node.worst}`, href: `#icon-${node.worst}`, x: width - 19, y: low ? 5 : 6, width: 14, height: 14 }) : null);
+    node.worst ? make("g", { transform: `translate(${num(width - 12)} 12)` },
+      make("use", { class: `icon ${node.worst}`, href: `#icon-${node.worst}`, x: -7, y: -7, width: 14, height: 14 })) : null);
 }
 
 function bandHead(band) {

@@ -65,7 +65,7 @@ function regroup(by) {
     groups.get(key).append(article);
   }
   const ordered = by === "severity" ? [...groups.values()] : [...groups.keys()].sort().map((key) => groups.get(key));
-  if (articles.length) byId("list").replaceChildren(...ordered);
+  if (articles.length) byId("list").replaceChildren(...ordered, ...document.querySelectorAll("template"));
   filter();
 }
 
@@ -93,5 +93,14 @@ function setUpFindings() {
     const locate = article.querySelector(".locate");
     locate.hidden = !drawnFindings.has(finding);
     locate.addEventListener("click", () => chooseFinding(finding));
+    const doc = document.querySelector(`template[data-rule="${CSS.escape(article.dataset.rule)}"]`);
+    const explain = article.querySelector(".explain");
+    explain.hidden = !doc;
+    explain.addEventListener("click", () => {
+      const open = article.querySelector(".doc");
+      explain.setAttribute("aria-expanded", String(!open));
+      if (open) open.remove();
+      else article.append(make("div", { class: "doc" }, doc.content.cloneNode(true)));
+    });
   }
 }
