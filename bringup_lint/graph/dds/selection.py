@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from dataclasses import field
+from functools import partial
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.environment.effective import process_environment
@@ -56,8 +57,14 @@ class Selection:
 
 def selections(robot: Robot) -> Iterator[Selection]:
     """Every process that surely reads a configuration."""
-    yield from _of_units(robot)
-    yield from _of_services(robot)
+    apart = [process for process in robot.ros.processes if process.launched]
+    own = {id(process.unit or process.service) for process in robot.ros.processes if not process.launched}
+    elsewhere = {id(each.node) for process in apart for each in process.launched}
+    all_apart = {id(process.unit or process.service) for process in apart} - own
+    for selection in (*_of_units(robot, elsewhere), *_of_services(robot)):
+        if id(selection.unit or selection.service) not in all_apart:
+            yield selection
+    yield from _of_launched(robot, apart)
 
 
 def profile_selections(robot: Robot, version: str) -> Iterator[tuple[RosProcess, Located, Source]]:
@@ -78,7 +85,25 @@ def profile_selections(robot: Robot, version: str) -> Iterator[tuple[RosProcess,
                 yield process, variable.value, file
 
 
-def _of_units(robot: Robot) -> Iterator[Selection]:
+def _of_launched(robot: Robot, apart: list[RosProcess]) -> Iterator[Selection]:
+    """The processes to which launch gives an environment of their own."""
+    for process in apart:
+        environment, service = process.environment, process.service
+        variable = environment.get(URI)
+        if variable is None or variable.text is None or not _reads_it(environment.text("RMW_IMPLEMENTATION")):
+            continue
+        place = process.where.source.located(process.where.start, process.where.end)
+        selection = Selection(process.name, place, variable.value, unit=process.unit, service=service)
+        if variable.text == variable.value:
+            _resolve(selection, variable.value, partial(_mounted, robot, service) if service else robot.tree.find)
+        else:
+            selection.complete = False
+        _domain(selection, environment)
+        selection.processes = sum(each.node.is_node for each in process.launched)
+        yield selection
+
+
+def _of_units(robot: Robot, elsewhere: set[int]) -> Iterator[Selection]:
     for unit in robot.units.dds:
         for process in robot.units.started(unit):
             environment = process_environment(process, robot)
@@ -91,7 +116,7 @@ def _of_units(robot: Robot) -> Iterator[Selection]:
             else:
                 selection.complete = False
             _domain(selection, environment)
-            selection.processes = _processes(robot, process.launches) if process.mentions_ros else 0
+            selection.processes = _processes(robot, process.launches, elsewhere) if process.mentions_ros else 0
             yield selection
 
 
@@ -145,8 +170,8 @@ def _resolve(selection: Selection, uri: Located, find: object) -> None:
             selection.files.append(file)
 
 
-def _processes(robot: Robot, launches: list) -> int:
-    """A lower bound: components share the process of their container."""
+def _processes(robot: Robot, launches: list, elsewhere: set[int]) -> int:
+    """A lower bound: components share the process of their container, and those ``elsewhere`` are counted there."""
     count = 0
     for _, command in launches:
         file = robot.launch.named(command.package, command.target)
@@ -157,6 +182,7 @@ def _processes(robot: Robot, launches: list) -> int:
         count += sum(
             node.by_default is True and not node.conditions and node.is_node and node.container is None
             for node in started
+            if id(node) not in elsewhere
         )
     return max(count, 1)
 
