@@ -33,6 +33,7 @@ _WORDS = {
     "delete_lines": "bringup_lint.graph.systemd.unit_edits",
     "devices_of": "bringup_lint.graph.launch.of_units",
     "directives": "bringup_lint.facts.directives",
+    "distro_end": "bringup_lint.graph.ros_distros",
     "duration": "bringup_lint.graph.systemd.settings",
     "file_capabilities": "bringup_lint.graph.systemd.capabilities",
     "first_key": "bringup_lint.graph.yaml_edits",

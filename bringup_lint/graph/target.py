@@ -38,6 +38,14 @@ _MENTIONS = re.compile(
 )
 
 
+def mentions_of(distro: str) -> re.Pattern[str]:
+    """What names a distribution, outside of comments."""
+    name = re.escape(distro)
+    before = r"(?m)^(?![ \t]*(?:#|//))[^#\n]*?"
+    words = rf"/opt/ros/{name}\b|\bROS_DISTRO[=:]\s*[\"']?{name}\b|\bros:{name}\b|\bros-{name}-"
+    return re.compile(f"{before}(?P<name>{words})")
+
+
 @dataclass(frozen=True)
 class Target:
     """What the robot runs. Either may be unknown; ``why`` says where it was read."""

@@ -14,6 +14,7 @@ from bringup_lint.facts import table
 from bringup_lint.graph.dds import cyclonedds_discovery
 from bringup_lint.graph.dds import cyclonedds_names
 from bringup_lint.graph.dds import fastdds_names
+from bringup_lint.graph.dds import machines
 from bringup_lint.graph.dds import network as dds_network
 from bringup_lint.graph.dds.selection import Selection
 from bringup_lint.graph.dds.selection import profile_selections
@@ -21,6 +22,8 @@ from bringup_lint.graph.dds.selection import selections
 from bringup_lint.graph.dds.selection import sharing_memory
 from bringup_lint.graph.dds.selection import together
 from bringup_lint.graph.dds.selection import user_of
+from bringup_lint.graph.environment.effective import stays_local
+from bringup_lint.graph.ros_distros import at_least
 from bringup_lint.model.cyclonedds import Configuration
 from bringup_lint.model.cyclonedds import Domain
 from bringup_lint.model.cyclonedds import Remark
@@ -158,6 +161,34 @@ class Dds:
     def sharing_memory(self) -> list[RosProcess]:
         """The unit processes that surely talk over Fast DDS shared memory."""
         return list(sharing_memory(self.robot))
+
+    def domains_of(self, process: RosProcess) -> Iterator[Domain]:
+        """The Domain blocks of the Cyclone DDS files that a process reads."""
+        uri = process.environment.get("CYCLONEDDS_URI")
+        spans = {uri.value.span} if uri is not None else set()
+        read = {id(source) for each in self.selections if each.uri.span in spans for source in each.files}
+        yield from (domain for configuration, domain in self.domains if id(configuration.source) in read)
+
+    hosts_in = staticmethod(machines.in_list)
+
+    def other_machines(self, process: RosProcess) -> Iterator[Located]:
+        """The addresses of other machines in the DDS files that a process reads."""
+        return machines.other_machines(self.robot, process)
+
+    def machines_of(self, process: RosProcess) -> Iterator[Located]:
+        """The same, those of ROS_STATIC_PEERS first where the distribution reads it."""
+        value = process.environment.get(machines.STATIC_PEERS)
+        if value is not None and value.text == value.value and at_least(self.distro, "iron"):
+            yield from (host for host in machines.in_list(value.value) if machines.is_elsewhere(host))
+        yield from self.other_machines(process)
+
+    def keeps_to_itself(self, process: RosProcess) -> bool:
+        """Whether a process surely does no discovery by multicast, or may be told so by a file that is not known."""
+        environment = process.environment
+        if stays_local(environment) or machines.SERVER in environment:
+            return True
+        off = (cyclonedds_discovery.multicast_off(domain) for domain in self.domains_of(process))
+        return any(off) or any(self.profile_readers(each) for each in self.profile_files)
 
     @cached_property
     def _profile_selections(self) -> list[tuple[RosProcess, Located, Source]]:

@@ -25,6 +25,7 @@ from bringup_lint.graph.environment.launching import of_service
 from bringup_lint.graph.environment.launching import of_unit
 from bringup_lint.graph.environment.launching import view
 from bringup_lint.graph.systemd.unit import Unit
+from bringup_lint.graph.target import mentions_of
 from bringup_lint.parsers.env_file import parse
 from bringup_lint.source import Located
 from bringup_lint.source import Source
@@ -98,9 +99,18 @@ class RosEnvironment:
     _launched: dict[int, list[Launched]] = field(default_factory=dict)
 
     @staticmethod
-    def is_development(value: Located) -> bool:
+    def is_development(place: Located | Span) -> bool:
         """Whether the path of the file says that it is for tests, simulation or development."""
-        return bool(_SIMULATION.search(value.span.path))
+        return bool(_SIMULATION.search(place.path))
+
+    def first_mention(self, distro: str) -> Located | None:
+        """The first word of a judged file that says which distribution runs."""
+        pattern = mentions_of(distro)
+        for source in self.robot.sources:
+            match = pattern.search(source.text) if source.judged else None
+            if match is not None:
+                return source.located(match.start("name"), match.end("name"))
+        return None
 
     @cached_property
     def settings(self) -> list[Setting]:

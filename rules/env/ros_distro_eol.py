@@ -1,0 +1,43 @@
+"""The robot runs a ROS distribution that gets no updates any more.
+
+## What it finds
+The distribution that the tree names (`/opt/ros/X`, `ROS_DISTRO`, the image tag `ros:X`, packages `ros-X-...`), when it
+is the only one and its end lies before the day of the run (or the day given with `--now`).
+
+## Why it matters on a robot
+Security holes stay open, and the package server drops the distribution: a robot that has to be set up again cannot be.
+
+## Bad
+```dockerfile
+FROM ros:foxy
+```
+
+## Good
+```dockerfile
+FROM ros:jazzy
+```
+
+## References
+- REP 2000
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import distro_end
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+OLDER = ("eloquent", "dashing", "crystal")
+
+
+@rule("warning", tags=["CWE-1104"])
+def ros_distro_eol(robot: Robot):
+    for distro in [robot.target.ros] if robot.target.ros else OLDER if robot.target.ros_why == "not known" else []:
+        end = distro_end(distro)
+        where = robot.ros.first_mention(distro) if end is not None and end < robot.today else None
+        if where is not None and not robot.ros.is_development(where):
+            yield finding(
+                where,
+                f"ROS 2 {distro.capitalize()} gets no updates since {end}, security fixes included",
+                advice="plan the way to a distribution that is supported",
+            )
+            return

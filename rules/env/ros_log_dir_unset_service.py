@@ -1,0 +1,66 @@
+"""A service whose user has no home, and ROS no place for its logs.
+
+## What it finds
+A unit that runs ROS with `DynamicUser=yes`, or with a `User=` whose home is `/nonexistent` or not there (in a root file
+system), and whose whole environment is known to set none of ROS_LOG_DIR, ROS_HOME and HOME.
+
+## Why it matters on a robot
+Every node writes to `~/.ros/log` from its first moment on: `Failed to create log directory`, and it ends.
+
+## Bad
+```ini
+User=robot                 # /etc/passwd: robot:x:990:990::/nonexistent:/usr/sbin/nologin
+ExecStart=/opt/lawn/start
+```
+
+## Good
+```ini
+User=robot
+LogsDirectory=ros2
+Environment=ROS_LOG_DIR=/var/log/ros2
+```
+
+## References
+- rcl_logging_interface, how the log directory is found
+- systemd.exec(5), LogsDirectory=
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+SETS = ("ROS_LOG_DIR", "ROS_HOME", "HOME")
+
+
+@rule("info", symptoms=["Failed to create log directory", "Failed to get logging directory"])
+def ros_log_dir_unset_service(robot: Robot):
+    for process in robot.ros.processes:
+        unit = process.unit
+        if unit is None or unit not in robot.units.ros or unit.manager != "system":
+            continue
+        if any(process.environment.defines(name) is not False for name in SETS):
+            continue
+        reason = _homeless(robot, unit)
+        if reason is not None and unit.get("WorkingDirectory") != "~":
+            where, why = reason
+            yield finding(
+                where,
+                f"{why}: ROS has nowhere to write its logs, {process.name} does not start",
+                advice="add LogsDirectory=ros2 and Environment=ROS_LOG_DIR=/var/log/ros2",
+                related=[note(process.where, "runs ROS")],
+            )
+
+
+def _homeless(robot, unit):
+    """The place that says that the service has no home, and why."""
+    if unit.unsure_of("User", "DynamicUser", section="Service"):
+        return None
+    dynamic = unit.get("DynamicUser")
+    if dynamic is not None and dynamic.lower() in ("yes", "true", "on", "1"):
+        return dynamic, "A dynamic user has no home"
+    user = unit.get("User")
+    home = robot.accounts.home_of(user) if user and robot.tree.complete else None
+    if home and (home == "/nonexistent" or robot.tree.has(home) is False):
+        return user, f"The home of {user}, {home}, does not exist"
+    return None

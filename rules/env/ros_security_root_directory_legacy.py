@@ -1,0 +1,42 @@
+"""A security variable that went with Eloquent.
+
+## What it finds
+`ROS_SECURITY_ROOT_DIRECTORY`, `ROS_SECURITY_NODE_DIRECTORY` and `ROS_SECURITY_LOOKUP_TYPE`, set anywhere.
+
+## Why it matters on a robot
+Nothing reads them since Foxy: the keystore that they name is not used.
+
+## Bad
+```sh
+ROS_SECURITY_ROOT_DIRECTORY=/etc/lawn/keystore
+```
+
+## Good
+```sh
+ROS_SECURITY_KEYSTORE=/etc/lawn/keystore
+```
+
+## References
+- rcl, security.c: ROS_SECURITY_KEYSTORE since Foxy
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+INSTEAD = {
+    "ROS_SECURITY_ROOT_DIRECTORY": "set ROS_SECURITY_KEYSTORE",
+    "ROS_SECURITY_NODE_DIRECTORY": "set ROS_SECURITY_KEYSTORE, and select an enclave with --ros-args --enclave",
+    "ROS_SECURITY_LOOKUP_TYPE": "delete it: enclaves are looked up by their exact name",
+}
+
+
+@rule("warning")
+def ros_security_root_directory_legacy(robot: Robot):
+    for setting in robot.ros.settings:
+        if setting.name in INSTEAD:
+            yield finding(
+                setting.value,
+                f"{setting.name} is not read since Foxy: it has no effect",
+                advice=INSTEAD[setting.name],
+            )
