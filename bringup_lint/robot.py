@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.host.sshd import Sshd
     from bringup_lint.graph.host.sysctl import Sysctl
     from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.living.expected import Expected
     from bringup_lint.graph.living.living import LivingRobot
     from bringup_lint.graph.nodes.nodes import Nodes
     from bringup_lint.graph.params.params import Params
@@ -400,6 +401,13 @@ class Robot:
         from bringup_lint.graph.ways import Ways
 
         return Ways(self)
+
+    @cached_property
+    def expected(self) -> Expected:
+        """The nodes that the files start, for a comparison with the running graph."""
+        from bringup_lint.graph.living.expected import expected
+
+        return expected(self)
 
     @cached_property
     def living(self) -> LivingRobot | None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import os
 import time
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import TYPE_CHECKING
 from typing import Any
@@ -145,11 +146,14 @@ def seen(robot: Robot, options: dict[str, Any]) -> Source:
     rmw = str(said) if said else None
     with_rmw = f" with {rmw} ({_at(said)})" if said else ""
     click.echo(f"Looking at domain {domain} ({told}){with_rmw} ...", err=True)
-    (graph,) = look([domain], options["wait"], enclave=options["enclave"], rmw=rmw, states=True)
+    with ThreadPoolExecutor(1) as pool:
+        looking = pool.submit(look, [domain], options["wait"], enclave=options["enclave"], rmw=rmw, states=True)
+        must = robot.expected.must
+        (graph,) = looking.result()
     others = [each for each in mentioned(robot) if each != domain][:AT_MOST]
     said_domain = configured(robot)
     elsewhere = []
-    if others and (wonders(robot, graph) or (said_domain and said_domain.number != domain)):
+    if others and (is_empty(graph, must) or (said_domain and said_domain.number != domain)):
         click.echo(f"Looking at domain {', '.join(map(str, others))} too ...", err=True)
         elsewhere = look(others, options["wait"], enclave=options["enclave"], rmw=rmw, states=False)
     secured = os.environ.get("ROS_SECURITY_ENABLE") == "true"
@@ -178,13 +182,11 @@ def chosen(robot: Robot, given: int | None) -> tuple[int, str]:
     return (told.number, _at(told.where)) if told else (0, "the default")
 
 
-def wonders(robot: Robot, graph: dict[str, Any]) -> bool:
+def is_empty(graph: dict[str, Any], must: frozenset[str]) -> bool:
     """Whether the domain shows nothing of the robot: none of the nodes that must run, or none at all."""
-    from bringup_lint.graph.living.expected import expected
     from bringup_lint.graph.living.tools import is_tool
 
     names = {name for name, _ in graph["nodes"] if not is_tool(name)}
-    must = expected(robot).must
     return not names & must if must else not names
 
 
@@ -194,7 +196,8 @@ def _at(where: Located) -> str:
 
 def _tell(robot: Robot) -> None:
     """What the files leave open, so that a rule stays silent; on standard error."""
-    expected = robot.living.expected
+    expected, nodes = robot.expected, len(robot.living.nodes)
+    click.echo(f"Domain {robot.living.seen.domain} shows {nodes} node{'s' * (nodes != 1)}, tools left out.", err=True)
     if expected.ambiguous:
         said = "Several launch files, and nothing says which one runs: name it with --launch to hear of missing nodes."
         click.echo(said, err=True)

@@ -64,7 +64,7 @@ def report_of(outcome: Outcome, robot: Robot, config: Config, started: float, kn
     return Report(
         findings=tuple(outcome.findings),
         rules={rule_id: doc_of(rule) for rule_id, rule in outcome.rules.items()},
-        kinds=Counter(source.kind for source in robot.sources if source.judged and not source.virtual),
+        kinds=Counter(source.kind for source in robot.sources if source.judged),
         root=root_of(robot),
         cwd=os.getcwd(),
         target=Target(target.ros, target.systemd, target.ros_why, target.systemd_why),

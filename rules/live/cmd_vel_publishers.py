@@ -1,8 +1,8 @@
 """Several running nodes publish velocity commands on one topic.
 
 ## What it finds
-Topics called `cmd_vel`, and topics with `cmd_vel` in their name that carry `Twist` or `TwistStamped`, with
-publishers in more than one node. The servers of nav2, of which the behaviour tree lets one act at a time, count
+Topics called `cmd_vel`, and topics with `cmd_vel` in their name that carry `Twist` or `TwistStamped`, with publishers
+in more than one node, tools included. The servers of nav2, of which the behaviour tree lets one act at a time, count
 as one.
 
 ## Why it matters on a robot
@@ -38,13 +38,13 @@ BY_TURNS = ("controller_server", "behavior_server", "recoveries_server", "dockin
 @rule("error", tags=["CWE-362"])
 def cmd_vel_publishers(robot: Robot):
     living = robot.living
-    for topic in living.topics:
-        if not topic.is_velocity:
-            continue
+    for topic in living.velocities:
         sources = {source(each.node): each for each in reversed(topic.publishers)}
         if len(sources) < 2:
             continue
-        first, *others = reversed(sources.values())
+        first, *others = sorted(
+            reversed(sources.values()), key=lambda each: living.named_at(each).source is living.seen.source
+        )
         names = ", ".join(str(each.node) for each in (first, *others))
         yield finding(
             living.named_at(first),

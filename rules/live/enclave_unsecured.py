@@ -36,13 +36,12 @@ from bringup_lint.api import rule
 @rule("error", tags=["CWE-306"])
 def enclave_unsecured(robot: Robot):
     living = robot.living
-    switches = [each for each in robot.ros.of("ROS_SECURITY_ENABLE") if each.text == "true" and not each.development]
     seen = [node for node in living.nodes if living.expected.named(node.name) or not living.expected.nodes]
-    if switches and seen and not living.seen.secured:
+    if living.security and seen and not living.seen.secured:
         some = ", ".join(str(node.name) for node in seen[:3]) + (", ..." if len(seen) > 3 else "")
         count = "1 node" if len(seen) == 1 else f"{len(seen)} nodes"
         yield finding(
-            switches[0].value,
+            living.security,
             f"security is switched on here, and {count} of domain {living.seen.domain} can be seen without credentials "
             f"({some})",
             advice="see that the variables reach the processes, and set ROS_SECURITY_STRATEGY=Enforce",

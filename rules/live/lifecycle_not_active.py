@@ -1,9 +1,10 @@
 """A running lifecycle node is not active.
 
 ## What it finds
-Lifecycle nodes of the running graph in another state than `active`, and those that do not tell their state
-within 2 s. Nodes whose lifecycle manager is told not to start them (`autostart` false) are left out. For nodes
-that the files do not name, and while a transition is going on, it is a warning.
+Lifecycle nodes of the running graph in another state than `active`, and those that do not tell their state within
+2 s. Nodes whose lifecycle manager is told not to start them (`autostart` false) are left out. For nodes that the
+files do not name, and while a transition is going on, it is a warning; for inactive nodes that the files do not
+name, such as controllers in reserve, an information.
 
 ## Why it matters on a robot
 The process runs and the node is listed; it publishes nothing and refuses every goal. A manager that gave up at
@@ -43,7 +44,8 @@ def lifecycle_not_active(robot: Robot):
         known = living.expected.named(node.name)
         entry, manager = living.managed.get(node.name, (None, None))
         silent = node.state == "no answer"
-        settled = not silent and node.state not in PASSING and (known or entry)
+        ours = known or entry
+        settled = not silent and node.state not in PASSING
         where = living.place(node.name)
         related = [note(node.state, "its state")] if where.source is not node.name.span.source else []
         yield finding(
@@ -54,5 +56,5 @@ def lifecycle_not_active(robot: Robot):
             advice="look at its log for the transition that failed"
             + (f", and at that of {manager.node.label()}" if manager else ""),
             related=[*([note(entry.name, "a lifecycle manager is to activate it")] if entry else []), *related],
-            severity="error" if settled else "warning",
+            severity="info" if not ours and node.state == "inactive" else "error" if ours and settled else "warning",
         )

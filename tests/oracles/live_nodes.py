@@ -30,8 +30,7 @@ def running(*nodes: dict[str, object], environment: dict[str, str], arguments: t
         assert any(line.strip() == READY for line in process.stdout)
         yield
     finally:
-        process.kill()
-        process.wait()
+        stop(process)
         process.stdout.close()
 
 
@@ -47,9 +46,18 @@ def watching(name: str, seconds: float, environment: dict[str, str]) -> Iterator
         yield answers
         answers.append(json.loads(process.communicate(timeout=seconds + 20)[0].splitlines()[-1]))
     finally:
+        stop(process)
+        process.stdout.close()
+
+
+def stop(process: subprocess.Popen[str]) -> None:
+    """Let it take its shared memory along, if it can."""
+    process.terminate()
+    try:
+        process.wait(timeout=3)
+    except subprocess.TimeoutExpired:
         process.kill()
         process.wait()
-        process.stdout.close()
 
 
 def main() -> None:

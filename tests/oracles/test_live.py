@@ -6,7 +6,7 @@ import importlib.util
 import os
 import random
 import time
-from collections.abc import Iterator
+from itertools import count
 from pathlib import Path
 
 import pytest
@@ -59,9 +59,18 @@ MESSAGES = {
 }
 
 
+TENS = count(random.randrange(12))
+
+
 @pytest.fixture
 def domain() -> int:
-    return random.randint(100, 200)
+    return some_domain()
+
+
+def some_domain() -> int:
+    """One that no other test takes, nor another worker of a parallel run."""
+    worker = int(os.environ.get("PYTEST_XDIST_WORKER", "gw0").removeprefix("gw")) % 10
+    return 110 + next(TENS) % 12 * 10 + worker
 
 
 @pytest.fixture(autouse=True)
@@ -95,15 +104,15 @@ def live(folder: Path, *options: str) -> Run:
 
 
 @pytest.fixture(scope="module")
-def bad_robot(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[int, Run]]:
+def bad_robot(tmp_path_factory: pytest.TempPathFactory) -> tuple[int, Run]:
     """What is said about a robot with all that can be wrong within one domain."""
-    domain = random.randint(100, 200)
+    domain = some_domain()
     folder = tmp_path_factory.mktemp("robot")
     more = "Node(package='otter_plan', executable='plan', name='planner'),"
     with pytest.MonkeyPatch.context() as patch:
         set_shell(patch, folder)
         with running(*BAD, environment=on(domain)):
-            yield domain, live(tree(folder / "tree", domain, more))
+            return domain, live(tree(folder / "tree", domain, more))
 
 
 @pytest.mark.parametrize("rule", MESSAGES)
@@ -134,17 +143,17 @@ def test_a_robot_that_is_as_its_files_say_gives_nothing(tmp_path: Path, domain: 
 def test_nodes_on_another_domain_than_the_files_say(
     tmp_path: Path, domain: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    folder = tree(tmp_path / "tree", domain + 1)
+    folder = tree(tmp_path / "tree", domain - 100)
     monkeypatch.setenv("ROS_DOMAIN_ID", str(domain))
     with running(*GOOD, environment=on(domain)):
         run = live(folder, "--select", "live/domain-mismatch")
-    expected = f"ros.env says domain {domain + 1}, where no node of the robot runs; 5 nodes run on domain {domain}"
+    expected = f"ros.env says domain {domain - 100}, where no node of the robot runs; 5 nodes run on domain {domain}"
     assert expected in run.stdout, (run.stdout, run.stderr)
     assert f"Looking at domain {domain} (ROS_DOMAIN_ID of this shell)" in run.stderr
 
 
 def test_nodes_are_looked_for_on_the_domains_that_files_mention(tmp_path: Path, domain: int) -> None:
-    folder = tree(tmp_path / "tree", domain + 1)
+    folder = tree(tmp_path / "tree", domain - 100)
     (folder / "development").mkdir()
     (folder / "development/ros.env").write_text(f"ROS_DOMAIN_ID={domain}\n")
     with running(*GOOD, environment=on(domain)):

@@ -19,7 +19,6 @@ from bringup_lint.graph.living.domains import of_environment
 from bringup_lint.graph.living.expected import Entry
 from bringup_lint.graph.living.expected import Expected
 from bringup_lint.graph.living.expected import ExpectedNode
-from bringup_lint.graph.living.expected import expected
 from bringup_lint.graph.living.tools import comes_with
 from bringup_lint.graph.living.tools import is_tool
 from bringup_lint.graph.living.topics import Meant
@@ -30,6 +29,7 @@ from bringup_lint.graph.topics.use import Use
 from bringup_lint.model.living import Endpoint
 from bringup_lint.model.living import Living
 from bringup_lint.model.living import RunningNode
+from bringup_lint.source import Located
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
@@ -43,9 +43,9 @@ class LivingRobot:
     robot: Robot
     seen: Living
 
-    @cached_property
+    @property
     def expected(self) -> Expected:
-        return expected(self.robot)
+        return self.robot.expected
 
     @cached_property
     def nodes(self) -> list[RunningNode]:
@@ -126,6 +126,20 @@ class LivingRobot:
     @cached_property
     def meant(self) -> list[Meant]:
         return list(meant(self.topics))
+
+    @property
+    def velocities(self) -> list[Topic]:
+        """The topics with velocity commands, with what tools publish on them."""
+        return [topic for topic in topics(self.seen.endpoints, tools=True) if topic.is_velocity]
+
+    @cached_property
+    def security(self) -> Located | None:
+        """What switches security on for a process of the robot; where the files start none, for any."""
+        processes = self.robot.ros.processes
+        found = [each.environment.get("ROS_SECURITY_ENABLE") for each in processes]
+        if not processes:
+            found = [each for each in self.robot.ros.of("ROS_SECURITY_ENABLE") if not each.development]
+        return next((each.value for each in found if each is not None and each.text == "true"), None)
 
     def place(self, name: str) -> Span:
         """Where the files start a node; where they do not, its line in the graph, else the graph."""

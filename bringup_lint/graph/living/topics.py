@@ -15,7 +15,7 @@ from bringup_lint.graph.topics.compatible import conflicts
 from bringup_lint.model.living import Endpoint
 from bringup_lint.spelling import edits
 
-_OF_ROS = frozenset(("/rosout", "/parameter_events", "/clock", "/tf", "/tf_static", "/diagnostics"))
+_OF_ROS = frozenset(("/rosout", "/parameter_events"))
 _HIDDEN = re.compile(r"/_")
 VELOCITY_TYPES = ("geometry_msgs/msg/Twist", "geometry_msgs/msg/TwistStamped")
 
@@ -58,11 +58,11 @@ class Meant(NamedTuple):
     """``name`` or ``namespace``: what differs."""
 
 
-def topics(endpoints: Iterable[Endpoint]) -> list[Topic]:
-    """The topics of the robot itself: without those of tools and of ROS's own machinery."""
+def topics(endpoints: Iterable[Endpoint], *, tools: bool = False) -> list[Topic]:
+    """The topics of the robot itself: without those of ROS's own machinery, and unless asked for of tools."""
     found: dict[str, Topic] = {}
     for each in endpoints:
-        if each.topic in _OF_ROS or _HIDDEN.search(each.topic) or is_tool(each.node):
+        if each.topic in _OF_ROS or _HIDDEN.search(each.topic) or (is_tool(each.node) and not tools):
             continue
         topic = found.setdefault(str(each.topic), Topic(str(each.topic)))
         (topic.publishers if each.publishes else topic.subscriptions).append(each)
