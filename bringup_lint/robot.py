@@ -213,7 +213,9 @@ class Robot:
         """Units that are ordered after network-online.target, with the word that says so."""
         from bringup_lint.graph.systemd.network_online import waiting_for_network
 
-        return waiting_for_network(self.units)
+        plan = self.netplan.only_plan
+        found = waiting_for_network(self.units)
+        return [each for each in found if plan is None or self.together(each[1], plan.files[0].source)]
 
     @cached_property
     def notify(self) -> Notify:
@@ -415,3 +417,22 @@ class Robot:
         from bringup_lint.graph.living.living import load_living
 
         return load_living(self)
+
+    @cached_property
+    def kinds_below(self) -> dict[str, set[str]]:
+        """The kinds of files below every folder that tell robots and variants apart."""
+        from bringup_lint.graph.variants import kinds_below
+
+        return kinds_below(self)
+
+    def together(self, one: Source | Located, other: Source | Located) -> bool:
+        """Whether two files may be joined though neither names the other: they are for the same robot."""
+        from bringup_lint.graph.variants import together
+
+        sources = (each.span.source if isinstance(each, Located) else each for each in (one, other))
+        return together(self, *sources)
+
+    def find(self, robot_path: str, asked_by: Source) -> Source | None:
+        """The file at a path on the robot that another file names; none of another robot or variant."""
+        found = self.tree.find(robot_path)
+        return found if found is not None and self.together(asked_by, found) else None

@@ -7,6 +7,7 @@ older names.
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Callable
 from collections.abc import Iterable
@@ -61,9 +62,12 @@ class Ignores:
         return finding
 
     def complaints(self, ran: Callable[[str], bool]) -> Iterator[Finding]:
-        """Comments that hit nothing, though what they name ran, and comments that give no reason."""
+        """Comments that hit nothing, though what they name ran, and comments that give no reason.
+
+        A link to a file, such as an enabled unit, is another source with the same comments: the file speaks for them.
+        """
         for ignores in self.by_source.values():
-            for ignore in ignores:
+            for ignore in ignores if ignores and not os.path.islink(ignores[0].name.span.source.name) else ():
                 if not ignore.used and ran(ignore.name):
                     yield Finding(
                         f"ignore[{ignore.name}] silences nothing here",

@@ -48,7 +48,7 @@ def socket_buffer_exceeds_sysctl(robot: Robot):
             if wanted is None or not robot.sysctl.certain or (limit is not None and not limit.value.isdigit()):
                 continue
             granted = int(limit.value) if limit else 212992
-            if wanted <= 2 * granted:
+            if wanted <= 2 * granted or (limit is not None and not robot.together(limit.value, configuration.source)):
                 continue
             known = limit is not None or robot.tree.complete
             has = f"this robot has {granted}" if known else f"no file of this tree raises it from {granted}"

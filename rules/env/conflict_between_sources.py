@@ -96,11 +96,14 @@ def _known(process, name):
 
 
 def _together(robot: Robot):
-    """Processes that certainly belong to one robot: units of one place, services of one compose file, their nodes."""
+    """Processes that certainly belong to one robot: units that do, services of one compose file, their nodes."""
     groups: dict[object, list] = {}
+    units = {id(process.unit): process.unit for process in robot.ros.processes if process.unit}
+    crews = robot.units.companions(units.values()) if units else []
+    crew_of = {id(unit): number for number, crew in enumerate(crews) for unit in crew}
     for process in robot.ros.processes:
         if process.launched and process.launcher is None:
             continue
-        key = process.unit.place if process.unit else (process.launcher or process).source.name
-        groups.setdefault((process.unit is None, key), []).append(process)
+        key = crew_of[id(process.unit)] if process.unit else (process.launcher or process).source.name
+        groups.setdefault(key, []).append(process)
     return groups.values()

@@ -36,7 +36,7 @@ from bringup_lint.api import rule
 
 @rule("error", confidence="medium", symptoms=["Failed init_port fastrtps_port", "open_and_lock_file failed"])
 def shm_across_users(robot: Robot):
-    for units in robot.units.stacks:
+    for units in robot.units.crews:
         domains: dict[str | None, dict[str, tuple]] = {}
         for process in robot.dds.sharing_memory:
             if process.unit in units:

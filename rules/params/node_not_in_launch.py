@@ -2,8 +2,8 @@
 
 ## What it finds
 Node keys that no node which gets the file is called, but nearly: a misspelt name, or the right name in another
-namespace. Silent when a node's name or namespace is not known, when something else mentions the file, and for
-components.
+namespace, while another block of the file reaches that node; where none does, `params/file-key-mismatch` says so.
+Silent when a node's name or namespace is not known, when something else mentions the file, and for components.
 
 ## Why it matters on a robot
 No message appears. The node runs with the defaults of its code, and the tuned values are never used.

@@ -34,9 +34,9 @@ from bringup_lint.api import rule
 
 @rule("error", symptoms=["SECURITY ERROR: directory"])
 def enclave_missing(robot: Robot):
-    keystores = robot.sros2.keystores
-    known = sorted({path for keystore in keystores for path in keystore.enclaves})
     for name in robot.sros2.selected:
+        keystores = [each for each in robot.sros2.keystores if robot.together(name, robot.sros2.anchor_of(each))]
+        known = sorted({path for keystore in keystores for path in keystore.enclaves})
         if not known or name in known or not re.fullmatch(r"/|(?:/\w+)+", name):
             continue
         near = nearest(name, known)
@@ -47,6 +47,6 @@ def enclave_missing(robot: Robot):
             advice=f"write {near[0]}"
             if near
             else f"create it (ros2 security create_enclave), or use one of {', '.join(known[:5])}",
-            related=[note(robot.sros2.anchor(keystore.folder), "the keystore") for keystore in keystores[:2]],
+            related=[note(robot.sros2.anchor_of(each), f"an enclave of {each.name}") for each in keystores[:1]],
             chain=robot.ways.to(name, f"{name} is selected"),
         )

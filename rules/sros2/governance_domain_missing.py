@@ -1,8 +1,9 @@
 """A governance document that does not cover the robot's domain.
 
 ## What it finds
-A governance document of the robot without the ROS_DOMAIN_ID that the tree sets, when all its files agree on
-one. sros2 writes the domain of the moment at which the keystore was created, 0 by default.
+A governance document without the ROS_DOMAIN_ID of the processes that use its keystore; where none names the keystore,
+without the one that all units, or all files, of the robot agree on. sros2 writes the domain of the moment at which
+the keystore was created, 0 by default.
 
 ## Why it matters on a robot
 The plugin answers `Could not find domain` (code 141): no participant is created and no node starts.
@@ -36,10 +37,11 @@ from bringup_lint.api import rule
 
 @rule("error", symptoms=["Could not find domain"])
 def governance_domain_missing(robot: Robot):
-    if robot.dds_domain is None:
-        return
-    domain, setting = robot.dds_domain
     for governance in robot.sros2.used_governances:
+        used = robot.sros2.domain_of(governance)
+        if used is None:
+            continue
+        domain, setting = used
         known = [rule_.domains for rule_ in governance.rules if rule_.domains is not None]
         if not known or any(each.covers(domain) for each in known):
             continue

@@ -1,8 +1,9 @@
 """Permissions for another domain than the robot's.
 
 ## What it finds
-An enclave none of whose allow rules covers the ROS_DOMAIN_ID that the tree sets, when all its files agree on
-one. sros2 writes the domain of the moment at which the enclave was created.
+An enclave none of whose allow rules covers the ROS_DOMAIN_ID of the processes that use its keystore; where none names
+the keystore, the one that all units, or all files, of the robot agree on. sros2 writes the domain of the moment at
+which the enclave was created.
 
 ## Why it matters on a robot
 The participant is denied by the default rule (code 145): no node of the enclave starts.
@@ -36,10 +37,11 @@ from bringup_lint.api import rule
 
 @rule("error", symptoms=["participant denied by default rule"])
 def permissions_domain_mismatch(robot: Robot):
-    if robot.dds_domain is None:
-        return
-    domain, setting = robot.dds_domain
-    for _, grant in robot.sros2.ros_grants:
+    for document, grant in robot.sros2.ros_grants:
+        used = robot.sros2.domain_of(document)
+        if used is None:
+            continue
+        domain, setting = used
         known = [rule_.domains for rule_ in grant.allowed if rule_.domains is not None]
         if grant.default == "ALLOW" or not known or any(each.covers(domain) for each in known):
             continue

@@ -2,7 +2,7 @@
 
 ## What it finds
 StandardOutput= or StandardError= with `append:` or `file:`, and no logrotate file of the tree that covers
-the file.
+the file. In a complete root file system `logrotate/missing` says more about files that are appended to.
 
 ## Why it matters on a robot
 ROS nodes write a lot. The small disk of a robot is full after weeks, and then nothing works any more, the
@@ -38,8 +38,9 @@ SINKS = ("/dev/", "/proc/", "/run/")
 
 @rule("info")
 def stdout_file_no_rotation(robot: Robot):
+    told = {log.path for log in robot.logs.uncovered()} if robot.tree.complete else set()
     for unit in robot.units.services:
-        seen = set()
+        seen = set(told)
         for key in ("StandardOutput", "StandardError"):
             value = unit.get(key)
             match = TO_FILE.match(value) if value else None

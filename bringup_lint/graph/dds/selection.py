@@ -80,7 +80,7 @@ def profile_selections(robot: Robot, version: str) -> Iterator[tuple[RosProcess,
             if process.service is not None:
                 file = _mounted(robot, process.service, variable.text)
             else:
-                file = robot.tree.find(variable.text)
+                file = robot.find(variable.text, variable.value.span.source)
             if file is not None:
                 yield process, variable.value, file
 
@@ -112,7 +112,7 @@ def _of_units(robot: Robot, elsewhere: set[int]) -> Iterator[Selection]:
                 continue
             selection = Selection(unit.name, process.line, variable.value, unit=unit)
             if variable.text == variable.value:
-                _resolve(selection, variable.value, robot.tree.find)
+                _resolve(selection, variable.value, partial(robot.find, asked_by=variable.value.span.source))
             else:
                 selection.complete = False
             _domain(selection, environment)
@@ -227,5 +227,5 @@ def user_of(unit: Unit) -> tuple[str, Located | Span]:
 def together(robot: Robot, readers: list[Selection]) -> list[Selection]:
     """Of these processes, the most that surely run at the same time: one alone, or the units of one boot."""
     groups = [[each] for each in readers]
-    groups += [[each for each in readers if each.unit in units] for units in robot.units.stacks]
+    groups += [[each for each in readers if each.unit in units] for units in robot.units.crews]
     return max(groups, key=lambda group: sum(each.processes for each in group), default=[])

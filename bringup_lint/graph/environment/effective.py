@@ -142,7 +142,7 @@ def environment_files(unit: Unit, robot: Robot) -> list[EnvironmentFile]:
         optional = value.startswith("-")
         name = value.part(1, len(value)) if optional else value
         path = None if unit.is_opaque(value) or _GLOB.search(name) else expand(name, unit_specifiers(unit.name))
-        source = robot.tree.find(path) if path else None
+        source = robot.find(path, value.span.source) if path else None
         there = True if source else robot.tree.has(path) if path else None
         found.append(EnvironmentFile(name, optional, path, source, None if there is None else not there))
     return found

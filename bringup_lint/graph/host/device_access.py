@@ -12,6 +12,8 @@ from bringup_lint.graph.udev.rule import Link
 from bringup_lint.source import Located
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.launch.expand import Expansion
+    from bringup_lint.model.params import ParameterFile
     from bringup_lint.robot import Robot
 
 _DEFAULT_GROUP = {"tty": "dialout", "video4linux": "video", "input": "input", "sound": "audio"}
@@ -56,8 +58,16 @@ def _sources(robot: Robot, unit: Unit) -> set[int]:
         for _, ros in process.launches:
             entry = robot.launch.named(ros.package, ros.target)
             if entry is not None:
-                found |= {id(file.source) for file in robot.launch.expansion(entry).files}
+                expansion = robot.launch.expansion(entry)
+                found |= {id(file.source) for file in expansion.files}
+                found |= {id(file.source) for file in robot.params.judged if _gets(robot, file, expansion)}
     return found
+
+
+def _gets(robot: Robot, file: ParameterFile, expansion: Expansion) -> bool:
+    """Whether a node that the launch file starts is given a parameter file."""
+    actions = {id(node.action) for node in expansion.nodes}
+    return any(load.certain and id(load.node.action) in actions for load in robot.params.loads(file))
 
 
 def _group(link: Link) -> str | None:

@@ -103,20 +103,25 @@ class Devices:
         """Uses of a name that changes with the order of discovery, with the links that may be meant."""
         for use in self.uses:
             if _BY_DISCOVERY.fullmatch(use.path):
-                yield use, self.robot.udev.stable_names(use.path)
+                yield use, [link for link in self.robot.udev.stable_names(use.path) if self._is_near(link, use)]
 
     @property
     def undefined(self) -> Iterator[tuple[DeviceUse, Link | None]]:
         """Uses of a link that no rule makes in a folder where rules make links, with the nearest one."""
         if not self.uses:
             return
-        folders = {link.path.rpartition("/")[0] for link in self.robot.udev.links if link.is_fixed} - {"/dev"}
-        names = {link.path: link for link in self.robot.udev.links if link.is_fixed}
-        for use in self.uses:
+        for use in (use for use in self.uses if use.path.count("/") > 2):
+            own = [link for link in self.robot.udev.links if link.is_fixed and self._is_near(link, use)]
+            folders = {link.path.rpartition("/")[0] for link in own} - {"/dev"}
+            names = {link.path: link for link in own}
             escaped = use.certainty == "unit" and self.meant_by(use.path.span.text) is not None
             if use.path.rpartition("/")[0] in folders and not escaped and not self.robot.udev.links_to(use.path):
                 near = nearest(use.path, names)
                 yield use, names[near[0]] if len(near) == 1 else None
+
+    def _is_near(self, link: Link, use: DeviceUse) -> bool:
+        """Whether the rule that makes a link is for the robot on which it is used."""
+        return self.robot.together(link.name, use.path)
 
     def untagged(self, unit: str) -> list[Link]:
         """The links behind a ``.device`` name when none of their devices becomes a device unit."""

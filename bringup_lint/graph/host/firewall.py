@@ -29,14 +29,25 @@ def load_firewalls(robot: Robot) -> list[Firewall]:
 
 
 def dds_domain(robot: Robot) -> tuple[int, Located] | None:
-    """The domain that the tree sets, when all its files agree on one."""
-    found: dict[int, Located] = {}
+    """The domain of the robot's units when they agree on one; where they set none, the one that all files agree on."""
+    found = _domain_of_units(robot)
+    if found:
+        return next(iter(found.items())) if len(found) == 1 else None
     for source in robot.sources:
         if not source.judged:
             continue
         for match in _DOMAIN.finditer(source.text):
             found.setdefault(int(match[1]), source.located(match.start(1), match.end(1)))
     return next(iter(found.items())) if len(found) == 1 else None
+
+
+def _domain_of_units(robot: Robot) -> dict[int, Located]:
+    found: dict[int, Located] = {}
+    for process in robot.ros.processes:
+        variable = process.environment.get("ROS_DOMAIN_ID") if process.unit else None
+        if variable is not None and variable.text is not None and re.fullmatch(r"\d{1,3}", variable.text):
+            found.setdefault(int(variable.text), variable.value)
+    return found
 
 
 def ssh_forwards(robot: Robot) -> Iterator[Forward]:

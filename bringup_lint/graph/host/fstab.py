@@ -47,7 +47,7 @@ def lost_directories(robot: Robot) -> Iterator[NeededPath]:
     fstab = only_fstab(robot)
     if fstab is None or not any(mount.is_tmpfs for mount in fstab.mounts):
         return
-    for unit in robot.units.judged:
+    for unit in _units(robot, fstab):
         seen = set()
         for path, where in [*_written(robot, unit), *_bound(unit)]:
             mount = fstab.mount_of(path)
@@ -61,11 +61,16 @@ def lost_directories(robot: Robot) -> Iterator[NeededPath]:
 def read_only_writes(robot: Robot) -> Iterator[NeededPath]:
     """Paths that units write to and that lie on a read-only root."""
     fstab = only_fstab(robot)
-    for unit in robot.units.judged if fstab is not None else ():
+    for unit in _units(robot, fstab) if fstab is not None else ():
         for path, where in _written(robot, unit):
             mount = fstab.mount_of(path)
             if mount is not None and mount.target == "/" and mount.is_read_only and not path.startswith(_RUNTIME):
                 yield NeededPath(mount, path, where, unit)
+
+
+def _units(robot: Robot, fstab: Fstab) -> Iterator[Unit]:
+    """The units of the same robot."""
+    return (unit for unit in robot.units.judged if robot.together(unit.where.source, fstab.source))
 
 
 def _written(robot: Robot, unit: Unit) -> Iterator[tuple[str, Located]]:

@@ -138,8 +138,8 @@ class RosLogs:
 
     @staticmethod
     def _mentions(text: str, path: str) -> bool:
-        parents = [path, path.rpartition("/")[0]]
-        return any(parent and parent.count("/") > 1 and parent in text for parent in parents)
+        parents = [each for each in (path, path.rpartition("/")[0]) if each.count("/") > 1]
+        return any(re.search(rf"{re.escape(each)}(?:/?[\s*\"']|/?$)", text, re.M) for each in parents)
 
     def aged(self, path: str) -> bool:
         """Whether a tmpfiles.d line with an age covers the folder of a stanza's path."""

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from dataclasses import field
 from typing import TYPE_CHECKING
 
+from bringup_lint.graph.variants import overlay_of
 from bringup_lint.parsers.sysctl import KernelParameter
 from bringup_lint.parsers.sysctl import parse
 from bringup_lint.source import Source
@@ -46,9 +47,11 @@ def load_sysctl(robot: Robot) -> Sysctl:
     """Merge the files by their names; Debian and Ubuntu link /etc/sysctl.conf as 99-sysctl.conf."""
     by_name: dict[str, tuple[int, Source]] = {}
     certain = True
+    overlays: set[str | None] = set()
     for source in robot.of_kind("sysctl"):
         place = source.robot_path or f"/{source.name}"
         rank = next((index for index, folder in enumerate(FOLDERS) if folder in place), 0)
+        overlays.add(overlay_of(source))
         name = "99-sysctl.conf" if place.endswith("/etc/sysctl.conf") else source.basename
         known = by_name.get(name)
         if known is not None and known[0] == rank:
@@ -57,4 +60,4 @@ def load_sysctl(robot: Robot) -> Sysctl:
             by_name[name] = (rank, source)
     sources = [by_name[name][1] for name in sorted(by_name)]
     settings = [setting for found in robot.parsed(parse, sources) for setting in found]
-    return Sysctl(settings, certain)
+    return Sysctl(settings, certain and len(overlays) < 2)

@@ -192,7 +192,14 @@ class Launch:
 
     def files_of(self, package: Package) -> list[LaunchFile]:
         """The launch files that lie in a package."""
-        return [file for file in self.files if self.workspace.owner(file.source) is package]
+        return self._by_package.get(id(package), [])
+
+    @cached_property
+    def _by_package(self) -> dict[int, list[LaunchFile]]:
+        found: dict[int, list[LaunchFile]] = {}
+        for file in self.files:
+            found.setdefault(id(self.workspace.owner(file.source)), []).append(file)
+        return found
 
     def yaml_names(self, package: Package) -> list[str]:
         """The names of the YAML files that a package installs, or of all that it holds."""

@@ -206,10 +206,11 @@ class Params:
 
     @cached_property
     def unused(self) -> list[Mismatch]:
-        """Blocks that reach no node, and are nearly the name of one."""
+        """Blocks that reach no node, and are nearly the name of one that another block reaches."""
         from bringup_lint.graph.params.matching import unused
 
-        return list(unused(self))
+        missed = {id(found.block) for found in self.unreached}
+        return [found for found in unused(self) if id(found.block) not in missed]
 
     @cached_property
     def simulated(self) -> list[Simulated]:

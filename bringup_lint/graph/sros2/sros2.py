@@ -37,6 +37,7 @@ from bringup_lint.source import Located
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.environment.ros import RosProcess
     from bringup_lint.robot import Robot
 
 _OTHERS = re.compile(r"(?:^|/)(?:tests?|examples?|docs?|samples?|defaults?)/", re.I)
@@ -69,6 +70,10 @@ class Sros2:
 
     def anchor(self, folder: str) -> Source:
         return sros2_keystore.anchor(self.robot, folder)
+
+    def anchor_of(self, keystore: Keystore) -> Source:
+        """A file of a keystore to point at."""
+        return self.anchor(next(iter(keystore.enclaves.values())).folder)
 
     def ships(self, source: Source) -> bool:
         """Whether a file goes with the repository."""
@@ -152,6 +157,25 @@ class Sros2:
         if _OTHERS.search(source.name):
             return False
         return self.switched_on or bool(_USED.search(source.name))
+
+    def domain_of(self, document: Governance | Permissions) -> tuple[int, Located] | None:
+        """The domain of the processes that use the keystore of a document; where nobody names it, that of the robot."""
+        users = [each for each in self.robot.ros.processes if self._names_keystore(each, document.source)]
+        found: dict[int, Located] = {}
+        for process in users:
+            variable = process.environment.get("ROS_DOMAIN_ID")
+            if variable is None or not re.fullmatch(r"\d{1,3}", variable.text or ""):
+                return None
+            found.setdefault(int(variable.text or ""), variable.value)
+        if users:
+            return next(iter(found.items())) if len(found) == 1 else None
+        robots = self.robot.dds_domain
+        return robots if robots and self.robot.together(robots[1], document.source) else None
+
+    @staticmethod
+    def _names_keystore(process: RosProcess, document: Source) -> bool:
+        folder = (process.environment.text("ROS_SECURITY_KEYSTORE") or "").rstrip("/")
+        return len(folder) > 1 and folder.startswith("/") and f"{folder}/" in f"{document.robot_path or ''}/"
 
     @property
     def policy_profiles(self) -> Iterator[Profile]:

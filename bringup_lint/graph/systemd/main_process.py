@@ -78,14 +78,14 @@ def _main(command: Command, robot: Robot, depth: int, script: Source | None) -> 
         return _shell(name, words, robot, depth)
     if _PYTHON.match(name):
         path = next((word for word in words[1:] if not word.startswith("-")), words[0])
-        return Main("python", path, None, robot.tree.find(path) if path.startswith("/") else None)
+        return Main("python", path, None, robot.find(path, path.span.source) if path.startswith("/") else None)
     if "/" in words[0] and "$" not in words[0] and "%" not in words[0]:
         return _program(words, robot, depth)
     return Main("unknown" if "$" in words[0] else "program", words[0])
 
 
 def _program(words: tuple[Located, ...], robot: Robot, depth: int) -> Main:
-    source = robot.tree.find(words[0])
+    source = robot.find(words[0], words[0].span.source)
     shebang = SHELL_SCRIPT.match(source.text) if source else None
     if shebang:
         return _script(source, words, robot, depth)
@@ -101,7 +101,7 @@ def _shell(name: str, words: tuple[Located, ...], robot: Robot, depth: int) -> M
         if word.startswith("-") and not word.startswith("--") and "c" in word and at + 1 < len(words):
             return _text(words[at + 1], words[0], (), robot, depth, None, implicit=name == "bash")
         if not word.startswith(("-", "+")):
-            source = robot.tree.find(word) if word.startswith("/") and "$" not in word else None
+            source = robot.find(word, word.span.source) if word.startswith("/") and "$" not in word else None
             return Main("lost", word) if source is None else _script(source, words[at:], robot, depth)
     return Main("shell", words[0])
 

@@ -280,7 +280,8 @@ def _shell(process: Process, name: str, words: tuple[Located, ...], robot: Robot
 def _script(
     process: Process, path: Located, shell: str, arguments: tuple[Located, ...], robot: Robot, depth: int
 ) -> Iterator[Step]:
-    source = robot.tree.find(path) if path.startswith("/") and "$" not in path and "%" not in path else None
+    known = path.startswith("/") and "$" not in path and "%" not in path
+    source = robot.find(path, path.span.source) if known else None
     shebang = SHELL_SCRIPT.match(source.text) if source else None
     if source is None or not (shell or shebang):
         process.opaque = True

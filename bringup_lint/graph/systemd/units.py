@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass
 from dataclasses import field
 from functools import cached_property
@@ -18,6 +19,7 @@ from bringup_lint.graph.environment.effective import unit_environment
 from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.graph import Graph
 from bringup_lint.graph.systemd import boot
+from bringup_lint.graph.systemd.companions import companions
 from bringup_lint.graph.systemd.cycles import ROOTS
 from bringup_lint.graph.systemd.cycles import Cycle
 from bringup_lint.graph.systemd.cycles import ordering_cycles
@@ -195,6 +197,15 @@ class Units(NamedUnits):
             if unit.manager == "system" and not unit.is_template and any(True for _ in self.wanted_by(unit)):
                 places.setdefault(unit.place, []).append(unit)
         return [units for units in places.values() if len(units) > 1]
+
+    def companions(self, chosen: Iterable[Unit]) -> list[list[Unit]]:
+        """Units in groups that surely belong to one robot."""
+        return companions(self, chosen)
+
+    @cached_property
+    def crews(self) -> list[list[Unit]]:
+        """The ROS services that surely run together: of one stack, and of one robot."""
+        return [crew for stack in self.stacks for crew in self.companions(stack) if len(crew) > 1]
 
     def conflict(self, one: Unit, other: Unit) -> bool:
         """Whether the two never run at the same time."""

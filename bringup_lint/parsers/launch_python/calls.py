@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import ast
+from dataclasses import replace
 from typing import Any
 
+from bringup_lint.model.launch_values import Concat
 from bringup_lint.model.launch_values import Literal
+from bringup_lint.model.launch_values import PathJoin
 from bringup_lint.model.launch_values import Unknown
 from bringup_lint.parsers.launch_python import budget
 from bringup_lint.parsers.launch_python.arguments import Arguments
@@ -62,7 +65,7 @@ def _invoke(state: State, function: Function, arguments: Arguments) -> Any:
     state.calls += 1
     try:
         if type(function.node) is ast.Lambda:
-            return state.evaluate(function.node.body)
+            return _seen_from(state.evaluate(function.node.body), arguments.span)
         state.run(function.node.body)
     finally:
         state.calls -= 1
@@ -76,8 +79,13 @@ def _result(frame: Frame, guards: tuple, span: Span) -> Any:
     if not returns:
         return none
     if len(returns) == 1 and not returns[0][0]:
-        return none if returns[0][1] is None else returns[0][1]
+        return none if returns[0][1] is None else _seen_from(returns[0][1], span)
     return Options([(own, none if value is None else value) for own, value in returns], span)
+
+
+def _seen_from(value: Any, span: Span) -> Any:
+    """A path that a function puts together stands, for whoever reads the file, where the function is called."""
+    return replace(value, span=span) if isinstance(value, (PathJoin, Concat)) else value
 
 
 def _bind(state: State, function: Function, arguments: Arguments) -> dict[str, Any]:

@@ -1,0 +1,76 @@
+"""Whether two files belong to one robot. A repository holds variants, examples and several robots.
+
+Files of one root file system or overlay belong together, those of two do not. Elsewhere two files are kept apart when
+the folders below their common one are alike: when both hold units, launch files, environments or the like.
+"""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING
+
+from bringup_lint.source import Source
+
+if TYPE_CHECKING:
+    from bringup_lint.robot import Robot
+
+TELLING = frozenset(
+    {
+        "compose",
+        "cyclonedds",
+        "env-file",
+        "fastdds",
+        "fstab",
+        "launch-python",
+        "launch-xml",
+        "launch-yaml",
+        "netplan",
+        "nftables",
+        "params",
+        "sros2-governance",
+        "sros2-permissions",
+        "sysctl",
+        "systemd-dropin",
+        "systemd-unit",
+        "udev-rules",
+    }
+)
+"""Kinds of which each robot has its own."""
+
+
+def overlay_of(source: Source) -> str | None:
+    """The folder that stands for the root of a robot, as it is written; None outside of any."""
+    path = source.robot_path
+    if path is None or not source.name.endswith(path.lstrip("/")):
+        return None
+    return source.name[: -len(path.lstrip("/"))]
+
+
+def together(robot: Robot, one: Source, other: Source) -> bool:
+    """Whether two files are for the same robot, as far as their places tell."""
+    if one is other or robot.tree.complete:
+        return True
+    roots = overlay_of(one), overlay_of(other)
+    if None not in roots:
+        return roots[0] == roots[1]
+    ours, theirs = (os.path.abspath(source.name).split("/") for source in (one, other))
+    depth = next((at for at, (our, their) in enumerate(zip(ours, theirs)) if our != their), 0)
+    if depth in (len(ours) - 1, len(theirs) - 1):
+        return True
+    kinds = robot.kinds_below
+    return not (kinds["/".join(ours[: depth + 1])] & kinds["/".join(theirs[: depth + 1])])
+
+
+def kinds_below(robot: Robot) -> dict[str, set[str]]:
+    """The telling kinds of the files below every folder."""
+    found: dict[str, set[str]] = {}
+    for source in robot.sources:
+        if source.kind in TELLING:
+            folder = os.path.abspath(source.name)
+            while len(folder) > 1:
+                folder = os.path.dirname(folder)
+                kinds = found.setdefault(folder, set())
+                if source.kind in kinds:
+                    break
+                kinds.add(source.kind)
+    return found
