@@ -164,10 +164,9 @@ class Sros2:
         found: dict[int, Located] = {}
         for process in users:
             variable = process.environment.get("ROS_DOMAIN_ID")
-            if variable is None or not re.fullmatch(r"\d{1,3}", variable.text or ""):
-                return None
-            found.setdefault(int(variable.text or ""), variable.value)
-        if users:
+            if variable is not None and variable.text is not None and re.fullmatch(r"\d{1,3}", variable.text):
+                found.setdefault(int(variable.text), variable.value)
+        if found:
             return next(iter(found.items())) if len(found) == 1 else None
         robots = self.robot.dds_domain
         return robots if robots and self.robot.together(robots[1], document.source) else None
