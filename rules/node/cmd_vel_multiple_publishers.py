@@ -3,8 +3,8 @@
 ## What it finds
 Two or more nodes that run together and publish one velocity topic (`cmd_vel`, `base_cmd_vel`, ...), under its full name
 and with nothing between them that chooses: no multiplexer, gate, smoother or collision monitor is among the publishers.
-Nodes that an argument has to switch on, or that exclude each other, do not count, and the servers of Nav2, which take
-turns, count as one.
+Where a node of the tree limits velocities, also those who publish past it. Nodes that an argument has to switch on, or
+that exclude each other, do not count, and the servers of Nav2, which take turns, count as one.
 
 ## Why it matters on a robot
 The base obeys whatever arrived last. A stop from one node is followed by the next command of the other, some

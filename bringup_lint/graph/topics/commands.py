@@ -34,8 +34,11 @@ def is_stop(name: str) -> bool:
 def is_gate(node: LaunchedNode) -> bool:
     """Whether a node chooses or limits velocities, by its name or because it turns one velocity into another."""
     words = (node.started.package, node.started.executable, node.started.plugin, node.started.name)
-    if any(GATE.search(literal_text(word) or "") for word in words):
-        return True
+    return any(GATE.search(literal_text(word) or "") for word in words) or passes_on(node)
+
+
+def passes_on(node: LaunchedNode) -> bool:
+    """Whether a node turns one velocity into another."""
     taken = {use.topic for use in node.uses if use.role == "subscription" and is_velocity(use.topic, use.type)}
     given = {use.topic for use in node.uses if use.role == "publisher" and is_velocity(use.topic, use.type)}
     return bool(taken and given)
@@ -43,7 +46,7 @@ def is_gate(node: LaunchedNode) -> bool:
 
 def rivals(running: Running) -> Iterator[list[Use]]:
     """The publishers of one velocity topic that all start when no argument is passed, when there are several of them
-    and no multiplexer or gate is among them or listens to them."""
+    and no multiplexer or gate is among them or listens to them; or when they go past the one that limits them."""
     for topic, uses in running.by_topic().items():
         listeners = [use.node for use in uses if use.role == "subscription"]
         if any(map(is_gate, listeners)) or (tail(topic) not in FINAL and not listeners):
@@ -57,6 +60,15 @@ def rivals(running: Running) -> Iterator[list[Use]]:
         apart = any(exclusive(one.node.started, other.node.started) for one, other in combinations(several, 2))
         if len(several) > 1 and not apart and not any(is_gate(use.node) for use in several):
             yield several
+        elif not apart and (past := _past_the_gate(several)):
+            yield past
+
+
+def _past_the_gate(several: list[Use]) -> list[Use]:
+    """The gate of the tree and the publishers that nothing limits, when there are any."""
+    gates = [use for use in several if not use.of_table and passes_on(use.node)]
+    others = [use for use in several if not is_gate(use.node) and _who(use.node) != TOGETHER]
+    return [*others, gates[0]] if len(gates) == 1 and others else []
 
 
 def _who(node: LaunchedNode) -> object:
