@@ -15,6 +15,8 @@ from pathlib import Path
 import pytest
 
 from bringup_lint.report.html import page
+from tests.conftest import PROJECT
+from tests.lint import lint
 from tests.report.html_picture import crowd
 from tests.report.html_picture import hostile
 from tests.report.html_picture import mower
@@ -346,6 +348,34 @@ def test_on_a_phone(opened) -> None:
     assert len(nodes(tab)) == 10
     choose(tab, "/drive")
     tab.click("#details .close")
+
+
+def test_on_paper(opened) -> None:
+    tab = opened(page(mower(), sample()))
+    tab.emulate_media(media="print")
+    tab.evaluate("dispatchEvent(new Event('beforeprint'))")
+    sheet = tab.evaluate("document.documentElement.clientWidth")
+    assert all(box["left"] >= 0 and box["right"] <= sheet for box in boxes(tab))
+    assert tab.is_visible("#finding-2 h3")
+    assert tab.is_hidden(".tools")
+    tab.evaluate("dispatchEvent(new Event('afterprint'))")
+    assert tab.get_attribute("#canvas", "viewBox") is None
+
+
+def test_image_of_the_documentation(opened, update_expected: bool, tmp_path: Path) -> None:
+    """``--update-expected`` takes it anew."""
+    image = PROJECT / "docs/images/page.png"
+    if update_expected:
+        file = tmp_path / "guide.html"
+        options = ("--root", ".", "--output-format", "html", "--output-file", file)
+        lint(*options, cwd=PROJECT / "fixtures/robots/guide/tree")
+        tab = opened(file.read_text("utf-8"), {"width": 1280, "height": 860})
+        tab.click(".finding[data-rule='device/unstable-path'][data-file$='gnss.yaml'] .locate")
+        tab.click("#fit")
+        tab.eval_on_selector(".finding.chosen", "one => one.scrollIntoView({block: 'start'})")
+        tab.mouse.move(0, 0)
+        tab.screenshot(path=image)
+    assert image.stat().st_size < 200_000
 
 
 def test_as_a_list_and_without_scripts(opened) -> None:

@@ -14,7 +14,7 @@ from bringup_lint.report.rows import Underline
 LONG = 400
 """Of a longer line, this many characters are shown around its first mark."""
 BEFORE = 80
-DEEP = 24
+DEEP = 56
 """Notes are indented by this many characters at most."""
 
 

@@ -68,6 +68,7 @@ function describe() {
     : chosen.node !== undefined ? nodeDetails(chosen.node)
     : chosen.link !== undefined ? linkDetails(drawn.links[chosen.link])
     : chosen.box !== undefined ? boxDetails(drawn.nodes[chosen.box])
+    : panes().findings ? null
     : findingDetails(chosen.finding);
   panel.hidden = content === null;
   panel.replaceChildren(...(content === null ? [] : [
@@ -77,12 +78,12 @@ function describe() {
 
 function nodeDetails(index) {
   const node = data.nodes[index];
-  const layer = data.layers.find((one) => one.id === node.layer);
   return [
-    make("p", { class: "kind", "data-layer": node.layer }, `${node.kind} · ${layer.title}`),
-    make("h2", {}, node.label), placed(node), ...found(node.findings),
+    make("p", { class: "kind", "data-layer": node.layer }, `${node.kind} · ${layerOf(node.layer).title}`),
+    make("h2", {}, node.label), placed(node),
     state.only === index ? button("Show everything", () => unfocus(), { class: "act" })
       : button("Show only what it is tied to", () => isolate(index), { class: "act", title: "f" }),
+    ...found(node.findings),
     ...ends("Comes from", arriving[index], "source"), ...ends("Leads to", leaving[index], "target"),
   ];
 }
@@ -121,7 +122,8 @@ const toNode = (index, label) => button(label, () => choose({ node: index }), { 
 const placed = (item) => make("p", { class: "place" }, placeOf(item));
 
 function found(findings) {
-  return findings.map((index) => {
+  const rank = (index) => -SEVERITIES.indexOf(data.findings[index].severity);
+  return [...findings].sort((a, b) => rank(a) - rank(b) || a - b).map((index) => {
     const { rule, severity, message, advice } = data.findings[index];
     const text = byId(`finding-${index}`) ? button(message, () => toArticle(index), { class: "to" }) : make("span", {}, message);
     return make("div", { class: `told ${severity}` }, icon(severity),

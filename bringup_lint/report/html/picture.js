@@ -35,6 +35,7 @@ function make(name, attributes = {}, ...children) {
 }
 
 const icon = (severity) => make("svg", { class: `icon ${severity}`, "aria-hidden": "true" }, make("use", { href: `#icon-${severity}` }));
+const layerOf = (id) => data.layers.find((layer) => layer.id === id);
 const placeOf = ({ path, line }) => (path ? path + (line ? `:${line}` : "") : "");
 const counted = (number, word) => `${number} ${word}${number === 1 ? "" : "s"}`;
 const button = (text, action, attributes = {}) => make("button", { type: "button", onclick: action, ...attributes }, text);
@@ -83,7 +84,7 @@ function graph() {
   });
   for (const index of folded.values()) {
     const box = nodes[index];
-    box.label = box.full = `${box.members.length} in ${data.layers.find((layer) => layer.id === box.layer).title}`;
+    box.label = box.full = `${box.members.length} in ${layerOf(box.layer).title}`;
     box.worst = worstOf(box.findings);
   }
   const links = new Map();
@@ -115,8 +116,9 @@ function draw() {
   drawn.lines = links.map((link, index) => lines.appendChild(lineOf(link, plan.routes[index], index)));
   const boxes = make("g", { class: "nodes" });
   drawn.boxes = nodes.map((node, index) => boxes.appendChild(boxFor(node, plan.boxes[index], index)));
-  const stripes = make("g", { class: "stripes" }, ...plan.bands.map((band) =>
-    make("rect", { "data-layer": band.layer, x: band.x, y: -20000, width: band.width, height: 40000 })));
+  const stripes = make("g", { class: "stripes" }, ...plan.bands.flatMap((band) => [
+    make("rect", { "data-layer": band.layer, x: band.x, y: -20000, width: band.width, height: 40000 }),
+    make("text", { x: band.x + 2, y: -16 }, layerOf(band.layer).title)]));
   scene.replaceChildren(stripes, lines, boxes);
   pane.querySelector(".bands").replaceChildren(...plan.bands.map(bandHead));
   byId("whole").hidden = state.only === null;
@@ -156,7 +158,7 @@ function boxFor(node, { x, y, width, height }, index) {
 }
 
 function bandHead(band) {
-  const layer = data.layers.find((one) => one.id === band.layer);
+  const layer = layerOf(band.layer);
   const own = data.nodes.filter((node) => node.layer === band.layer);
   const worst = worstOf(own.flatMap((node) => node.findings));
   const folded = state.folded.has(band.layer);

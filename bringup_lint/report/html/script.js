@@ -52,7 +52,16 @@ window.addEventListener("resize", () => {
   clearTimeout(resized);
   resized = setTimeout(redraw, 120);
 });
-window.addEventListener("beforeprint", () => fit());
+/* On paper the drawing takes the width of the sheet, whatever is in view now. */
+window.addEventListener("beforeprint", () => {
+  canvas.setAttribute("viewBox", `0 -40 ${drawn.plan.width} ${drawn.plan.height + 50}`);
+  canvas.classList.remove("far");
+  scene.removeAttribute("transform");
+});
+window.addEventListener("afterprint", () => {
+  canvas.removeAttribute("viewBox");
+  place();
+});
 
 body.classList.add("scripted");
 body.classList.toggle("without-picture", !data.nodes.length);
