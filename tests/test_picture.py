@@ -121,7 +121,7 @@ def generate_launch_description():
     }
     edges = said(drawn(tree(tmp_path, files)))
     assert {
-        ("/lidar", "secures", "/heron/lidar"),
+        ("/lidar (b.launch.py)", "secures", "/heron/lidar"),
         ("keystore", "holds", "/heron/lidar"),
         ("/heron/lidar", "grants", "permissions.xml"),
         ("rover.env", "selects", "/etc/rover/keystore"),

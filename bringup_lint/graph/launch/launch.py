@@ -328,8 +328,8 @@ class Launch:
             return self._only(file for file in self.files if f"/{target}".endswith("/" + file.source.basename))
         owner = self.workspace.packages.get(str(package))
         if owner is None:
-            unknown = (file for file in self.files if self.workspace.owner(file.source) is None)
-            return self._only(file for file in unknown if file.source.basename == target)
+            called = (file for file in self.files if file.source.basename == target)
+            return self._only(file for file in called if self.workspace.owner(file.source) is None)
         return self._only(file for file in self.files_of(owner) if file.source.basename == target)
 
     def _only(self, files: Iterator[LaunchFile]) -> LaunchFile | None:

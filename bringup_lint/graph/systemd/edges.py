@@ -67,14 +67,21 @@ def unit_edges(units: Units) -> list[Edge]:
     edges = [edge._replace(source=shown(edge.source), target=shown(edge.target)) for edge in units.graph.edges()]
     named = {own.node for own in own_units(units)}
     named.update(node for edge in edges if _is_written(edge) for node in (edge.source, edge.target))
+    joined = {frozenset((edge.source, edge.target)) for edge in edges if _is_written(edge)}
     kept = (edge for edge in edges if edge.source in named and edge.target in named and edge.source != edge.target)
-    return list(dict.fromkeys(edge for edge in kept if _is_written(edge) or is_certain(edge, units)))
+    return list(dict.fromkeys(edge for edge in kept if _is_written(edge) or _is_shown(edge, joined, units)))
+
+
+def _is_shown(edge: Edge, joined: set[frozenset[Node]], units: Units) -> bool:
+    """Defaults are left out unless they tell the order of two units that a line joins."""
+    if edge.why.startswith(DEFAULT):
+        return edge.kind == "orders" and frozenset((edge.source, edge.target)) in joined
+    return is_certain(edge, units)
 
 
 def is_certain(edge: Edge, units: Units) -> bool:
-    """Whether the edge is there on every robot, and more than the default of all units of a type."""
-    installed = edge.where is not None or units.has_vendor_units or not edge.of_package
-    return installed and not edge.why.startswith(DEFAULT)
+    """Whether the edge is there on every robot."""
+    return edge.where is not None or units.has_vendor_units or not edge.of_package
 
 
 def _is_written(edge: Edge) -> bool:

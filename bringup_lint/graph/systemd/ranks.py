@@ -20,7 +20,7 @@ def boot_ranks(units: Units, nodes: Iterable[Node]) -> dict[Node, int]:
     shown = naming(units)
     order = networkx.DiGraph()
     for edge in units.graph.edges("orders"):
-        if edge.where is not None or is_certain(edge, units):
+        if is_certain(edge, units):
             order.add_edge(shown(edge.source), shown(edge.target))
     cycles = networkx.condensation(order)
     depth: dict[Node, int] = {}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -11,7 +12,11 @@ from bringup_lint.graph.files import is_plain
 from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.graph import Node
 from bringup_lint.graph.systemd.edges import own_units
+from bringup_lint.graph.systemd.process import unwrapped
+from bringup_lint.source import Located
 from bringup_lint.source import Span
+
+_INTERPRETER = re.compile(r"python[0-9.]*|perl|node|ruby")
 
 if TYPE_CHECKING:
     from bringup_lint.graph.launch.launch import Launch
@@ -35,6 +40,10 @@ def script_places(robot: Robot) -> Iterator[tuple[Node, Span]]:
             for step in process.steps:
                 if step.script is not None:
                     yield file_node("script", step.script), file_place(step.script)
+            program = _program(process)
+            found = robot.tree.find(program) if program.startswith("/") and process.key == "ExecStart" else None
+            if found is not None:
+                yield file_node("script", found), file_place(found)
 
 
 def _of_process(unit: Node, process: Process, robot: Robot) -> Iterator[Edge]:
@@ -51,8 +60,19 @@ def _of_process(unit: Node, process: Process, robot: Robot) -> Iterator[Edge]:
         if started is not None:
             yield _run(unit, process, step, started, ros.where.span)
             followed = True
-    if process.key == "ExecStart" and not followed and not process.shell and is_plain(process.program):
-        yield Edge("runs", unit, Node("program", str(process.program)), process.program.span, "ExecStart=")
+    program = _program(process)
+    if process.key == "ExecStart" and not followed and not process.shell and is_plain(program):
+        found = robot.tree.find(program) if program.startswith("/") else None
+        target = file_node("script", found) if found else Node("program", str(program))
+        yield Edge("runs", unit, target, program.span, "ExecStart=")
+
+
+def _program(process: Process) -> Located:
+    """What is run, interpreters left out."""
+    words = unwrapped(process.argv) or process.argv
+    if _INTERPRETER.fullmatch(words[0].rpartition("/")[2]) and len(words) > 1 and "/" in words[1]:
+        return words[1]
+    return words[0]
 
 
 def _run(unit: Node, process: Process, step: Step, target: Node, where: Span) -> Edge:

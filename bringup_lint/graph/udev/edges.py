@@ -20,13 +20,32 @@ if TYPE_CHECKING:
     from bringup_lint.robot import Robot
 
 OPENERS = ("unit", "user-unit", "compose-service", "ros-node", "process", "script")
+NO_HARDWARE = frozenset(
+    {
+        "console",
+        "fd",
+        "full",
+        "kmsg",
+        "log",
+        "null",
+        "ptmx",
+        "random",
+        "stderr",
+        "stdin",
+        "stdout",
+        "tty",
+        "urandom",
+        "zero",
+    }
+)
+"""What the kernel and systemd always have below /dev."""
 _HOW = {"literal": "path", "host": "devices:", "script": "path in a script", "default": "default value"}
 
 
 def device_edges(robot: Robot, places: Places) -> Iterator[Edge]:
     """``opens`` from processes, ``names`` from files whose reader is not known, ``stands-for`` from device units."""
     for use in robot.devices.uses:
-        if use.certainty == "unit":
+        if use.certainty == "unit" or str(use.path).removeprefix("/dev/") in NO_HARDWARE:
             continue
         device = Node("device", str(use.path))
         for holder in places.of(use.path.span):

@@ -73,6 +73,8 @@ def _node(document: dict[str, Any], node: dict[str, Any]) -> str:
         "penwidth": "2.4" if severity in ("error", "warning") else "1",
         "tooltip": "\n".join(_tooltip(document, node)),
     }
+    if attributes["shape"] == "cds":
+        attributes["margin"] = "0.25,0.05"
     if node["id"] in document["focus"]:
         attributes["peripheries"] = "2"
     return f"{quoted(node['id'])} [{', '.join(f'{name}={quoted(value)}' for name, value in attributes.items())}];"

@@ -20,7 +20,19 @@ def labels(graph: Graph) -> dict[Node, str]:
     for nodes in files.values():
         tails = shortest_tails({node.name for node in nodes})
         found.update((node, tails[node.name]) for node in nodes)
+    _tell_apart(found)
     return found
+
+
+def _tell_apart(found: dict[Node, str]) -> None:
+    """The file goes with names that several nodes of a kind have."""
+    same: dict[tuple[str, str], list[Node]] = defaultdict(list)
+    for node, label in found.items():
+        if node.place:
+            same[node.kind, label].append(node)
+    for nodes in same.values():
+        tails = shortest_tails({node.place for node in nodes}) if len(nodes) > 1 else {}
+        found.update((node, f"{found[node]} ({tails[node.place]})") for node in nodes if tails)
 
 
 def shortest_tails(paths: Iterable[str]) -> dict[str, str]:

@@ -45,6 +45,7 @@ def named(document: Document, name: str) -> list[Node]:
     tests: tuple[Callable[[Node], bool], ...] = (
         lambda node: node["id"] == wanted,
         lambda node: node["label"] == wanted,
+        lambda node: node["label"].partition(" (")[0] == wanted,
         lambda node: node["path"] == wanted,
         lambda node: f"/{node['path'] or ''}".endswith(f"/{wanted}") or node["label"].endswith(f"/{wanted}"),
         lambda node: node["label"].rpartition(".")[0] == wanted,
