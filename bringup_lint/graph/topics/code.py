@@ -29,6 +29,8 @@ class Code:
     """There are no other endpoints."""
     node_class: NodeClass | None = None
     source: Source | None = None
+    several: bool = False
+    """The program may make more than one node."""
 
 
 def code_of(robot: Robot, started: Started, cpp: CppCode) -> Code | None:
@@ -42,7 +44,7 @@ def code_of(robot: Robot, started: Started, cpp: CppCode) -> Code | None:
 
 
 def _python(robot: Robot, program) -> Code:
-    code = Code(source=program.file.source)
+    code = Code(source=program.file.source, several=len(program.classes) != 1)
     for node in program.classes:
         code.endpoints += node.all_endpoints
     if len(program.classes) == 1:

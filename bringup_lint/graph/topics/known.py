@@ -26,6 +26,8 @@ class KnownNode(NamedTuple):
     topics: tuple[KnownTopic, ...]
     complete: bool
     """It has no other topics."""
+    name: str | None
+    """What the node calls itself."""
 
 
 @cache
@@ -45,7 +47,8 @@ def known_node(package: str, program: str) -> KnownNode | None:
     if rows is None:
         return None
     topics = tuple(_topic(row) for row in rows if row["role"] in ROLES)
-    return KnownNode(topics, not any(row["role"] == "more" for row in rows))
+    name = next((row["name"] for row in rows if row["role"] == "node"), None)
+    return KnownNode(topics, not any(row["role"] == "more" for row in rows), name)
 
 
 def _topic(row: dict[str, str]) -> KnownTopic:

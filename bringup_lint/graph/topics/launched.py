@@ -53,7 +53,8 @@ class _Reader:
         self.known_rules = self.arguments.known and len(self.rules) == len(self.arguments.remappings) + len(
             started.remappings
         )
-        own = code.name if code is not None else None
+        self.known = self.from_table() if code is None else None
+        own = code.name if code is not None else self.known.name if self.known is not None else None
         self.name = node_name(self.rules, literal_text(started.name) if started.name is not None else own)
         space = started.namespace
         if code is not None and code.namespace is not None and space in (None, "/"):
@@ -63,7 +64,7 @@ class _Reader:
         self.given: GivenParameters = given_parameters(robot, started, fqn, self.arguments)
 
     def node(self) -> LaunchedNode:
-        node = LaunchedNode(self.started, self.name, self.namespace)
+        node = LaunchedNode(self.started, self.name, self.namespace, given=self.given)
         if self.code is not None:
             node.complete = self.code.complete
             node.node_class = self.code.node_class
@@ -72,11 +73,10 @@ class _Reader:
                     node.complete &= self.from_source(node, endpoint)
             settle(node)
             return node
-        known = self.from_table()
-        if known is None:
+        if self.known is None:
             return node
-        node.complete = known.complete
-        for topic in known.topics:
+        node.complete = self.known.complete
+        for topic in self.known.topics:
             node.complete &= self.add_known(node, topic)
         return node
 

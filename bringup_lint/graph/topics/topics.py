@@ -24,9 +24,13 @@ from bringup_lint.graph.topics.use import Running
 from bringup_lint.graph.topics.use import Use
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.topics.node_names import NodeNames
+    from bringup_lint.graph.topics.watched import Missing
     from bringup_lint.model.node_source import Endpoint
     from bringup_lint.robot import Robot
+    from bringup_lint.source import Source
 
+LAUNCH = ("launch-python", "launch-xml", "launch-yaml")
 CPP = (".cpp", ".cc", ".cxx", ".hpp", ".h")
 
 
@@ -102,6 +106,41 @@ class Topics:
                 if code is not None and code.node_class is None and id(code) not in seen:
                     seen.add(id(code))
                     yield from (each for each in code.endpoints if each.span.source.name.endswith(CPP))
+
+    @cached_property
+    def node_names(self) -> NodeNames:
+        """The names of all nodes that anything of the tree starts, as far as they are known."""
+        from bringup_lint.graph.topics.node_names import node_names
+
+        return node_names(self)
+
+    @property
+    def named_nodes(self) -> Iterator[LaunchedNode]:
+        """The launched nodes of which the name is known."""
+        return (node for running in self.entries for node in running.nodes if node.name is not None)
+
+    def of_source(self, source: Source) -> list[LaunchedNode]:
+        """The launched nodes of the classes in a Python source."""
+        return self._of_source.get(id(source), [])
+
+    @cached_property
+    def _of_source(self) -> dict[int, list[LaunchedNode]]:
+        found: dict[int, list[LaunchedNode]] = {}
+        for running in self.runs:
+            for node in running.nodes:
+                if node.node_class is not None:
+                    found.setdefault(id(node.node_class.source), []).append(node)
+        return found
+
+    @property
+    def missing_nodes(self) -> Iterator[Missing]:
+        """Nodes that something watches or waits for and that nothing starts."""
+        from bringup_lint.graph.topics.watched import missing
+        from bringup_lint.graph.topics.watched import watched
+
+        if self.robot.of_kind(*LAUNCH):
+            for found in watched(self.robot):
+                yield from missing(found, self.node_names)
 
     @cached_property
     def published_anywhere(self) -> frozenset[str]:

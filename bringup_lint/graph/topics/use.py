@@ -14,6 +14,7 @@ from bringup_lint.source import Located
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.topics.given import GivenParameters
     from bringup_lint.model.node_source import NodeClass
     from bringup_lint.model.node_source import Qos
 
@@ -73,6 +74,7 @@ class LaunchedNode:
     namespace: str | None
     node_class: NodeClass | None = None
     """Its class, when its source is in the tree."""
+    given: GivenParameters | None = None
     uses: list[Use] = field(default_factory=list)
     complete: bool = False
     """It uses no other topics than these, as far as launch files and sources can tell."""

@@ -1,0 +1,133 @@
+"""Lists of nodes that something watches or waits for, against the names of the nodes that are started."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+from typing import NamedTuple
+
+from bringup_lint.graph.topics.node_names import NodeNames
+from bringup_lint.model.node_source import NodeSource
+from bringup_lint.source import Located
+from bringup_lint.source import Source
+from bringup_lint.spelling import nearest
+
+if TYPE_CHECKING:
+    from bringup_lint.robot import Robot
+
+LIST = re.compile(
+    r"(?:\w+[._])?(?:monitor|watch|expect|requir|critical|supervis|heartbeat|essential|mandatory)\w*?_?nodes?(?:_names|_list)?"
+    r"|nodes?_(?:names_)?to_(?:monitor|watch|check|supervise|wait_for)",
+    re.I,
+)
+"""Names of lists of nodes."""
+_GREP = re.compile(
+    r"ros2\s+node\s+list[^|\n;&]*\|\s*grep(?P<options>(?:\s+-\w+)*)\s+(?P<quote>[\"']?)(?P<name>/?[A-Za-z]\w*(?:/\w+)*)(?P=quote)(?=[\s;&|)]|$)"
+)
+SCRIPTS = ("shell-script", "systemd-unit", "systemd-dropin", "dockerfile", "compose")
+_NAME = re.compile(r"/?[A-Za-z_]\w*(?:/\w+)*")
+SHORTEST = 4
+
+
+class Watched(NamedTuple):
+    names: list[Located]
+    whole: bool
+    """The name is compared as a whole; else it is looked for inside names, as ``grep`` does."""
+    where: Located
+    """What the list is called, or the name itself."""
+
+
+def watched(robot: Robot) -> Iterator[Watched]:
+    """Every list of nodes in Python sources, parameter files and scripts."""
+    for file in robot.nodes.judged:
+        if not robot.nodes.purpose(file.source):
+            given = {name for node in robot.topics.of_source(file.source) for name in node.given.values}
+            yield from (found for found in _of_python(file) if str(found.where) not in given)
+    for file in robot.params.judged:
+        for parameter in file.parameters:
+            if LIST.fullmatch(parameter.name.rpartition(".")[2]) and parameter.value.type == "string_array":
+                names = [Located(item.text, item.span) for item in robot.params.items(parameter)]
+                if names:
+                    yield Watched(names, True, parameter.key)
+    for source in robot.of_kind(*SCRIPTS):
+        if source.judged and not source.template and "node" in source.text:
+            yield from _of_script(source)
+
+
+def _of_python(file: NodeSource) -> Iterator[Watched]:
+    for node in ast.walk(file.tree):
+        if isinstance(node, ast.Assign) and len(node.targets) == 1:
+            target = node.targets[0]
+            name = (
+                target.id if isinstance(target, ast.Name) else target.attr if isinstance(target, ast.Attribute) else ""
+            )
+            yield from _list(file, name, node.value, target)
+        elif isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
+            if node.func.attr == "declare_parameter" and len(node.args) > 1 and isinstance(node.args[0], ast.Constant):
+                yield from _list(file, str(node.args[0].value), node.args[1], node.args[0])
+
+
+def _list(file: NodeSource, name: str, value: ast.expr, where: ast.expr) -> Iterator[Watched]:
+    if not LIST.fullmatch(name.rpartition(".")[2]):
+        return
+    items = value.keys if isinstance(value, ast.Dict) else getattr(value, "elts", [])
+    names = [_text(file, item) for item in items if isinstance(item, ast.Constant) and isinstance(item.value, str)]
+    if names and len(names) == len(items):
+        span = file.span_of(where)
+        yield Watched(names, True, Located(name, span))
+
+
+def _text(file: NodeSource, item: ast.Constant) -> Located:
+    span = file.span_of(item)
+    inner = span.text.find(item.value)
+    start = span.start + inner if inner >= 0 else span.start
+    return span.source.located(start, start + len(item.value)) if inner >= 0 else Located(item.value, span)
+
+
+def _of_script(source: Source) -> Iterator[Watched]:
+    for found in _GREP.finditer(source.text):
+        line = source.text.rfind("\n", 0, found.start()) + 1
+        if "#" not in source.text[line : found.start()] and "v" not in found["options"] and "E" not in found["options"]:
+            name = source.located(*found.span("name"))
+            yield Watched([name], "x" in found["options"], name)
+
+
+class Missing(NamedTuple):
+    name: Located
+    """Of no node."""
+    list: Watched
+    meant: str | None
+    """The node that is probably meant."""
+
+
+def missing(found: Watched, names: NodeNames) -> Iterator[Missing]:
+    """The names of a list that no node has. Where none of them is the name of a node, or nearly so, the list is one of
+    something else. With nodes of public packages beside the known ones, only what is nearly the name of a node."""
+    if names.open:
+        return
+    full = sorted(names.known)
+    bare = {name.rpartition("/")[2] for name in full}
+    lost = [name for name in found.names if _NAME.fullmatch(name) and not _is_there(name, found.whole, full, bare)]
+    meant = {str(name): _meant(str(name), bare) for name in lost}
+    if len(lost) == len(found.names) and not any(meant.values()):
+        return
+    for name in lost:
+        if names.may_be(name) or (names.public and meant[str(name)] is None):
+            continue
+        yield Missing(name, found, meant[str(name)])
+
+
+def _is_there(name: str, whole: bool, full: list[str], bare: set[str]) -> bool:
+    if not whole:
+        return any(name in each for each in full)
+    return name in bare or name in full or f"/{name}" in full
+
+
+def _meant(name: str, bare: set[str]) -> str | None:
+    own = name.rpartition("/")[2]
+    near = nearest(own, sorted(bare))
+    if not near:
+        near = [each for each in sorted(bare) if min(len(each), len(own)) >= SHORTEST and (each in own or own in each)]
+    return near[0] if len(near) == 1 else None
