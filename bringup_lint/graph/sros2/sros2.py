@@ -19,6 +19,8 @@ from bringup_lint.graph.sros2.secured import Secured
 from bringup_lint.graph.sros2.secured import without_enclave
 from bringup_lint.graph.sros2.shared import User
 from bringup_lint.graph.sros2.shared import shared_enclaves
+from bringup_lint.graph.sros2.ungranted import Ungranted
+from bringup_lint.graph.sros2.ungranted import ungranted
 from bringup_lint.model.shell import Command
 from bringup_lint.model.sros2 import Governance
 from bringup_lint.model.sros2 import Grant
@@ -93,6 +95,11 @@ class Sros2:
     def shared_enclaves(self) -> Iterator[tuple[User, list[User]]]:
         """A process that moves the robot, and others beside it with the same enclave."""
         return shared_enclaves(self.robot)
+
+    @property
+    def ungranted(self) -> Iterator[Ungranted]:
+        """Topics that a process uses and that the permissions of its enclave do not allow."""
+        return ungranted(self.robot)
 
     @cached_property
     def selected(self) -> list[Located]:
