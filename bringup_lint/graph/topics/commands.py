@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from itertools import combinations
+from typing import TYPE_CHECKING
 
 from bringup_lint.graph.launch.started import exclusive
 from bringup_lint.graph.launch.started import literal_text
@@ -13,12 +14,22 @@ from bringup_lint.graph.topics.use import LaunchedNode
 from bringup_lint.graph.topics.use import Running
 from bringup_lint.graph.topics.use import Use
 
+if TYPE_CHECKING:
+    from bringup_lint.robot import Robot
+
 VELOCITY = re.compile(r"(?:\w+_)?cmd_?vel(?:_\w+)?|\w*velocity_command\w*")
 FINAL = ("cmd_vel", "cmd_vel_unstamped")
 """Names of topics that drive the wheels; others may be the inputs of a multiplexer that is not known."""
 STOP = re.compile(r"(?:^|[/_])(?:e_?stop|emergency(?:_?stop)?)(?:$|[/_])", re.I)
 TWISTS = ("geometry_msgs/msg/Twist", "geometry_msgs/msg/TwistStamped")
 GATE = re.compile(r"mux|gate|arbit|smooth|collision|limit|safe|guard|filter|supervis|priorit|switch|select")
+BY_HAND = re.compile(r"tele|joy|keyboard|key_?op|remote|steering")
+HARDWARE = re.compile(
+    r"\b(?:RPi\.GPIO|gpiod?|gpiozero|pigpio\w*|Jetson\.GPIO|wiringpi)\b|safety_?(?:plc|relay|controller)|sick_?saf\w+|pilz"
+    r"|hardware_?(?:e_?stop|emergency)|(?:e_?stop|emergency)_?(?:button|pin|relay|input|gpio)",
+    re.I,
+)
+"""Words that speak of a stop in hardware."""
 TOGETHER = ("nav2_", "opennav_")
 """Packages whose servers take turns, as the navigator tells them."""
 
@@ -69,6 +80,30 @@ def _past_the_gate(several: list[Use]) -> list[Use]:
     gates = [use for use in several if not use.of_table and passes_on(use.node)]
     others = [use for use in several if not is_gate(use.node) and _who(use.node) != TOGETHER]
     return [*others, gates[0]] if len(gates) == 1 and others else []
+
+
+def ungated(running: Running) -> Iterator[tuple[Use, Use]]:
+    """Velocities that go straight from a node that makes them by itself to the one that obeys."""
+    for topic, uses in running.by_topic().items():
+        if not is_velocity(topic):
+            continue
+        sure = [use for use in uses if use.node.started.by_default is True and is_velocity(topic, use.type)]
+        makers = [use for use in sure if use.role == "publisher" and not _by_hand(use.node)]
+        obeying = [use for use in sure if use.role == "subscription"]
+        yield from ((maker, obeying[0]) for maker in makers if obeying and obeying[0].node is not maker.node)
+
+
+def _by_hand(node: LaunchedNode) -> bool:
+    words = (node.started.package, node.started.executable, node.started.name)
+    return any(BY_HAND.search(literal_text(word) or "") for word in words)
+
+
+def has_stop_hardware(robot: Robot) -> bool:
+    """Whether sources, parameters or launch files speak of hardware that may stop the robot."""
+    sources = robot.of_kind(
+        "python-node", "params", "launch-python", "launch-xml", "launch-yaml", "udev-rules", "ros-package"
+    )
+    return any(HARDWARE.search(source.text) for source in sources) or robot.topics.cpp_mentions(HARDWARE)
 
 
 def _who(node: LaunchedNode) -> object:

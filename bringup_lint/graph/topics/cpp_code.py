@@ -11,6 +11,7 @@ from bringup_lint.graph.workspace import Package
 from bringup_lint.model.package import Build
 from bringup_lint.parsers.cpp_node import CppNode
 from bringup_lint.parsers.cpp_node import parse
+from bringup_lint.source import Source
 
 if TYPE_CHECKING:
     from bringup_lint.robot import Robot
@@ -24,6 +25,11 @@ class CppCode:
         self.robot = robot
         self._known: dict[tuple[str, str], Code | None] = {}
         self._read: dict[str, CppNode | None] = {}
+
+    @property
+    def sources(self) -> list[Source]:
+        """What was read."""
+        return [node.source for node in self._read.values() if node is not None]
 
     def code(self, package: Package, program: str) -> Code | None:
         """``program``: an executable or component class. None when its sources are not known, or make several nodes."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from functools import cached_property
 from itertools import product
@@ -141,6 +142,10 @@ class Topics:
         if self.robot.of_kind(*LAUNCH):
             for found in watched(self.robot):
                 yield from missing(found, self.node_names)
+
+    def cpp_mentions(self, pattern: re.Pattern[str]) -> bool:
+        """Whether a C++ source of a launched program holds a pattern."""
+        return any(pattern.search(source.text) for source in self._cpp.sources)
 
     @cached_property
     def published_anywhere(self) -> frozenset[str]:

@@ -1,0 +1,51 @@
+"""Nothing between the planner and the wheels.
+
+## What it finds
+A node other than a teleoperation that publishes the velocity which another one subscribes directly, in a launch
+file none of whose nodes limits or chooses velocities: no collision monitor, smoother, multiplexer, or node called gate
+or safety.
+
+## Why it matters on a robot
+A jump in the plan, a wrong unit or a node that hangs reaches the motors as it is.
+
+## Bad
+```python
+Node(package="mower", executable="planner"),   # publishes cmd_vel
+Node(package="mower", executable="base"),      # subscribes cmd_vel
+```
+
+## Good
+```python
+Node(package="mower", executable="planner", remappings=[("cmd_vel", "cmd_vel_raw")]),
+Node(package="nav2_collision_monitor", executable="collision_monitor", parameters=[zones]),
+Node(package="mower", executable="base"),
+```
+
+## References
+- Nav2, collision monitor and velocity smoother
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+from bringup_lint.api import topics
+
+
+@rule("info", confidence="medium")
+def cmd_vel_no_gate(robot: Robot):
+    seen = set()
+    for running in robot.topics.entries:
+        if running.simulated or any(map(topics.is_gate, running.nodes)):
+            continue
+        for publisher, subscription in topics.ungated(running):
+            if publisher.where not in seen:
+                seen.add(publisher.where)
+                yield finding(
+                    publisher.where,
+                    f"{publisher.topic} goes from {publisher.node.label()} to {subscription.node.label()} as it is: "
+                    "nothing limits it or stops it",
+                    advice="put a gate with limits and a timeout between them",
+                    related=[note(subscription.where, f"{subscription.node.label()} obeys it here")],
+                    confidence="medium",
+                )

@@ -1,0 +1,44 @@
+"""An emergency stop that is only a topic.
+
+## What it finds
+A topic for an emergency stop (`e_stop`, `emergency_stop`, ...) in the nodes of a tree that shows no sign of hardware
+behind it: no GPIO library, no safety controller or PLC. What is wired cannot be seen in files; this is a question, not
+a verdict.
+
+## Why it matters on a robot
+A topic fails together with the network, the computer and the node: exactly when it is needed. Standards for mobile
+robots ask for a circuit that cuts the power of the drives without any software.
+
+## Bad
+```python
+self.create_subscription(Bool, "emergency_stop", self.on_stop, 1)   # and nothing else
+```
+
+## Good
+```toml
+# bringup-lint.toml: the button cuts the drive power, see the wiring plan
+ignore = ["node/estop-software-only"]
+```
+
+## References
+- ISO 13850, emergency stop function
+- ISO 13849-1, safety-related parts of control systems
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+from bringup_lint.api import topics
+
+
+@rule("info", confidence="medium")
+def estop_software_only(robot: Robot):
+    stops = [each for each in robot.topics.endpoints if each.name is not None and topics.is_stop(each.name)]
+    if stops and not topics.has_stop_hardware(robot):
+        yield finding(
+            stops[0].name,
+            f"the only emergency stop to be seen is the topic {stops[0].name}: it fails together with the network, the "
+            "computer or the node",
+            advice="let a wired circuit cut the drive power; when there is one, ignore this rule in the configuration",
+            confidence="medium",
+        )
