@@ -1,0 +1,234 @@
+"""The topic layer: names, remappings, parameters, C++ sources, and what runs together."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import settings
+from hypothesis import strategies as st
+
+from bringup_lint.discover.walk import discover
+from bringup_lint.facts import table
+from bringup_lint.graph.topics.commands import is_stop
+from bringup_lint.graph.topics.commands import is_velocity
+from bringup_lint.graph.topics.edges import topic_edges
+from bringup_lint.graph.topics.known import known_node
+from bringup_lint.graph.topics.names import complaint
+from bringup_lint.graph.topics.names import expand
+from bringup_lint.graph.topics.names import full_complaint
+from bringup_lint.graph.topics.remapping import remap
+from bringup_lint.graph.topics.remapping import remapping
+from bringup_lint.parsers import cpp_node
+from bringup_lint.robot import Robot
+from bringup_lint.source import Source
+
+FIXTURES = Path(__file__).parent.parent / "fixtures"
+
+
+@pytest.mark.parametrize(
+    ("name", "full"),
+    [
+        ("scan", "/r1/scan"),
+        ("~/scan", "/r1/n/scan"),
+        ("/scan", "/scan"),
+        ("{node}/scan", "/r1/n/scan"),
+        ("{ns}/scan", "/r1/scan"),
+        ("a-b", None),
+        ("{other}/scan", None),
+    ],
+)
+def test_expansion(name: str, full: str | None) -> None:
+    assert expand(name, "n", "/r1") == full
+
+
+@pytest.mark.parametrize("name", ["", "a-b", "a.b", "a b", "é", "1a", "a/1b", "a/", "~xy", "a~b", "{a", "a}"])
+def test_refused_names(name: str) -> None:
+    assert complaint(name)
+
+
+@pytest.mark.parametrize("name", ["__x", "a__b", "rt/scan", "_x", "Scan", "a//b", "{node}"])
+def test_odd_names_that_are_taken(name: str) -> None:
+    assert complaint(name) is None
+
+
+def test_repeated_slashes_fail_only_when_expanded() -> None:
+    assert full_complaint("/a//b") == "it holds '//'"
+
+
+def test_a_rule_for_another_node_does_not_count() -> None:
+    rules = [remapping("other:scan:=far"), remapping("scan:=near"), remapping("scan:=later")]
+    assert remap(rules, "/scan", "lidar", "/").name == "/near"
+    assert remap(rules, "/scan", "other", "/").name == "/far"
+
+
+def test_an_unknown_target_makes_the_name_unknown() -> None:
+    rule = remapping("scan:=somewhere")._replace(replacement=None)
+    assert remap([rule], "/scan", "lidar", "/").name is None
+    assert remap([rule], "/odom", "lidar", "/").name == "/odom"
+
+
+def test_each_known_node_is_whole() -> None:
+    for row in table("known_node_topics"):
+        assert row["role"] in ("pub", "sub", "more", "none", "node")
+        assert row["role"] not in ("pub", "sub") or row["name"] or row["parameter"]
+        assert len(row["qos"].split()) in (0, 2, 3)
+        if row["name"] and row["role"] in ("pub", "sub"):
+            assert complaint(row["name"]) is None
+        assert known_node(row["package"], row["executable"]) is not None
+
+
+@pytest.mark.parametrize(
+    ("name", "velocity", "stop"),
+    [
+        ("cmd_vel", True, False),
+        ("/r1/cmd_vel_raw", True, False),
+        ("base_cmd_vel", True, False),
+        ("odom", False, False),
+        ("e_stop", False, True),
+        ("/r1/emergency_stop/state", False, True),
+        ("stopwatch", False, False),
+        ("estops_seen", False, False),
+    ],
+)
+def test_commands(name: str, velocity: bool, stop: bool) -> None:
+    assert (is_velocity(name), is_stop(name)) == (velocity, stop)
+
+
+CPP = """
+// create_publisher<a::msg::B>("comment", 10);
+/* create_publisher<a::msg::B>("block", 10); */
+using sensor_msgs::msg::LaserScan;
+using Pose = geometry_msgs::msg::PoseStamped;
+class Lidar : public rclcpp::Node
+{
+public:
+  explicit Lidar(const rclcpp::NodeOptions & options) : Node("lidar", options)
+  {
+    log("create_publisher<a::msg::B>(\\"text\\", 10)");
+    auto quality = rclcpp::QoS(rclcpp::KeepLast(3)).best_effort();
+    scans_ = create_publisher<LaserScan>("scan", quality);
+    poses_ = this->create_publisher<Pose>("~/pose", rclcpp::QoS(1).transient_local().reliable());
+    raw_ = create_publisher<sensor_msgs::msg::Image>("raw", rclcpp::SensorDataQoS());
+    other_ = create_publisher<sensor_msgs::msg::Image>(name_ + "/raw", 5);
+    subscription_ = this->create_subscription<std_msgs::msg::Bool>(
+      "stop", 7, [this](const std_msgs::msg::Bool & message) {stop(message, "now");});
+    late_ = create_publisher<sensor_msgs::msg::Image>("late", make_quality());
+  }
+};
+RCLCPP_COMPONENTS_REGISTER_NODE(field::Lidar)
+"""
+
+
+def test_cpp_sources() -> None:
+    node = cpp_node.parse(Source("lidar.cpp", CPP))
+    found = [
+        (each.role, each.name, each.type, each.qos and (each.qos.reliability, each.qos.durability, each.qos.depth))
+        for each in node.endpoints
+    ]
+    assert found == [
+        ("publisher", "scan", "sensor_msgs/msg/LaserScan", ("BEST_EFFORT", "VOLATILE", 3)),
+        ("publisher", "~/pose", "geometry_msgs/msg/PoseStamped", ("RELIABLE", "TRANSIENT_LOCAL", 1)),
+        ("publisher", "raw", "sensor_msgs/msg/Image", ("BEST_EFFORT", "VOLATILE", 5)),
+        ("publisher", None, "sensor_msgs/msg/Image", ("RELIABLE", "VOLATILE", 5)),
+        ("subscription", "stop", "std_msgs/msg/Bool", ("RELIABLE", "VOLATILE", 7)),
+        ("publisher", "late", "sensor_msgs/msg/Image", None),
+    ]
+    assert node.names == ["lidar"]
+    assert node.classes == ["Lidar"]
+    assert node.components == ["field::Lidar"]
+    assert [each.name.span.text for each in node.endpoints if each.name] == ["scan", "~/pose", "raw", "stop", "late"]
+
+
+def test_a_profile_that_changes_later_is_not_known() -> None:
+    text = 'rclcpp::QoS qos(5);\nqos.best_effort();\nnode->create_publisher<std_msgs::msg::Bool>("a", qos);'
+    assert cpp_node.parse(Source("a.cpp", text)).endpoints[0].qos is None
+
+
+PIECES = st.sampled_from(
+    [
+        "create_publisher<",
+        "std_msgs::msg::Bool",
+        ">",
+        "(",
+        ")",
+        '"',
+        "a",
+        ",",
+        "//",
+        "/*",
+        "*/",
+        "\n",
+        "'",
+        'R"(',
+        ')"',
+        "{",
+    ]
+)
+
+
+@given(st.lists(PIECES, max_size=40).map("".join))
+@settings(deadline=None, max_examples=100)
+def test_any_text_is_read(text: str) -> None:
+    source = Source("a.cpp", text)
+    for endpoint in cpp_node.parse(source).endpoints:
+        assert 0 <= endpoint.span.start <= endpoint.span.end <= len(text)
+
+
+def robot_of(*files: tuple[Path, str]) -> Robot:
+    for path, text in files:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+    return Robot(discover([str(files[0][0].parents[0])]))
+
+
+LAUNCH = """
+<launch>
+  <arg name="side" default="left"/>
+  <group>
+    <push-ros-namespace namespace="mower"/>
+    <set_remap from="joy" to="pad"/>
+    <node pkg="joy" exec="joy_node" name="pad_driver"/>
+    <node pkg="teleop_twist_joy" exec="teleop_node">
+      <remap from="cmd_vel" to="/$(var side)/cmd_vel"/>
+    </node>
+  </group>
+  <node pkg="nav2_amcl" exec="amcl">
+    <param name="scan_topic" value="front/scan"/>
+  </node>
+  <node pkg="slam_toolbox" exec="async_slam_toolbox_node">
+    <param from="$(dirname)/slam.yaml"/>
+  </node>
+  <node pkg="nav2_map_server" exec="map_server" ros_args="-r map:=lawn"/>
+  <node pkg="unknown_driver" exec="driver"/>
+</launch>
+"""
+SLAM = """
+/**:
+  ros__parameters:
+    scan_topic: rear/scan
+"""
+
+
+def test_full_names(tmp_path: Path) -> None:
+    robot = robot_of((tmp_path / "robot.launch.xml", LAUNCH), (tmp_path / "slam.yaml", SLAM))
+    (running,) = robot.topics.entries
+    found = {(node.label(), use.role[:3], use.topic) for node in running.nodes for use in node.uses}
+    assert {
+        ("/mower/pad_driver", "pub", "/mower/pad"),
+        ("/mower/pad_driver", "sub", "/mower/joy/set_feedback"),
+        ("/mower/teleop_twist_joy_node", "sub", "/mower/pad"),
+        ("/mower/teleop_twist_joy_node", "pub", "/left/cmd_vel"),
+        ("/amcl", "sub", "/front/scan"),
+        ("/slam_toolbox", "sub", "/rear/scan"),
+        ("/slam_toolbox", "pub", "/map"),
+    } <= found
+    assert not running.complete
+    assert {edge.kind for edge in topic_edges(robot)} == {"publishes", "subscribes"}
+
+
+def test_what_runs_together() -> None:
+    robot = Robot(discover([str(FIXTURES / "node/cmd_vel_multiple_publishers/bad_units")]))
+    labels = [(running.label.rpartition("/")[2], len(running.nodes)) for running in robot.topics.runs]
+    assert labels == [("the units", 3), ("dock.launch.py", 1), ("wire.launch.py", 2)]
