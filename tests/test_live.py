@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import json
 import re
+import signal
+import subprocess
+import sys
 import time
 from pathlib import Path
 
@@ -97,6 +100,13 @@ def test_a_middleware_that_hangs_is_given_up(stub: Path, monkeypatch: pytest.Mon
     assert run.code == 2
     assert run.stderr.splitlines()[1:] == ["bringup-lint: the middleware did not answer within 2.5 s"]
     assert time.monotonic() - started < 10
+
+
+def test_a_middleware_that_hangs_does_not_outlive_its_limit(stub: Path) -> None:
+    stub.write_text("import time\ntime.sleep(600)\n")
+    task = {"domain": 0, "wait": 1, "enclave": None, "states": False, "limit": 1}
+    run = subprocess.run([sys.executable, observe.__file__, json.dumps(task)], timeout=10, check=False)
+    assert run.returncode == -signal.SIGALRM
 
 
 def test_what_was_seen_is_read_again() -> None:

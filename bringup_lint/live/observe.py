@@ -1,12 +1,14 @@
 """Looks at the running ROS graph, as a program of its own: a middleware that hangs or crashes takes nothing with it.
 
 It joins a domain as a hidden node that publishes nothing and offers no service, looks, asks lifecycle nodes for their
-state, leaves, and prints what it saw as one line of JSON. Needs nothing but rclpy; exit code 3 when there is none.
+state, leaves, and prints what it saw as one line of JSON. Needs nothing but rclpy; exit code 3 when there is none. An
+alarm ends it when it hangs and nobody waits for it any more.
 """
 
 from __future__ import annotations
 
 import json
+import signal
 import sys
 import time
 
@@ -27,6 +29,7 @@ GET_STATE = "lifecycle_msgs/srv/GetState"
 
 def main() -> None:
     task = json.loads(sys.argv[1])
+    signal.alarm(task["limit"])
     try:
         import rclpy  # noqa: F401
 

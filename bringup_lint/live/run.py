@@ -9,6 +9,7 @@ import shutil
 import subprocess
 import sys
 from collections.abc import Iterable
+from math import ceil
 from typing import Any
 
 from bringup_lint.live import observe
@@ -38,7 +39,8 @@ def look(
     environment = dict(os.environ)
     if rmw:
         environment["RMW_IMPLEMENTATION"] = rmw
-    tasks = [json.dumps({"domain": each, "wait": wait, "enclave": enclave, "states": states}) for each in domains]
+    task = {"wait": wait, "enclave": enclave, "states": states, "limit": ceil(wait + observe.LONGER + SLACK) + 1}
+    tasks = [json.dumps({**task, "domain": each}) for each in domains]
     pythons = _pythons()
     for python in pythons[:-1]:
         try:
