@@ -153,7 +153,7 @@ def seen(robot: Robot, options: dict[str, Any]) -> Source:
     others = [each for each in mentioned(robot) if each != domain][:AT_MOST]
     said_domain = configured(robot)
     elsewhere = []
-    if others and (is_empty(graph, must) or (said_domain and said_domain.number != domain)):
+    if others and (is_wanting(graph, must) or (said_domain and said_domain.number != domain)):
         click.echo(f"Looking at domain {', '.join(map(str, others))} too ...", err=True)
         elsewhere = look(others, options["wait"], enclave=options["enclave"], rmw=rmw, states=False)
     secured = os.environ.get("ROS_SECURITY_ENABLE") == "true"
@@ -182,12 +182,12 @@ def chosen(robot: Robot, given: int | None) -> tuple[int, str]:
     return (told.number, _at(told.where)) if told else (0, "the default")
 
 
-def is_empty(graph: dict[str, Any], must: frozenset[str]) -> bool:
-    """Whether the domain shows nothing of the robot: none of the nodes that must run, or none at all."""
+def is_wanting(graph: dict[str, Any], must: frozenset[str]) -> bool:
+    """Whether a node of the robot may be on another domain: one that must run is not here, or none is here at all."""
     from bringup_lint.graph.living.tools import is_tool
 
     names = {name for name, _ in graph["nodes"] if not is_tool(name)}
-    return not names & must if must else not names
+    return bool(must - names) if must else not names
 
 
 def _at(where: Located) -> str:

@@ -2,7 +2,8 @@
 
 ## What it finds
 A tree whose files agree on one `ROS_DOMAIN_ID`, no node of the robot on that domain, and nodes of the robot on
-another one that the files mention, on the default 0, or on the one that this program was told to look at.
+another one that the files mention, on the default 0, or on the one that this program was told to look at. Also single
+nodes that must run on the domain in the files and run on another one.
 
 ## Why it matters on a robot
 The variable did not reach the processes: an env file that the unit does not load, a shell that was not sourced
@@ -38,19 +39,32 @@ def domain_mismatch(robot: Robot):
         return
     by_domain = {**living.elsewhere, living.seen.domain: living.nodes}
     ours = {domain: [node for node in nodes if belongs(living, node)] for domain, nodes in by_domain.items()}
-    if configured.number not in ours or ours[configured.number]:
-        return
-    for domain, nodes in sorted(ours.items()):
+    file = configured.where.span.path.rpartition("/")[2]
+    if ours.get(configured.number) == []:
+        domain, nodes = next(((each, nodes) for each, nodes in sorted(ours.items()) if nodes), (None, []))
         if nodes:
-            count = "1 node runs" if len(nodes) == 1 else f"{len(nodes)} nodes run"
-            file = configured.where.span.path.rpartition("/")[2]
             yield finding(
                 configured.where,
-                f"{file} says domain {configured.number}, where no node of the robot runs; {count} on domain {domain}",
+                f"{file} says domain {configured.number}, where no node of the robot runs; "
+                f"{count(nodes)} on domain {domain}",
                 advice="see that every unit, container and shell that starts nodes loads this file",
                 related=[note(node.name, f"runs on domain {domain}") for node in nodes[:3]],
             )
-            return
+    elif living.seen.domain == configured.number:
+        for (entry, domain), nodes in living.astray.items():
+            yield finding(
+                entry.where,
+                f"{count(nodes)} on domain {domain}, not on {configured.number} as {file} says",
+                advice=f"see that {entry.who or 'whoever starts this'} loads {file}",
+                related=[
+                    note(configured.where, "the domain of the others"),
+                    *(note(node.name, f"runs on domain {domain}") for node in nodes[:3]),
+                ],
+            )
+
+
+def count(nodes):
+    return f"{nodes[0].name} runs" if len(nodes) == 1 else f"{len(nodes)} nodes run"
 
 
 def belongs(living, node):

@@ -164,6 +164,20 @@ def test_nodes_are_looked_for_on_the_domains_that_files_mention(tmp_path: Path, 
     assert "node-missing" not in run.stdout
 
 
+def test_one_node_on_another_domain(tmp_path: Path, domain: int) -> None:
+    folder = tree(tmp_path / "tree", domain)
+    (folder / "development").mkdir()
+    (folder / "development/ros.env").write_text(f"ROS_DOMAIN_ID={domain - 100}\n")
+    others = [node for node in GOOD if node is not SLAM]
+    with running(*others, environment=on(domain)), running(SLAM, environment=on(domain - 100)):
+        run = live(folder, "--select", "live/domain-mismatch,live/node-missing")
+    assert f"/slam runs on domain {domain - 100}, not on {domain} as ros.env says" in run.stdout, (
+        run.stdout,
+        run.stderr,
+    )
+    assert run.stdout.count("\n") == 1
+
+
 def test_files_that_ask_for_security_and_nodes_without(tmp_path: Path, domain: int) -> None:
     folder = tree(tmp_path / "tree", domain)
     (folder / "ros.env").write_text(

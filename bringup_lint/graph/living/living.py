@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import product
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.launch.lifecycle import Managed
@@ -65,6 +66,17 @@ class LivingRobot:
     def configured(self) -> Domain | None:
         """The domain that the files agree on."""
         return configured(self.robot)
+
+    @cached_property
+    def astray(self) -> dict[tuple[Entry, int], list[RunningNode]]:
+        """The nodes that must run on this domain and run on another one, by what starts them and where they are."""
+        found = {}
+        for entry, (domain, nodes) in product(self.due, self.elsewhere.items()):
+            names = {node.name for node in self.expected.entries[entry]} - self.names
+            there = [node for node in nodes if node.name in names]
+            if there:
+                found[entry, domain] = there
+        return found
 
     @cached_property
     def missing(self) -> dict[Entry, list[ExpectedNode]]:
