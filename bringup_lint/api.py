@@ -44,6 +44,7 @@ _WORDS = {
     "is_made": "bringup_lint.graph.systemd.filesystem",
     "is_stand_in": "bringup_lint.templates",
     "is_there": "bringup_lint.graph.systemd.filesystem",
+    "json5": "bringup_lint.parsers.json5",
     "launch": "bringup_lint.graph.launch.words",
     "launched": "bringup_lint.graph.launch.of_units",
     "lift_comment": "bringup_lint.graph.systemd.unit_edits",

@@ -37,6 +37,8 @@ def dds_ports(robot: Robot):
     domain = robot.dds_domain
     if domain is None:
         return
+    if any("<Ports" in source.text or "portBase" in source.text for source in robot.of_kind("cyclonedds", "fastdds")):
+        return
     number, place = domain
     base = 7400 + 250 * number
     for firewall in robot.firewalls:

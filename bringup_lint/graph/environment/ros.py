@@ -10,6 +10,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 
+from bringup_lint.discover.tree import display_name
 from bringup_lint.graph.environment.effective import Environment
 from bringup_lint.graph.environment.effective import Variable
 from bringup_lint.graph.environment.effective import process_environment
@@ -33,6 +34,7 @@ from bringup_lint.source import Span
 from bringup_lint.templates import has_placeholder
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.environment.images import Lacking
     from bringup_lint.graph.launch.expand import Expansion
     from bringup_lint.graph.systemd.process import Step
     from bringup_lint.model.compose import Service
@@ -42,6 +44,8 @@ OF_ROS = re.compile(r"(?:ROS|RMW|CYCLONEDDS|FASTRTPS|FASTDDS|RCUTILS|ZENOH)_\w+"
 """Names of variables that ROS 2 or its middleware reads."""
 
 LAUNCH = ("launch-python", "launch-xml", "launch-yaml")
+_LOGIN_NAMES = (".bashrc", ".bash_profile", ".profile", ".zshrc", "bash.bashrc")
+_LOGIN = re.compile(r"/(?:\.bashrc|\.(?:bash_)?profile|\.zshrc|bash\.bashrc)$|/profile\.d/[^/]+$|/etc/environment$")
 _ROS2 = re.compile(r"\bros2[ \t]+(?:launch|run)\b")
 
 _SIMULATION = re.compile(
@@ -102,6 +106,24 @@ class RosEnvironment:
     def is_development(place: Located | Span) -> bool:
         """Whether the path of the file says that it is for tests, simulation or development."""
         return bool(_SIMULATION.search(place.path))
+
+    @cached_property
+    def login_files(self) -> list[Source]:
+        """The files that only people's shells read: ``.bashrc``, ``profile.d``, ``/etc/environment`` and the like."""
+        tree = self.robot.tree
+        found = {source.name: source for source in self.robot.sources if _LOGIN.search(f"/{source.name}")}
+        for path in (path for name in _LOGIN_NAMES for path in tree.named(name)):
+            source = None if display_name(path) in found else tree.read(path)
+            if source is not None:
+                found[source.name] = source
+        return list(found.values())
+
+    @property
+    def lacking_middleware(self) -> Iterator[Lacking]:
+        """The places that select a middleware which the image of the container does not contain."""
+        from bringup_lint.graph.environment.images import lacking
+
+        return lacking(self.robot)
 
     def first_mention(self, distro: str) -> Located | None:
         """The first word of a judged file that says which distribution runs."""
@@ -175,6 +197,14 @@ class RosEnvironment:
             return []
         found = ((expansion_of(start.ros, self.robot), start.environment) for start in launcher.starts)
         return [(expansion, base) for expansion, base in found if expansion is not None]
+
+    def started_by(self, process: RosProcess) -> int:
+        """How many processes have the environment of this one: a lower bound."""
+        if process.launched:
+            return sum(each.node.is_node for each in process.launched)
+        apart = {id(each.node) for other in self.processes if other.launcher is process for each in other.launched}
+        known = [each.node for each in self.launched_by(process) if id(each.node) not in apart]
+        return max(1, sum(node.is_node for node in known))
 
     def is_settled(self, process: RosProcess) -> bool:
         """Whether all that launch does to the environment on the way to the nodes is known."""

@@ -1,0 +1,98 @@
+"""Container images whose contents are known: official ROS images, and what a Dockerfile puts on top of them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+from typing import NamedTuple
+
+from bringup_lint.graph.environment.effective import Variable
+from bringup_lint.graph.environment.ros import image_variables
+from bringup_lint.source import Located
+
+if TYPE_CHECKING:
+    from bringup_lint.model.compose import Service
+    from bringup_lint.model.dockerfile import Stage
+    from bringup_lint.robot import Robot
+
+RMW = "RMW_IMPLEMENTATION"
+PACKAGES = {
+    "rmw_cyclonedds_cpp": "rmw-cyclonedds-cpp",
+    "rmw_zenoh_cpp": "rmw-zenoh-cpp",
+    "rmw_connextdds": "rmw-connextdds",
+    "rmw_gurumdds_cpp": "rmw-gurumdds-cpp",
+}
+"""Middlewares that no official image brings, with the end of their package's name."""
+
+_OFFICIAL = re.compile(
+    r"(?:docker\.io/)?(?:(?:library|arm64v8|amd64|arm32v7)/)?"
+    r"(?:ros:(?P<distro>humble|iron|jazzy|kilted)(?:-ros-core|-ros-base|-perception)?"
+    r"|osrf/ros:(?P<desktop>humble|iron|jazzy|kilted)-desktop(?:-full)?)(?:-(?:jammy|noble))?"
+)
+_OPAQUE = re.compile(
+    r"rosdep|\$\(|`|xargs|ansible|\b(?:curl|wget|git|vcs|colcon|cmake|make|pip3?|conda|mamba|dpkg|tar|cp|source)\b|\.sh\b"
+    r"|\.deb\b|<<|install[^\n;&]*\$(?!\{?ROS_DISTRO)"
+)
+"""What may bring a middleware unseen."""
+
+
+class Lacking(NamedTuple):
+    """A middleware that is selected in an image without it."""
+
+    variable: Variable
+    image: Located
+    package: str
+    """The Debian package that would bring it."""
+
+
+def lacking(robot: Robot) -> Iterator[Lacking]:
+    """Every place that selects a middleware which the described image surely does not contain."""
+    found: dict[object, Lacking] = {}
+    for process in robot.ros.processes if robot.of_kind("compose") else ():
+        variable = process.environment.get(RMW)
+        if process.service is not None and variable is not None:
+            for each in _of_service(robot, process.service, variable):
+                found.setdefault(each.variable.value.span, each)
+    for dockerfile in robot.dockerfiles if robot.of_kind("dockerfile") else ():
+        stage = dockerfile.final
+        variables = [each for one in reversed(list(stage.chain)) for each in image_variables(one)] if stage else []
+        selected = [each for each in variables if each.name == RMW]
+        for each in _of_stage(stage, selected[-1]) if selected else ():
+            found.setdefault(each.variable.value.span, each)
+    yield from found.values()
+
+
+def _of_service(robot: Robot, service: Service, variable: Variable) -> Iterator[Lacking]:
+    own = " ".join(service.scripts)
+    if re.search(r"apt|install/|ws/", own) or any(_hides_ros(str(each.target)) for each in service.volumes):
+        return
+    stage = robot.compose.stage(service)
+    if stage is not None:
+        yield from _of_stage(stage, variable)
+    elif service.build is None and service.image is not None and not robot.compose.extends_elsewhere(service):
+        yield from _lacks(service.image, str(service.image), variable)
+
+
+def _hides_ros(target: str) -> bool:
+    """Whether a volume may bring packages of ROS."""
+    return bool(re.search(r"/opt(?:/|$)|ws(?:/|$)|install(?:/|$)", target))
+
+
+def _of_stage(stage: Stage, variable: Variable) -> Iterator[Lacking]:
+    package = PACKAGES.get(variable.text or "", "")
+    for one in stage.chain:
+        for instruction in one.instructions:
+            if instruction.name == "ADD" or (instruction.name == "COPY" and instruction.flags):
+                return
+            text = str(instruction.value) if instruction.name == "RUN" else ""
+            if package in text.replace("_", "-") or _OPAQUE.search(text):
+                return
+    yield from _lacks(list(stage.chain)[-1].image, stage.origin, variable)
+
+
+def _lacks(place: Located, image: str, variable: Variable) -> Iterator[Lacking]:
+    official = _OFFICIAL.fullmatch(image)
+    if official and variable.text in PACKAGES:
+        distro = official["distro"] or official["desktop"]
+        yield Lacking(variable, place, f"ros-{distro}-{PACKAGES[variable.text]}")

@@ -1,0 +1,44 @@
+"""On the wire the robot is in another domain than ROS_DOMAIN_ID says.
+
+## What it finds
+`ExternalDomainId` in a Cyclone DDS file, with another number than the domain of a process that reads the file.
+
+## Why it matters on a robot
+Machines with the same ROS_DOMAIN_ID do not see the robot, and it shares a domain with machines that nobody thinks of.
+
+## Bad
+```xml
+<ExternalDomainId>3</ExternalDomainId>   <!-- ROS_DOMAIN_ID=42 -->
+```
+
+## Good
+```xml
+<ExternalDomainId>default</ExternalDomainId>
+```
+
+## References
+- Cyclone DDS, configuration reference: Domain/Discovery/ExternalDomainId
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning")
+def external_domain_id(robot: Robot):
+    for configuration, domain in robot.dds.domains:
+        setting = domain.get("Discovery/ExternalDomainId")
+        text = (setting.effective or "").strip() if setting else ""
+        if not text.isdigit():
+            continue
+        for reader in robot.dds.readers(configuration):
+            if reader.domain is not None and reader.domain != int(text):
+                yield finding(
+                    setting.value,
+                    f"{reader.who} says domain {reader.domain}, and is in domain {text} on the network",
+                    advice="delete ExternalDomainId",
+                    related=[note(reader.domain_where or reader.where, "the domain of the process")],
+                )
+                break

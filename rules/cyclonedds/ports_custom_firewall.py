@@ -1,0 +1,68 @@
+"""Cyclone DDS uses ports that the firewall keeps closed.
+
+## What it finds
+Base, DomainGain, ParticipantGain or offsets under `Discovery/Ports` of a Cyclone DDS file, where the domain of the
+processes that read it is known, and a firewall of the tree that opens UDP ports for DDS, but not those of the first
+participant that follow from the settings.
+
+## Why it matters on a robot
+The other machines see nothing of the robot; on the robot itself everything works.
+
+## Bad
+```xml
+<Ports><Base>7600</Base></Ports>   <!-- the firewall opens 17900:18000/udp for domain 42 -->
+```
+
+## Good
+```xml
+<Ports><Base>7400</Base></Ports>
+```
+
+## References
+- DDSI-RTPS 2.5, section 9.6.2.3
+- Cyclone DDS, configuration reference: Domain/Discovery/Ports
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+DEFAULTS = {
+    "Base": 7400,
+    "DomainGain": 250,
+    "ParticipantGain": 2,
+    "MulticastMetaOffset": 0,
+    "UnicastMetaOffset": 10,
+    "MulticastDataOffset": 1,
+    "UnicastDataOffset": 11,
+}
+
+
+@rule("warning")
+def ports_custom_firewall(robot: Robot):
+    for configuration, domain in robot.dds.domains:
+        settings = {name: domain.get(f"Discovery/Ports/{name}") for name in DEFAULTS}
+        given = {name: setting for name, setting in settings.items() if setting is not None}
+        texts = {name: (setting.effective or "").strip() for name, setting in given.items()}
+        numbers = {reader.domain for reader in robot.dds.readers(configuration)}
+        if not given or not all(text.isdigit() for text in texts.values()) or len(numbers) != 1 or None in numbers:
+            continue
+        values = DEFAULTS | {name: int(text) for name, text in texts.items()}
+        if values == DEFAULTS:
+            continue
+        base = values["Base"] + values["DomainGain"] * numbers.pop()
+        needed = sorted({base + values[name] for name in DEFAULTS if name.endswith("Offset")})
+        for firewall in robot.firewalls:
+            uncertain = any(not each.certain and each.protocol != "tcp" for each in firewall.openings)
+            opened = [each for each in firewall.udp if each.first >= 1024]
+            closed = [port for port in needed if not any(each.first <= port <= each.last for each in firewall.udp)]
+            if opened and closed and not firewall.opens_all and not uncertain:
+                first = next(iter(given.values()))
+                yield finding(
+                    first.value,
+                    f"DDS uses the ports {', '.join(map(str, needed))}, and the firewall keeps {closed[0]} closed: "
+                    "other machines see nothing of the robot",
+                    advice="open these ports, or go back to the default ones",
+                    related=[note(opened[0].where, "the firewall opens these")],
+                )

@@ -1,0 +1,44 @@
+"""Security is defined twice: in the Cyclone DDS file and by SROS2.
+
+## What it finds
+A `Security` group in a Cyclone DDS file that a process with `ROS_SECURITY_ENABLE=true` reads.
+
+## Why it matters on a robot
+The middleware passes the keystore's files through properties of the participant, and the library refuses or overrules
+the other set: which identity the robot has depends on the library's version.
+
+## Bad
+```xml
+<Security><Authentication><Library path="dds_security_auth"/></Authentication></Security>
+```
+
+## Good
+```sh
+ROS_SECURITY_ENABLE=true
+ROS_SECURITY_KEYSTORE=/etc/lawn/keystore
+```
+
+## References
+- rmw_cyclonedds, how security is configured
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning", confidence="medium")
+def security_in_xml_and_sros2(robot: Robot):
+    for process in robot.ros.processes:
+        enable = process.environment.get("ROS_SECURITY_ENABLE")
+        if enable is None or enable.text != "true":
+            continue
+        for domain in robot.dds.domains_of(process):
+            for place in domain.found("Security")[:1]:
+                yield finding(
+                    place.name,
+                    f"Security of {process.name} is defined here and by its keystore: one gets in the other's way",
+                    advice="delete the Security group",
+                    related=[note(enable.value, "SROS2 is switched on here")],
+                )

@@ -1,0 +1,42 @@
+"""A container selects a middleware that its image does not contain.
+
+## What it finds
+`RMW_IMPLEMENTATION` of a Dockerfile or compose service names a middleware other than Fast DDS, the image is an official
+one (`ros:`, `osrf/ros:`), and nothing installs the package. Dockerfiles that run scripts, build from source, use rosdep
+or copy from other stages may install it unseen: nothing is said about them.
+
+## Why it matters on a robot
+Every ROS process of the container exits at start: the library librmw_..._cpp.so cannot be loaded.
+
+## Bad
+```dockerfile
+FROM ros:jazzy-ros-base
+ENV RMW_IMPLEMENTATION=rmw_cyclonedds_cpp
+```
+
+## Good
+```dockerfile
+FROM ros:jazzy-ros-base
+RUN apt-get update && apt-get install -y ros-jazzy-rmw-cyclonedds-cpp
+ENV RMW_IMPLEMENTATION=rmw_cyclonedds_cpp
+```
+
+## References
+- REP 2001: the variants ros_core, ros_base, perception and desktop
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning", symptoms=["failed to load shared library", "Error getting RMW implementation identifier"])
+def rmw_package_missing(robot: Robot):
+    for each in robot.ros.lacking_middleware:
+        yield finding(
+            each.variable.value,
+            f"The image does not contain {each.variable.text}: every ROS process of the container exits at start",
+            advice=f"install {each.package}",
+            related=[note(each.image, "the image, to which nothing adds the package")],
+        )

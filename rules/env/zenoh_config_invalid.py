@@ -1,0 +1,85 @@
+"""A configuration of zenoh that zenoh rejects.
+
+## What it finds
+For processes that may run rmw_zenoh_cpp: a `ZENOH_ROUTER_CONFIG_URI` or `ZENOH_SESSION_CONFIG_URI` whose file is not
+there (in a root file system) or is not JSON5, and a part of `ZENOH_CONFIG_OVERRIDE` without `=`.
+
+## Why it matters on a robot
+No session is opened and no node starts; the log only says that the logging system is not initialised.
+
+## Bad
+```sh
+ZENOH_CONFIG_OVERRIDE=mode:"client";connect/endpoints=["tcp/10.0.0.20:7447"]
+```
+
+## Good
+```sh
+ZENOH_CONFIG_OVERRIDE=mode="client";connect/endpoints=["tcp/10.0.0.20:7447"]
+```
+
+## References
+- rmw_zenoh, README: configuration
+- https://github.com/ZettaScaleLabs/roscon2024_workshop/issues/12
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import json5
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+FILES = ("ZENOH_ROUTER_CONFIG_URI", "ZENOH_SESSION_CONFIG_URI")
+
+
+@rule("error", symptoms=["Error configuring Zenoh session", "logging system not initialized"])
+def zenoh_config_invalid(robot: Robot):
+    read = {}
+    for process in robot.ros.processes:
+        if process.environment.text("RMW_IMPLEMENTATION") not in (None, "rmw_zenoh_cpp"):
+            continue
+        for name in FILES if process.unit else ():
+            variable = process.environment.get(name)
+            if variable is not None and variable.text and variable.text.startswith("/"):
+                read.setdefault(variable.value.span, (variable, process))
+        variable = process.environment.get("ZENOH_CONFIG_OVERRIDE")
+        if variable is not None and variable.text and variable.value == variable.text:
+            read.setdefault(variable.value.span, (variable, process))
+    for variable, process in read.values():
+        check = _file if variable.name in FILES else _override
+        yield from check(robot, variable, process)
+
+
+def _file(robot, variable, process):
+    source = robot.tree.find(variable.text)
+    if source is None and robot.tree.has(variable.text) is False:
+        yield finding(
+            variable.value,
+            f"{variable.text} does not exist: zenoh opens no session, {process.name} starts no node",
+            advice="ship the file, or delete the variable to get the default configuration",
+            related=[note(process.where, f"{process.name} gets the variable")],
+        )
+    problem = json5.fault(source) if source is not None and not source.template else None
+    if problem is not None:
+        yield finding(
+            problem.where,
+            f"The file is not JSON5 ({problem.detail}): zenoh opens no session, {process.name} starts no node",
+            advice="start from the default file of the installed rmw_zenoh_cpp",
+            related=[note(variable.value, f"{process.name} reads it by this variable")],
+        )
+
+
+def _override(robot, variable, process):
+    value = variable.value
+    if any(bracket in value for bracket in ("{", "%")):
+        return
+    at = 0
+    for part in value.split(";"):
+        text = value.part(at, at + len(part)).strip_located()
+        at += len(part) + 1
+        if text and "=" not in text:
+            yield finding(
+                text,
+                f"'{text}' is no key=value: zenoh opens no session, {process.name} starts no node",
+                advice="write pairs such as mode=\"client\", separated by ';'",
+                related=[note(process.where, f"{process.name} gets the variable")],
+            )

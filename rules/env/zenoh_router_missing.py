@@ -1,0 +1,57 @@
+"""Nothing starts the router that the nodes wait for.
+
+## What it finds
+In a root file system: a process with `RMW_IMPLEMENTATION=rmw_zenoh_cpp` whose whole environment is known to hold no
+`ZENOH_ROUTER_CHECK_ATTEMPTS`, `ZENOH_SESSION_CONFIG_URI` or `ZENOH_CONFIG_OVERRIDE`, while no unit, launch file, script
+or compose service of the tree mentions `rmw_zenohd` or `zenohd`.
+
+## Why it matters on a robot
+By default nodes find each other through a router on this machine: without one they do not discover each other.
+
+## Bad
+```ini
+Environment=RMW_IMPLEMENTATION=rmw_zenoh_cpp
+ExecStart=/opt/lawn/start
+```
+
+## Good
+```ini
+# zenoh-router.service
+ExecStart=/opt/lawn/ros2-env ros2 run rmw_zenoh_cpp rmw_zenohd
+# lawn.service
+After=zenoh-router.service
+```
+
+## References
+- rmw_zenoh, README: the zenoh router
+- https://github.com/ros2/rmw_zenoh/issues/439
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+ELSEWHERE = ("ZENOH_ROUTER_CHECK_ATTEMPTS", "ZENOH_SESSION_CONFIG_URI", "ZENOH_CONFIG_OVERRIDE")
+ROUTER = re.compile(r"zenohd\b|zenoh[-_]router")
+
+
+@rule("error", confidence="medium", symptoms=["Unable to connect to a Zenoh router", "Have you started a router"])
+def zenoh_router_missing(robot: Robot):
+    if not robot.tree.complete or any(ROUTER.search(source.text) for source in robot.sources):
+        return
+    for process in robot.ros.processes:
+        environment = process.environment
+        rmw = environment.get("RMW_IMPLEMENTATION")
+        if rmw is None or rmw.text != "rmw_zenoh_cpp" or not (process.unit or process.launcher):
+            continue
+        if all(environment.defines(name) is False for name in ELSEWHERE):
+            yield finding(
+                rmw.value,
+                f"No zenoh router is started on this robot: the nodes of {process.name} do not discover each other",
+                advice="add a unit that runs ros2 run rmw_zenoh_cpp rmw_zenohd, and order the others after it",
+                related=[note(process.where, f"{process.name} waits for it")],
+            )
+            return

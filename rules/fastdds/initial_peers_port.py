@@ -1,0 +1,58 @@
+"""A Fast DDS peer without a port reaches only the first participants of a host.
+
+## What it finds
+A default participant that lists this machine (127.0.0.1 or localhost) without a port among its `initialPeersList`,
+switches multicast discovery off, sets no `maxInitialPeersRange`, and that more than four processes of the robot use.
+
+## Why it matters on a robot
+A peer without a port stands for the participants 0 to 3 of that host: later nodes do not find each other.
+
+## Bad
+```xml
+<initialPeersList><locator><udpv4><address>127.0.0.1</address></udpv4></locator></initialPeersList>
+```
+
+## Good
+```xml
+<transport_descriptor>
+  <transport_id>lan</transport_id><type>UDPv4</type><maxInitialPeersRange>30</maxInitialPeersRange>
+</transport_descriptor>
+```
+
+## References
+- Fast DDS documentation, "Initial peers"
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+RANGE = 4
+
+
+@rule("info", confidence="medium")
+def initial_peers_port(robot: Robot):
+    for profiles in robot.dds.profile_files:
+        if profiles.dropped or "maxInitialPeersRange" in profiles.source.text:
+            continue
+        readers = robot.dds.profile_readers(profiles)
+        count = sum(robot.ros.started_by(process) for process, _ in readers)
+        for profile in profiles.of_kind("participant") if count > RANGE else ():
+            for peers in profile.element.walk() if profile.is_default else ():
+                quiet = peers.parent is not None and peers.parent.find("metatrafficUnicastLocatorList") is not None
+                here = [address for address in _without_port(peers) if address in ("127.0.0.1", "localhost")]
+                if peers.local == "initialPeersList" and quiet and here:
+                    yield finding(
+                        here[0],
+                        f"A peer without a port stands for {RANGE} participants, and {count} processes use the profile",
+                        advice=f"set maxInitialPeersRange to {count + 10} in a UDPv4 transport, and use that transport",
+                        related=[note(process.where, "reads the profile") for process, _ in readers[:3]],
+                    )
+
+
+def _without_port(peers):
+    for locator in peers.walk():
+        address = locator.find("address")
+        if address is not None and locator.find("port") is None:
+            yield address.text
