@@ -434,5 +434,7 @@ class Robot:
 
     def find(self, robot_path: str, asked_by: Source) -> Source | None:
         """The file at a path on the robot that another file names; none of another robot or variant."""
+        from bringup_lint.graph.variants import names
+
         found = self.tree.find(robot_path)
-        return found if found is not None and self.together(asked_by, found) else None
+        return found if found is not None and names(self, robot_path, asked_by, found) else None

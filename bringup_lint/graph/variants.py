@@ -57,8 +57,19 @@ def together(robot: Robot, one: Source, other: Source) -> bool:
     depth = next((at for at, (our, their) in enumerate(zip(ours, theirs)) if our != their), 0)
     if depth in (len(ours) - 1, len(theirs) - 1):
         return True
-    kinds = robot.kinds_below
-    return not (kinds["/".join(ours[: depth + 1])] & kinds["/".join(theirs[: depth + 1])])
+    nothing: set[str] = set()
+    one_side, other_side = (robot.kinds_below.get("/".join(path[: depth + 1]), nothing) for path in (ours, theirs))
+    return not (one_side & other_side)
+
+
+def names(robot: Robot, robot_path: str, asked_by: Source, found: Source) -> bool:
+    """Whether a path on the robot that a file names is this file: not one of another overlay, and not just one of the
+    same name in another variant."""
+    roots = overlay_of(asked_by), overlay_of(found)
+    if None not in roots:
+        return roots[0] == roots[1]
+    tail = robot_path.strip("/").split("/")[-2:]
+    return found.name.split("/")[-2:] == tail or together(robot, asked_by, found)
 
 
 def kinds_below(robot: Robot) -> dict[str, set[str]]:

@@ -94,6 +94,8 @@ class Dds:
     device = staticmethod(dds_network.device)
     may_exist = staticmethod(dds_network.may_exist)
     networks = staticmethod(dds_network.networks)
+    subnets = staticmethod(dds_network.subnets)
+    interface_with = staticmethod(dds_network.interface_with)
     routed = staticmethod(dds_network.routed)
 
     fastdds_spelling = staticmethod(fastdds_names.spelling)
@@ -104,6 +106,8 @@ class Dds:
     transport_named = staticmethod(fastdds_names.transport_named)
     with_blanks = staticmethod(fastdds_names.with_blanks)
     multicast_peers = staticmethod(fastdds_names.multicast_peers)
+    initial_peers = staticmethod(fastdds_names.initial_peers)
+    listed_addresses = staticmethod(fastdds_names.listed_addresses)
     seconds = staticmethod(fastdds_names.seconds)
     overwritten_qos = staticmethod(fastdds_names.overwritten_qos)
     transport_type = staticmethod(fastdds_names.transport_type)

@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from bringup_lint.graph.dds.cyclonedds_discovery import Address
+from bringup_lint.graph.dds.cyclonedds_discovery import address_of
 from bringup_lint.model.fastdds import VERSIONS
 from bringup_lint.model.fastdds import Profile
 from bringup_lint.model.fastdds import Profiles
@@ -102,6 +104,23 @@ def multicast_peers(peers: Element) -> bool:
     """Whether a list of peers names a multicast group itself."""
     addresses = (child.find("address") for child in locators(peers))
     return any(each is not None and re.match(r"2(?:2[4-9]|3[0-9])\.", each.text) for each in addresses)
+
+
+def initial_peers(profiles: Profiles) -> Iterator[Element]:
+    """The address of every initial peer."""
+    for element in profiles.document.elements:
+        if element.name == "initialPeersList":
+            addresses = (child.find("address") for child in locators(element))
+            yield from (each for each in addresses if each is not None)
+
+
+def listed_addresses(element: Element) -> list[tuple[Located, Address]]:
+    """The addresses of an ``interfaceWhiteList`` element; empty for others, and for one that lists names too."""
+    if element.name != "interfaceWhiteList":
+        return []
+    found = [(child.text, address_of(child.text)) for child in element.children if child.name == "address"]
+    others = len(element.children) > len(found) or any(address is None for _, address in found)
+    return [] if others else [(text, address) for text, address in found if address is not None]
 
 
 def seconds(element: Element | None, default: float) -> float | None:

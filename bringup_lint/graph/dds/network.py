@@ -76,6 +76,19 @@ def networks(interface: Interface) -> list[ipaddress.IPv4Network | ipaddress.IPv
     return [address.ip.network for address in interface.addresses if address.ip is not None]
 
 
+def subnets(plan: Plan) -> list[tuple[Interface, ipaddress.IPv4Network | ipaddress.IPv6Network]]:
+    """Every interface with each of its networks."""
+    return [(each, network) for each in plan.interfaces.values() for network in networks(each)]
+
+
+def interface_with(plan: Plan, address: ipaddress.IPv4Address | ipaddress.IPv6Address) -> Interface | None:
+    """The interface that has this static address."""
+    for interface in plan.interfaces.values():
+        if any(each.ip is not None and each.ip.ip == address for each in interface.addresses):
+            return interface
+    return None
+
+
 def own_addresses(plan: Plan) -> set[str]:
     """The static addresses of the robot; empty when an interface gets more by DHCP."""
     if any(interface.dhcp4 or interface.dhcp6 for interface in plan.interfaces.values()):

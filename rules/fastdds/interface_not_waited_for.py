@@ -1,0 +1,61 @@
+"""The DDS address may not be there when ROS starts.
+
+## What it finds
+An `interfaceWhiteList` address of an interface that the robot's netplan marks `optional: true`: the boot does not wait
+for it, and no unit that reads the profile waits for the interface itself. A list with another address outside of the
+loopback network is left alone.
+
+## Why it matters on a robot
+The interface has no address yet when the nodes start: all of the list is filtered out, and their readers fail. By hand,
+minutes later, everything works.
+
+## Bad
+```xml
+<!-- netplan: eth1: {optional: true, addresses: [192.168.20.5/24]} -->
+<interfaceWhiteList>
+  <address>192.168.20.5</address>
+</interfaceWhiteList>
+```
+
+## Good
+```xml
+<!-- netplan: eth1: {addresses: [192.168.20.5/24]} -->
+<interfaceWhiteList>
+  <address>192.168.20.5</address>
+</interfaceWhiteList>
+```
+
+## References
+- Fast DDS documentation, "Interface whitelist"
+- netplan YAML reference, "optional"
+- https://github.com/eProsima/Fast-DDS/issues/1880
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", confidence="medium", symptoms=["All whitelist interfaces were filtered out"])
+def interface_not_waited_for(robot: Robot):
+    for profiles in robot.dds.profile_files:
+        plan = robot.dds.plan_of(profiles)
+        for element in profiles.document.elements if plan else ():
+            listed = robot.dds.listed_addresses(element)
+            outside = [(text, address) for text, address in listed if not address.is_loopback]
+            if len(outside) != 1:
+                continue
+            text, address = outside[0]
+            interface = robot.dds.interface_with(plan, address)
+            if interface is None or interface.optional is None or not interface.optional.value:
+                continue
+            if interface.device is None or robot.dds.waits_for(profiles, str(interface.device)):
+                continue
+            yield finding(
+                text,
+                f"The boot does not wait for {interface.device}, which has {address}: started before it, readers fail",
+                advice="delete optional, and start ROS after network-online.target",
+                chain=robot.ways.to(text, f"only {address} is let through"),
+                related=[note(interface.optional.where, "netplan does not wait for it")],
+            )

@@ -1,0 +1,79 @@
+"""The rotated logs need more room than the tmpfs that they lie on has.
+
+## What it finds
+A stanza for files on a tmpfs of fstab whose `size` or `minsize`, times the number of files that `rotate` keeps (one,
+when they are compressed), is more than the `size=` of the tmpfs; or whose `maxsize` alone is. Trees with several fstab
+files are left alone.
+
+## Why it matters on a robot
+The file system in memory is full long before anything is rotated: `No space left on device` for every log of the
+robot, just when something goes wrong and writes a lot.
+
+## Bad
+```
+# fstab: tmpfs /var/log tmpfs size=64M,mode=0755 0 0
+/var/log/rover.log {
+    size 20M
+    rotate 4
+}
+```
+
+## Good
+```
+/var/log/rover.log {
+    size 5M
+    rotate 4
+    compress
+}
+```
+
+## References
+- logrotate(8), "size", "rotate"
+- tmpfs(5), "size"
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+UNITS = {"": 1, "k": 1024, "m": 1024**2, "g": 1024**3}
+
+
+@rule("warning", symptoms=["No space left on device"])
+def larger_than_tmpfs(robot: Robot):
+    fstab = robot.fstabs[0] if len(robot.fstabs) == 1 else None
+    for stanza in robot.logs.stanzas if fstab else ():
+        limit = stanza.get("size", "minsize") or stanza.get("maxsize")
+        mounts = [fstab.mount_of(path) for path in stanza.paths if robot.together(path, fstab.source)]
+        mount = next((each for each in mounts if each is not None and each.is_tmpfs and each.option("size")), None)
+        if limit is None or mount is None or stanza.skipped:
+            continue
+        size, each = mount.option("size"), amount(limit.value)
+        room, files = amount(size), 1 + kept(stanza) if limit.name != "maxsize" else 1
+        if room is not None and each is not None and files * each > room:
+            what = f"{files} files of {limit.value} need" if files > 1 else f"A file of {limit.value} needs"
+            yield finding(
+                limit.value,
+                f"{what} more than {size}, all that the tmpfs on {mount.target} holds: it fills up first",
+                advice="lower size and rotate, or compress",
+                related=[note(size, f"the size of {mount.target}")],
+            )
+
+
+def kept(stanza):
+    """How many rotated files stay as large as they were."""
+    rotate, compressed = stanza.get("rotate"), stanza.get("compress", "nocompress")
+    if rotate is None or not rotate.value.isdigit():
+        return 0
+    number = int(rotate.value)
+    if compressed is not None and compressed.name == "compress":
+        return min(number, 1) if stanza.get("delaycompress") else 0
+    return number
+
+
+def amount(text):
+    match = re.fullmatch(r"(\d+)([kmg]?)", text.strip().lower())
+    return int(match[1]) * UNITS[match[2]] if match else None
