@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -84,3 +85,11 @@ def test_every_fixture_belongs_to_a_rule() -> None:
     known = {folder_of(rule_id) for rule_id in RULE_IDS} | {FIXTURES / "robots"}
     folders = {path for family in FIXTURES.iterdir() if family.name != "robots" for path in family.iterdir()}
     assert folders <= known
+
+
+LOWER_CASE = re.compile(r"\] (?:an?|the|this|these|no|none|nobody|nothing|if|what|when|where|every|each|there|two|it) ")
+
+
+@pytest.mark.parametrize("expected", sorted(FIXTURES.glob("*/*/expected*.txt")), ids=lambda path: path.parent.name)
+def test_messages_begin_as_sentences(expected: Path) -> None:
+    assert [line for line in expected.read_text("utf-8").splitlines() if LOWER_CASE.search(line)] == []

@@ -72,7 +72,7 @@ def ros2_not_sourced(robot: Robot):
                 name = ros.program.rpartition("/")[2]
                 yield finding(
                     ros.program,
-                    f"nothing sources a setup file before {name}: "
+                    f"Nothing sources a setup file before {name}: "
                     + (
                         "it ends with \"No module named 'ros2cli'\""
                         if name == "ros2"

@@ -39,7 +39,7 @@ def ros_domain_id_ephemeral(robot: Robot):
         if number in ros_values.EPHEMERAL_DOMAINS:
             yield finding(
                 setting.value,
-                f"domain {number} uses ports from {7400 + 250 * number} on, which outgoing connections may take first:"
+                f"Domain {number} uses ports from {7400 + 250 * number} on, which outgoing connections may take first:"
                 " nodes fail at random",
                 advice="use a domain from 0 to 101, or reserve the ports with net.ipv4.ip_local_reserved_ports",
             )

@@ -36,9 +36,9 @@ def ros_domain_id_out_of_range(robot: Robot):
         if number is not None and number > ros_values.MAX_DOMAIN and not _own_ports(robot):
             yield finding(
                 setting.value,
-                f"domain {number} needs UDP port {ros_values.highest_port(number)}: no node starts"
+                f"Domain {number} needs UDP port {ros_values.highest_port(number)}: no node starts"
                 if number < 2**24
-                else f"domain {number} is cut to 32 bits: the nodes join another domain, or none",
+                else f"Domain {number} is cut to 32 bits: the nodes join another domain, or none",
                 advice="use a domain from 0 to 101",
             )
 

@@ -49,7 +49,7 @@ def arg_empty_default_path(robot: Robot):
                     continue
                 yield finding(
                     empty[name].default.span,
-                    f"the path '{name}' is empty unless it is passed: {what}",
+                    f"The path '{name}' is empty unless it is passed: {what}",
                     advice="give the argument a real default, or none, so that launch asks for it",
                     related=[note(value.span, "used as a path here")],
                 )

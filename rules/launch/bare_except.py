@@ -37,6 +37,6 @@ def bare_except(robot: Robot):
         for span in file.bare_excepts:
             yield finding(
                 span.source.span(span.start, min(span.end, span.start + len("except:"))),
-                "every error of this block is swallowed: less starts than should, without a word",
+                "Every error of this block is swallowed: less starts than should, without a word",
                 advice="name the exception that is expected",
             )

@@ -42,7 +42,7 @@ def check_ignored(robot: Robot):
             direct = check.startswith(("test ", "[ "))
             yield finding(
                 node.span,
-                f"the check '{check}' may fail and the launch goes on: nothing waits for its result",
+                f"The check '{check}' may fail and the launch goes on: nothing waits for its result",
                 advice="register an OnProcessExit handler that shuts down when it fails",
                 severity=None if direct else "warning",
             )

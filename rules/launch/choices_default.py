@@ -37,6 +37,6 @@ def choices_default(robot: Robot):
         near = nearest(default, choices)
         yield finding(
             default,
-            f"the default '{default}' is not one of the choices ({', '.join(choices)}): the file cannot be loaded",
+            f"The default '{default}' is not one of the choices ({', '.join(choices)}): the file cannot be loaded",
             advice=f"write '{near[0]}'" if near else "take one of the choices as the default",
         )

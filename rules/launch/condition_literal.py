@@ -50,7 +50,7 @@ def condition_literal(robot: Robot):
             if word is None or launch.truth(value) is not None:
                 continue
             meant = MEANT.get(word.strip().lower())
-            start = f"the default '{word}' of '{condition.predicate.name}'" if argument else f"'{word}'"
+            start = f"The default '{word}' of '{condition.predicate.name}'" if argument else f"'{word}'"
             yield finding(
                 word,
                 f"{start} is neither true nor false: the condition aborts the launch",

@@ -54,7 +54,7 @@ def container_missing(robot: Robot):
             near = nearest(text.rpartition("/")[2], containers, 3) or sorted(containers)[:1]
             yield finding(
                 text,
-                f"container '{text}' is started nowhere: launch waits for ever and the components never load",
+                f"Container '{text}' is started nowhere: launch waits for ever and the components never load",
                 advice=f"load them into '{near[0]}'",
                 related=[note(containers[near[0]].span, f"container '{near[0]}'")],
                 severity="warning" if action.conditions else None,

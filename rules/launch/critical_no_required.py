@@ -53,7 +53,7 @@ def critical_no_required(robot: Robot):
                 continue
             yield finding(
                 node.span,
-                f"if {node.label()} dies, launch goes on and nothing notices: a service around it stays active "
+                f"If {node.label()} dies, launch goes on and nothing notices: a service around it stays active "
                 f"without its {role}",
                 advice="set on_exit=Shutdown() and let the unit restart with Restart=always, or set respawn",
                 related=[note(place, "started by this unit") for place in units],

@@ -35,6 +35,6 @@ def expanduser(robot: Robot):
             if call.name == "os.path.expanduser":
                 yield finding(
                     call.span,
-                    "under systemd the home folder is that of User=: another path than in your shell",
+                    "Under systemd the home folder is that of User=: another path than in your shell",
                     advice="use an absolute path or an argument",
                 )

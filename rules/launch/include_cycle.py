@@ -45,7 +45,7 @@ def include_cycle(robot: Robot):
             files = ", ".join(dict.fromkeys(span.path for span in include.chain))
             yield finding(
                 include.action.file.span,
-                f"this include comes back to {include.target.source.name}: launch hangs and starts nothing",
+                f"This include comes back to {include.target.source.name}: launch hangs and starts nothing",
                 advice="break the circle",
                 chain=[note(span, "is included here") for span in steps],
                 related=[note(include.chain[0], f"the circle: {files}")] if len(include.chain) > 1 else [],

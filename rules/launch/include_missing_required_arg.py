@@ -44,7 +44,7 @@ def include_missing_required_arg(robot: Robot):
                     continue
                 yield finding(
                     include.action.file.span,
-                    f"the required argument '{declared.name}' is not passed: launch aborts",
+                    f"The required argument '{declared.name}' is not passed: launch aborts",
                     advice=f"pass '{declared.name}'",
                     related=[note(declared.action.span, "declared here without a default")],
                     chain=robot.ways.to(include.action.file.span, f"nothing passes '{declared.name}'"),
@@ -57,7 +57,7 @@ def include_missing_required_arg(robot: Robot):
             if own and declared.action.default is None and declared.name not in passed:
                 yield finding(
                     command.target,
-                    f"the required argument '{declared.name}' is not passed: launch refuses to start",
+                    f"The required argument '{declared.name}' is not passed: launch refuses to start",
                     advice=f"pass {declared.name}:=",
                     related=[note(declared.action.span, "declared here without a default")],
                 )

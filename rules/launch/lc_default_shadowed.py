@@ -54,7 +54,7 @@ def lc_default_shadowed(robot: Robot):
             if robot.launch.text(action.default, file) == robot.launch.text(read.default, file) is not None:
                 continue
             empty = launch.literal(action.default) == ""
-            declaration = "the declared default ''" if empty else "the default of the declaration"
+            declaration = "The declared default ''" if empty else "The default of the declaration"
             yield finding(
                 read.default.span,
                 f"{declaration} wins: this default of '{read.name}' is never used",

@@ -47,7 +47,7 @@ def lifecycle_autostart_off(robot: Robot):
             )
             yield finding(
                 manager.node.span if name is None else name,
-                "autostart is off"
+                "Autostart is off"
                 + (" by default" if passed or value is None else "")
                 + ": all managed nodes stay unconfigured until somebody calls the manager",
                 advice="set autostart to true",

@@ -76,10 +76,10 @@ def described(robot, manager, managed, bare):
     near = [last] if last in bare else nearest(last, bare, 3)
     if last in bare:
         is_called = launch.full_name(bare[last], robot.launch.role(bare[last]))
-        message = f"the manager looks for {managed.fqn}, the node is {is_called}"
+        message = f"The manager looks for {managed.fqn}, the node is {is_called}"
         advice = "put the manager into the namespace of its nodes"
     else:
-        message = f"no node {managed.fqn} is started: the manager waits for it and brings nothing up"
+        message = f"No node {managed.fqn} is started: the manager waits for it and brings nothing up"
         advice = f"list '{near[0]}'" if near else "remove it from node_names, or start the node"
     exact = len(near) == 1 and last not in bare and managed.name.span.text == managed.name
     yield finding(

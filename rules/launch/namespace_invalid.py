@@ -43,6 +43,6 @@ def namespace_invalid(robot: Robot):
             if text is not None and not VALID.match(text):
                 yield finding(
                     text,
-                    f"namespace '{text}' is not valid: launch aborts",
+                    f"Namespace '{text}' is not valid: launch aborts",
                     advice="use letters, digits and underscores, no leading digit, and single slashes",
                 )

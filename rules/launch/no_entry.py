@@ -35,6 +35,6 @@ def no_entry(robot: Robot):
         if file.source.name.endswith(".launch.py") and file.source.text.strip():
             yield finding(
                 file.source,
-                "there is no generate_launch_description(): ros2 launch refuses the file",
+                "There is no generate_launch_description(): ros2 launch refuses the file",
                 advice="define generate_launch_description() and let it return a LaunchDescription",
             )

@@ -45,7 +45,7 @@ def node_duplicate_name(robot: Robot):
             places = [note(span, "included here") for span in (*other.chain, *node.chain)]
             yield finding(
                 launch.literal_text(node.name),
-                f"two nodes are called {name}: parameters and services go to either of them",
+                f"Two nodes are called {name}: parameters and services go to either of them",
                 advice="give each node a name or namespace of its own",
                 related=[note(other.span, "the other node"), *places],
             )

@@ -51,7 +51,7 @@ def output_missing(robot: Robot):
                 repair = fix("print to the screen", (end.source.span(end.end + 1, end.end + 1), ' output="screen"'))
             yield finding(
                 action.span,
-                "what the node prints goes to a file only, not to the journal",
+                "What the node prints goes to a file only, not to the journal",
                 advice="set output='screen'",
                 fix=repair,
             )

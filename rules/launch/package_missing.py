@@ -51,7 +51,7 @@ def package_missing(robot: Robot):
         if near:
             yield finding(
                 package,
-                f"package '{package}' not found: launch aborts",
+                f"Package '{package}' not found: launch aborts",
                 advice=f"start it from '{near[0]}'",
                 chain=robot.ways.to_node(node),
                 related=[note(workspace.packages[near[0]].manifest.name, "the package of the workspace")],

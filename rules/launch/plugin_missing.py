@@ -51,7 +51,7 @@ def plugin_missing(robot: Robot):
         near = nearest(plugin, package.plugins, 6)
         yield finding(
             plugin,
-            f"component {plugin} is not registered by {package.name}: the container runs without it",
+            f"Component {plugin} is not registered by {package.name}: the container runs without it",
             advice=f"load {near[0]}" if near else "register the class with rclcpp_components_register_node",
             chain=robot.ways.to_node(node),
             related=[note(near[0], "this class is registered")]

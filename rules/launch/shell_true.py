@@ -41,7 +41,7 @@ def shell_true(robot: Robot):
         if open_:
             yield finding(
                 shell.span,
-                f"the value of '{open_[0].name}' is given to a shell: it can run any command",
+                f"The value of '{open_[0].name}' is given to a shell: it can run any command",
                 advice="give the command as a list, without shell",
                 related=[note(open_[0].span, "this value")],
             )

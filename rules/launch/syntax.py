@@ -53,6 +53,6 @@ def syntax(robot: Robot):
                 detail = f" ({problem.detail})" if problem.detail else ""
                 yield finding(
                     problem.where,
-                    f"the launch file has a syntax error{detail}: nothing starts",
+                    f"The launch file has a syntax error{detail}: nothing starts",
                     advice="repair the line",
                 )

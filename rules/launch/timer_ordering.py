@@ -47,7 +47,7 @@ def timer_ordering(robot: Robot):
             period = launch.text_of(robot.launch.resolved(action.period, file))
             if period in ("0", "0.0"):
                 continue
-            what = "this" if period is None else f"a delay of {period} s"
+            what = "This" if period is None else f"A delay of {period} s"
             yield finding(
                 action.span,
                 f"{what} is no ordering: on a slow boot these {len(started)} start before what they wait for"
@@ -65,7 +65,7 @@ def announced(robot, file, timer):
     if ignored and any(isinstance(inner, launch.Log) for inner in timer.actions):
         yield finding(
             timer.span,
-            "this is said after a fixed delay, whatever the checks before it found",
+            "This is said after a fixed delay, whatever the checks before it found",
             advice="say it in an OnProcessExit handler of the checks",
             related=[note(node.span, "nobody waits for this check") for node in ignored[:5]],
         )

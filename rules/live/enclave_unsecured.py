@@ -42,7 +42,7 @@ def enclave_unsecured(robot: Robot):
         count = "1 node" if len(seen) == 1 else f"{len(seen)} nodes"
         yield finding(
             living.security,
-            f"security is switched on here, and {count} of domain {living.seen.domain} can be seen without credentials "
+            f"Security is switched on here, and {count} of domain {living.seen.domain} can be seen without credentials "
             f"({some})",
             advice="see that the variables reach the processes, and set ROS_SECURITY_STRATEGY=Enforce",
             related=[note(node.name, "seen without credentials") for node in seen[:3]],

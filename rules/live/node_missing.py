@@ -45,7 +45,7 @@ def node_missing(robot: Robot):
         entry, nodes = next(iter(living.missing.items()))
         yield finding(
             entry.where,
-            f"none of the {count} nodes that the files start runs on domain {domain}",
+            f"None of the {count} nodes that the files start runs on domain {domain}",
             advice="see whether anything was started at all, and in which domain",
             related=[note(node.where, f"{node.name} is started here") for node in nodes[:5]],
         )

@@ -39,7 +39,7 @@ def topic_typo(robot: Robot):
         differs = " (only the namespace differs)" if why == "namespace" else ""
         yield finding(
             living.named_at(subscription),
-            f"nobody publishes {subscription.topic}, which {subscription.node} waits for; "
+            f"Nobody publishes {subscription.topic}, which {subscription.node} waits for; "
             f"{publisher.node} publishes {topic}{differs}",
             advice=f"use one name, or remap {subscription.topic} to {topic}",
             related=[

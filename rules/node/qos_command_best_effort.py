@@ -47,7 +47,7 @@ def qos_command_best_effort(robot: Robot):
             if endpoint.qos.reliability == "BEST_EFFORT" and (stop or (drive and not node.all_timers)):
                 yield finding(
                     endpoint.qos.span,
-                    f"the {endpoint.role} of {endpoint.name} is best effort: a single "
+                    f"The {endpoint.role} of {endpoint.name} is best effort: a single "
                     f"{'stop' if stop else 'command'} that the network drops is never sent again",
                     advice="use a reliable profile with depth 1",
                     related=related,

@@ -36,7 +36,7 @@ from bringup_lint.api import topics
 def topic_typo(robot: Robot):
     for running in robot.topics.runs:
         for use, meant, near in topics.misspelt(running):
-            nobody = "nobody publishes" if use.role == "subscription" else "nobody subscribes"
+            nobody = "Nobody publishes" if use.role == "subscription" else "Nobody subscribes"
             better = topics.corrected(use, near)
             yield finding(
                 use.name_place or use.where,

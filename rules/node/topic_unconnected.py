@@ -38,7 +38,7 @@ def topic_unconnected(robot: Robot):
             if use.topic not in near and topics.tail(use.topic) not in robot.topics.published_anywhere:
                 yield finding(
                     use.name_place or use.where,
-                    f"nobody publishes {use.topic}: {use.node.label()} waits for it in vain",
+                    f"Nobody publishes {use.topic}: {use.node.label()} waits for it in vain",
                     advice="start what publishes it, or look at the remappings of both sides",
                     related=[note(use.node.started.span, f"{use.node.label()} is started here")],
                     confidence="medium",

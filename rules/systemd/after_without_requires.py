@@ -49,7 +49,7 @@ def after_without_requires(robot: Robot):
                     continue
                 yield finding(
                     word,
-                    f"nothing starts {word}, so there is nothing to wait for",
+                    f"Nothing starts {word}, so there is nothing to wait for",
                     advice=f"add Wants={word}, or give it an [Install] section",
                     related=[note(other.where, "it has no [Install] section and nothing wants it")],
                     fix=fix(f"add Wants={word}", (line.end, f"\nWants={word}"), safe=False),

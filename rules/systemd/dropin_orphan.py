@@ -42,7 +42,7 @@ def dropin_orphan(robot: Robot):
             continue
         yield finding(
             file.sections[0].header if file.sections else file.source,
-            f"there is no {file.name}, so this drop-in applies to nothing",
+            f"There is no {file.name}, so this drop-in applies to nothing",
             advice=f"did you mean {meant}.d?" if meant else "rename the folder after the unit, or delete it",
             related=[
                 note(other.where, "the unit that is nearly called so")

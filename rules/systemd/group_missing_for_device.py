@@ -46,7 +46,7 @@ def group_missing_for_device(robot: Robot):
         seen.add((unit.name, group))
         yield finding(
             closed.user,
-            f"user {closed.user} is not in group {group}: opening {closed.use.path} fails",
+            f"User {closed.user} is not in group {group}: opening {closed.use.path} fails",
             advice=f"add SupplementaryGroups={group}",
             related=[
                 note(closed.use.path, "the device that is opened"),

@@ -42,6 +42,6 @@ def network_online_no_waiter(robot: Robot):
             if unit.manager == "system" and any(ONLINE in other.words("Before") for other in units.all) is False:
                 yield finding(
                     word,
-                    f"nothing is linked into {ONLINE}, so it is reached at once and {unit.name} does not wait",
+                    f"Nothing is linked into {ONLINE}, so it is reached at once and {unit.name} does not wait",
                     advice="systemctl enable systemd-networkd-wait-online.service, or the one of NetworkManager",
                 )

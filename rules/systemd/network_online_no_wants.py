@@ -46,7 +46,7 @@ def network_online_no_wants(robot: Robot):
                 continue
             yield finding(
                 word,
-                f"nothing pulls {ONLINE} in, so this After= has no effect: {unit.name} "
+                f"Nothing pulls {ONLINE} in, so this After= has no effect: {unit.name} "
                 "starts without waiting for the network",
                 advice=f"add Wants={ONLINE}",
                 fix=fix(f"add Wants={ONLINE}", (line.end, f"\nWants={ONLINE}")),

@@ -32,6 +32,6 @@ def unit_file_executable(robot: Robot):
         if source.mode is not None and source.link is None and source.mode & 0o111:
             yield finding(
                 source,
-                f"the file is executable (mode {source.mode:04o}): systemd complains at every load",
+                f"The file is executable (mode {source.mode:04o}): systemd complains at every load",
                 advice="chmod 0644",
             )

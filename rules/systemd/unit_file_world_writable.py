@@ -38,6 +38,6 @@ def unit_file_world_writable(robot: Robot):
         if source.mode is not None and source.link is None and source.mode & 0o002:
             yield finding(
                 source,
-                f"every local user can change what this unit runs (mode {source.mode:04o})",
+                f"Every local user can change what this unit runs (mode {source.mode:04o})",
                 advice="chmod 0644",
             )

@@ -55,7 +55,7 @@ def user_unit_system_target(robot: Robot):
                 installs = section == "Install"
                 yield finding(
                     word,
-                    f"the user manager has no {word}: {unit.name} "
+                    f"The user manager has no {word}: {unit.name} "
                     + ("never starts" if installs else "fails to start"),
                     advice="write WantedBy=default.target"
                     if installs
@@ -66,7 +66,7 @@ def user_unit_system_target(robot: Robot):
             for line, word in unit.naming(key, *SYSTEM_ONLY):
                 yield finding(
                     word,
-                    f"the user manager has no {word}: this {key}= has no effect",
+                    f"The user manager has no {word}: this {key}= has no effect",
                     advice="drop it, or make it a system unit with User=",
                     fix=fix(f"drop {key}={word}", line.without(word)),
                     severity="warning",

@@ -51,7 +51,7 @@ MESSAGES = {
     "node-missing": "/planner does not run on domain {domain}",
     "node-unexpected": "/stranger runs on domain {domain}, and no file starts it",
     "node-duplicate": "2 nodes called /lidar/driver run",
-    "topic-typo": "nobody publishes /odometri, which /slam waits for; /lidar/driver publishes /odometry",
+    "topic-typo": "Nobody publishes /odometri, which /slam waits for; /lidar/driver publishes /odometry",
     "qos-incompatible": "/slam gets nothing on /scan: it asks for reliable, /lidar/driver offers best effort",
     "cmd-vel-publishers": "2 nodes publish /cmd_vel (/slam, /teleop)",
     "enclave-unsecured": "/base runs in the enclave /, not in /base",
