@@ -233,6 +233,9 @@ def test_small_labels_are_left_out(opened) -> None:
     for _ in range(8):
         tab.keyboard.press("-")
     assert tab.locator(".node .label >> visible=true").count() == 0
+    tab.evaluate("choose({node: 0}, false)")
+    assert 1 <= tab.locator(".node .label >> visible=true").count() <= 24
+    tab.keyboard.press("Escape")
     for _ in range(12):
         tab.keyboard.press("+")
     assert tab.locator(".node .label >> visible=true").count() == 100

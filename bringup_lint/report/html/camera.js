@@ -5,6 +5,7 @@ function place() {
   const { scale, x, y } = camera;
   scene.setAttribute("transform", `translate(${num(x)} ${num(y)}) scale(${scale})`);
   canvas.classList.toggle("far", scale < FAR);
+  canvas.style.setProperty("--legible", `${num(Math.min(10.5 / scale, 36))}px`);
   for (const [index, head] of [...pane.querySelectorAll(".band")].entries()) {
     const band = drawn.plan.bands[index];
     head.style.transform = `translateX(${num(band.x * scale + x)}px)`;

@@ -155,7 +155,8 @@ function laid(link, items, columns, hub) {
     if (!way) {
       left.beside.push(right);
       right.beside.push(left);
-    } else if (!left.after.includes(right)) {
+    } else if (!(left.met ??= new Set()).has(right)) {
+      left.met.add(right);
       left.after.push(right);
       right.before.push(left);
     }

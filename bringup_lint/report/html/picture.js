@@ -4,6 +4,7 @@
 const data = JSON.parse(document.getElementById("data").textContent);
 const SEVERITIES = ["info", "warning", "error"];
 const FAR = 0.5;
+const FEW = 24;
 const SVG = "http://www.w3.org/2000/svg";
 const byId = (id) => document.getElementById(id);
 const [body, canvas, scene, panel] = [document.body, byId("canvas"), byId("scene"), byId("details")];
@@ -28,7 +29,7 @@ function make(name, attributes = {}, ...children) {
   const element = svg ? document.createElementNS(SVG, name) : document.createElement(name);
   for (const [key, value] of Object.entries(attributes)) {
     if (key.startsWith("on")) element.addEventListener(key.slice(2), value);
-    else if (value !== null && value !== false) element.setAttribute(key, value === true ? "" : value);
+    else if (value !== null && value !== false) element.setAttribute(key, value);
   }
   element.append(...children.filter((child) => child !== null));
   return element;
@@ -139,7 +140,8 @@ function lineOf(link, { d, arrow }, index) {
 function boxFor(node, { x, y, width, height }, index) {
   const low = height <= SIZE.low;
   const ranked = node.rank != null && node.kind !== "folded";
-  const told = [node.full, node.kind, counted(node.findings.length, "finding"), node.worst && `worst: ${node.worst}`];
+  const about = [node.full, node.kind, placeOf(node)].filter(Boolean);
+  const told = [...about, counted(node.findings.length, "finding"), node.worst && `worst: ${node.worst}`];
   return make("g", {
     class: `node ${node.worst}`, "data-layer": node.layer, "data-index": index, transform: `translate(${num(x)} ${num(y)})`,
     tabindex: -1, role: "button", "aria-label": told.filter(Boolean).join(", "),
@@ -147,12 +149,12 @@ function boxFor(node, { x, y, width, height }, index) {
     ondblclick: () => (node.kind === "folded" ? fold(node.layer) : isolate(node.members[0])),
     onpointerenter: () => light(index), onpointerleave: () => light(),
   },
-    make("title", {}, [node.full, node.kind, placeOf(node)].filter(Boolean).join("\n")),
+    make("title", {}, about.join("\n")),
     make("rect", { class: "box", width, height, rx: 4 }),
     make("rect", { class: "hue", width: 4, height, rx: 2 }),
-    low ? null : make("text", { class: "kind", x: ranked ? 12 + SIZE.rank : 12, y: 14 }, node.kind === "folded" ? "folded" : node.kind),
-    ranked ? make("text", { class: "rank", x: 10, y: low ? 16 : 29 }, String(node.rank)) : null,
-    make("text", { class: "label", x: ranked ? 12 + SIZE.rank : 12, y: low ? 16 : 29 }, node.label),
+    low ? null : make("text", { "aria-hidden": true, class: "kind", x: ranked ? 12 + SIZE.rank : 12, y: 14 }, node.kind === "folded" ? "folded" : node.kind),
+    ranked ? make("text", { "aria-hidden": true, class: "rank", x: 10, y: low ? 16 : 29 }, String(node.rank)) : null,
+    make("text", { "aria-hidden": true, class: "label", x: ranked ? 12 + SIZE.rank : 12, y: low ? 16 : 29 }, node.label),
     node.worst ? make("g", { transform: `translate(${num(width - 12)} 12)` },
       make("use", { class: `icon ${node.worst}`, href: `#icon-${node.worst}`, x: -7, y: -7, width: 14, height: 14 })) : null);
 }
@@ -197,6 +199,7 @@ function light(pointed) {
   const found = state.query.length ? matches() : null;
   const alone = state.only !== null && chosen?.node === state.only;
   canvas.classList.toggle("dim", Boolean(boxes.size || lines.size) && !alone);
+  canvas.classList.toggle("few", boxes.size <= FEW);
   canvas.classList.toggle("searching", Boolean(found));
   drawn.boxes.forEach((box, index) => {
     box.classList.toggle("lit", boxes.has(index));
@@ -204,6 +207,7 @@ function light(pointed) {
     box.classList.toggle("found", Boolean(found?.has(index)));
   });
   drawn.lines.forEach((line, index) => line.classList.toggle("lit", lines.has(index)));
+  if (chosen && boxes.size <= FEW) boxes.forEach((index) => drawn.boxes[index].parentNode.append(drawn.boxes[index]));
   return found;
 }
 
