@@ -20,7 +20,9 @@ from bringup_lint.graph.topics.names import expand
 from bringup_lint.graph.topics.names import full_complaint
 from bringup_lint.graph.topics.remapping import remap
 from bringup_lint.graph.topics.remapping import remapping
+from bringup_lint.graph.variants import together
 from bringup_lint.parsers import cpp_node
+from bringup_lint.parsers import rviz
 from bringup_lint.robot import Robot
 from bringup_lint.source import Source
 
@@ -226,6 +228,52 @@ def test_full_names(tmp_path: Path) -> None:
     } <= found
     assert not running.complete
     assert {edge.kind for edge in topic_edges(robot)} == {"publishes", "subscribes"}
+
+
+def test_files_in_folders_that_tell_nothing_are_for_one_robot(tmp_path: Path) -> None:
+    robot = robot_of((tmp_path / "robot.launch.xml", LAUNCH))
+    one, other = (Source(str(tmp_path / name)) for name in ("tools/start.sh", "docker/run/enter.sh"))
+    assert together(robot, one, other)
+
+
+RVIZ = """
+Visualization Manager:
+  Displays:
+    - Class: rviz_common/Group
+      Enabled: true
+      Displays:
+        - Class: rviz_default_plugins/LaserScan
+          Enabled: true
+          Topic: {Depth: 5, Durability Policy: Volatile, Reliability Policy: Reliable, Value: /scan}
+        - Class: rviz_default_plugins/Map
+          Enabled: false
+          Topic: {Durability Policy: Transient Local, Reliability Policy: Reliable, Value: /map}
+    - Class: rviz_common/Group
+      Enabled: false
+      Displays:
+        - Class: rviz_default_plugins/Path
+          Enabled: true
+          Topic: {Reliability Policy: Best Effort, Value: /plan}
+    - Class: rviz_default_plugins/RobotModel
+      Enabled: true
+      Description Topic: {Depth: 1, Durability Policy: Transient Local, Reliability Policy: Best Effort, Value: /model}
+"""
+
+
+def test_displays_of_rviz() -> None:
+    found = [
+        (str(each.topic), each.type, each.reliability, each.durability) for each in rviz.parse(Source("a.rviz", RVIZ))
+    ]
+    assert found == [
+        ("/scan", "sensor_msgs/msg/LaserScan", "RELIABLE", "VOLATILE"),
+        ("/model", "std_msgs/msg/String", "BEST_EFFORT", "TRANSIENT_LOCAL"),
+    ]
+
+
+@given(st.text(max_size=60))
+@settings(deadline=None, max_examples=100)
+def test_any_rviz_text_is_read(text: str) -> None:
+    assert isinstance(rviz.parse(Source("a.rviz", text)), list)
 
 
 def test_what_runs_together() -> None:

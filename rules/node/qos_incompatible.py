@@ -4,8 +4,9 @@
 Two nodes that one launch file starts, of which one publishes and the other subscribes the same topic, under its full
 name after namespaces, parameters and remappings. The publisher offers less than the subscription asks for: best
 effort against reliable, volatile against transient local, a longer deadline or lease duration, or automatic against
-manual liveliness. Profiles come from Python and C++ sources, from `qos_overrides` in parameters, and from a table of
-common drivers; where any part is not known, nothing is said.
+manual liveliness. Profiles come from Python and C++ sources, from `qos_overrides` in parameters, from RViz
+configurations (a warning: only a person sees nothing), and from a table of common drivers; where any part is not known,
+nothing is said.
 
 ## Why it matters on a robot
 The two find each other and are never connected. No message arrives and nothing fails: the only sign is one warning
@@ -53,6 +54,7 @@ def qos_incompatible(robot: Robot):
             own.qos_place,
             f"{publisher.node.label()} publishes {publisher.topic} with {conflict.policy} '{conflict.offered}', "
             f"{subscription.node.label()} asks for '{conflict.asked}': none of its messages ever arrives",
+            severity="warning" if subscription.shown else None,
             advice=f"give both sides the same {conflict.policy}, or let the subscription ask for less",
             related=[
                 note(other.qos_place, f"{other.node.label()} {words[id(other)]} it here"),

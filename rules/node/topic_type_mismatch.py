@@ -35,7 +35,7 @@ def topic_type_mismatch(robot: Robot):
         if not robot.topics.types_differ(publisher, subscription):
             continue
         own, other = (publisher, subscription) if subscription.of_table else (subscription, publisher)
-        if own.of_table or own.conditional_source or other.conditional_source:
+        if subscription.shown or own.of_table or own.conditional_source or other.conditional_source:
             continue
         yield finding(
             own.where,

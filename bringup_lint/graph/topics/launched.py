@@ -25,6 +25,7 @@ from bringup_lint.graph.topics.remapping import node_name
 from bringup_lint.graph.topics.remapping import node_namespace
 from bringup_lint.graph.topics.remapping import remap
 from bringup_lint.graph.topics.remapping import remapping
+from bringup_lint.graph.topics.rviz import displays
 from bringup_lint.graph.topics.use import LaunchedNode
 from bringup_lint.graph.topics.use import Use
 from bringup_lint.source import Located
@@ -34,6 +35,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.topics.code import Code
     from bringup_lint.model.node_source import Endpoint
     from bringup_lint.model.node_source import Qos
+    from bringup_lint.parsers.rviz import Display
     from bringup_lint.robot import Robot
 
 TOPICS = ("publisher", "subscription")
@@ -46,6 +48,7 @@ def launched(robot: Robot, started: Started, code: Code | None) -> LaunchedNode:
 
 class _Reader:
     def __init__(self, robot: Robot, started: Started, code: Code | None) -> None:
+        self.robot = robot
         self.started = started
         self.code = code
         self.arguments: RosArguments = ros_arguments(started)
@@ -73,6 +76,8 @@ class _Reader:
                     node.complete &= self.from_source(node, endpoint)
             settle(node)
             return node
+        for display in displays(self.robot, self.started):
+            self.add_display(node, display)
         if self.known is None:
             return node
         node.complete = self.known.complete
@@ -115,6 +120,16 @@ class _Reader:
             use.given, use.of_table = where, True
             node.uses.append(overridden(use, self.given))
         return bool(found) or not topic.parameter
+
+    def add_display(self, node: LaunchedNode, display: Display) -> None:
+        from bringup_lint.model.node_source import Qos
+
+        span = display.policy.span
+        qos = Qos(span, display.reliability, display.durability, "KEEP_LAST", display.depth)
+        use = self.use(node, "subscription", display.topic, display.type, qos, span)
+        if use is not None:
+            use.shown = True
+            node.uses.append(use)
 
     def known_names(self, topic: KnownTopic) -> Iterator[tuple[str, Span | None]]:
         if not topic.parameter:

@@ -10,10 +10,17 @@ from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.topics.remapping import Remapping
 from bringup_lint.graph.topics.remapping import remapping
+from bringup_lint.model.launch_values import Concat
+from bringup_lint.model.launch_values import Env
+from bringup_lint.model.launch_values import FileDir
+from bringup_lint.model.launch_values import PackageShare
+from bringup_lint.model.launch_values import PathJoin
 from bringup_lint.model.launch_values import Value
 from bringup_lint.source import Span
 
 _REMAP = ("-r", "--remap")
+_PARTS = (Concat, Env, FileDir, PackageShare, PathJoin)
+"""Values that are one word with something unknown in it, such as a path: no option of ROS."""
 _PARAMETER = ("-p", "--param")
 
 
@@ -31,9 +38,9 @@ def ros_arguments(node: Started) -> RosArguments:
     found = RosArguments()
     if node.is_node and not hasattr(node.action, "plugin"):
         words = list(_words(node.arguments))
-        for at, (text, _) in enumerate(words):
+        for at, (text, value) in enumerate(words):
             if text is None:
-                found.known = False
+                found.known &= isinstance(value, _PARTS)
             elif text in _REMAP or text in _PARAMETER:
                 _take(found, text, words[at + 1] if at + 1 < len(words) else None)
             elif text == "--params-file":

@@ -37,6 +37,8 @@ class Use:
     given: Span | None = None
     """The parameter's value that gives the name."""
     of_table: bool = False
+    shown: bool = False
+    """A display of RViz: only a person looks at it."""
     implied: bool = False
     """Made inside a library class, such as a ``TransformListener``."""
     conditional: bool = False
