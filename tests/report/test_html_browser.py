@@ -300,7 +300,8 @@ def test_four_hundred_nodes(opened) -> None:
         assert all(above["bottom"] <= below["top"] for above, below in pairwise(column))
     tab.fill("#search", "launch_39")
     tab.press("#search", "Enter")
-    assert nodes(tab, ".chosen") == [next(label for label in nodes(tab, ".found"))]
+    assert len(nodes(tab, ".chosen")) == 1
+    assert set(nodes(tab, ".chosen")) <= set(nodes(tab, ".found"))
     assert tab.locator(".node.chosen .label").is_visible()
     assert time.monotonic() - started < 30
 
