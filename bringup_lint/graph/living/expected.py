@@ -20,7 +20,7 @@ from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.living.tools import OPEN_ENDED
 from bringup_lint.graph.living.tools import PASSING
-from bringup_lint.graph.living.tools import is_tool
+from bringup_lint.graph.living.tools import is_on_screen
 from bringup_lint.graph.systemd.process import Ros
 from bringup_lint.graph.systemd.process import ros_command
 from bringup_lint.graph.topics.process_arguments import ros_arguments
@@ -248,7 +248,7 @@ def _nodes(robot: Robot, result: Expected, entry: Entry, expansion: Expansion) -
             result.gaps.append((node.span, "this node brings along others"))
         must = entry.runs and node.by_default is True and not _loops(node) and node.action.key not in ended
         must = must and all(isinstance(action, Timer) for action in node.context) and not _passes(node)
-        must = must and not is_tool(name)
+        must = must and not is_on_screen(name)
         result.nodes.append(ExpectedNode(name, _place(node), must, entry, node))
 
 

@@ -51,7 +51,11 @@ class LivingRobot:
     @cached_property
     def nodes(self) -> list[RunningNode]:
         """The robot's own nodes: those of tools and of this program left out."""
-        return [node for node in self.seen.nodes if not is_tool(node.name)]
+        return [node for node in self.seen.nodes if self.is_own(node.name)]
+
+    def is_own(self, name: str) -> bool:
+        """Whether a node may be the robot's: a file names it, or it has not the name of a tool."""
+        return not is_tool(name) or self.expected.named(name) is not None
 
     @cached_property
     def names(self) -> frozenset[str]:
@@ -60,7 +64,7 @@ class LivingRobot:
     @cached_property
     def elsewhere(self) -> dict[int, list[RunningNode]]:
         """The robot's nodes on the other domains that were looked at."""
-        return {domain: [node for node in nodes if not is_tool(node.name)] for domain, nodes in self.seen.elsewhere}
+        return {domain: [node for node in nodes if self.is_own(node.name)] for domain, nodes in self.seen.elsewhere}
 
     @cached_property
     def configured(self) -> Domain | None:
@@ -133,7 +137,7 @@ class LivingRobot:
 
     @cached_property
     def topics(self) -> list[Topic]:
-        return topics(self.seen.endpoints)
+        return topics(each for each in self.seen.endpoints if self.is_own(each.node))
 
     @cached_property
     def meant(self) -> list[Meant]:
@@ -142,7 +146,7 @@ class LivingRobot:
     @property
     def velocities(self) -> list[Topic]:
         """The topics with velocity commands, with what tools publish on them."""
-        return [topic for topic in topics(self.seen.endpoints, tools=True) if topic.is_velocity]
+        return [topic for topic in topics(self.seen.endpoints) if topic.is_velocity]
 
     @cached_property
     def security(self) -> Located | None:

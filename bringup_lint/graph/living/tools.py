@@ -1,4 +1,4 @@
-"""Nodes that come with tools and libraries, and that no launch file names."""
+"""Nodes that come with tools and libraries, as long as no file names them."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ _TOOL = re.compile(
     | launch_ros_\d+ | rviz\d*(?:_\w+)? | rqt_\w+ | rosbag2_(?:recorder|player) | ros2cli\w* | rosapi\w*
     | plotjuggler\w*
     | transform_listener_impl_\w+ | \w+_rclcpp_node | interactive_marker_\w+ | \w*_private_\d+ | anonymous\w*
-    | gazebo | moveit_\w+_\d+ | \w+_\d{4,}(?:_\d+)*  # names made anonymous by process ids and times
+    | gazebo | moveit_\w+_\d+ | \w+_\d{4,}(?:_\d+)*  # the last: made unique by process ids and times
     """,
     re.VERBOSE,
 )
@@ -30,6 +30,14 @@ PASSING = re.compile(
     r"|calibrate|test|echo|pub)(?:$|_|\.)"
 )
 """Executables that do their work and end."""
+
+
+_ON_SCREEN = re.compile(r"rviz\d*(?:_\w+)?|rqt_\w+|plotjuggler\w*|gazebo")
+
+
+def is_on_screen(name: str) -> bool:
+    """Whether a node is for somebody who looks, and may be closed."""
+    return bool(_ON_SCREEN.fullmatch(name.rpartition("/")[2]))
 
 
 def is_tool(name: str) -> bool:

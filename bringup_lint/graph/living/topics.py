@@ -9,15 +9,15 @@ from dataclasses import dataclass
 from dataclasses import field
 from typing import NamedTuple
 
-from bringup_lint.graph.living.tools import is_tool
+from bringup_lint.graph.topics.commands import is_velocity
 from bringup_lint.graph.topics.compatible import Conflict
 from bringup_lint.graph.topics.compatible import conflicts
+from bringup_lint.graph.topics.names import tail
+from bringup_lint.graph.topics.unconnected import alike
 from bringup_lint.model.living import Endpoint
-from bringup_lint.spelling import edits
 
 _OF_ROS = frozenset(("/rosout", "/parameter_events"))
 _HIDDEN = re.compile(r"/_")
-VELOCITY_TYPES = ("geometry_msgs/msg/Twist", "geometry_msgs/msg/TwistStamped")
 
 
 @dataclass(eq=False)
@@ -44,9 +44,8 @@ class Topic:
 
     @property
     def is_velocity(self) -> bool:
-        """Whether it carries velocity commands: ``cmd_vel``, or a name with it and a type for velocities."""
-        last = self.name.rpartition("/")[2]
-        return last == "cmd_vel" or ("cmd_vel" in last and bool(self.types.intersection(VELOCITY_TYPES)))
+        """Whether it carries velocity commands: ``cmd_vel``, or a name like it and a type for velocities."""
+        return tail(self.name) == "cmd_vel" or any(is_velocity(self.name, each) for each in self.types)
 
 
 class Meant(NamedTuple):
@@ -58,11 +57,11 @@ class Meant(NamedTuple):
     """``name`` or ``namespace``: what differs."""
 
 
-def topics(endpoints: Iterable[Endpoint], *, tools: bool = False) -> list[Topic]:
-    """The topics of the robot itself: without those of ROS's own machinery, and unless asked for of tools."""
+def topics(endpoints: Iterable[Endpoint]) -> list[Topic]:
+    """The topics with their endpoints, without those of ROS's own machinery."""
     found: dict[str, Topic] = {}
     for each in endpoints:
-        if each.topic in _OF_ROS or _HIDDEN.search(each.topic) or (is_tool(each.node) and not tools):
+        if each.topic in _OF_ROS or _HIDDEN.search(each.topic):
             continue
         topic = found.setdefault(str(each.topic), Topic(str(each.topic)))
         (topic.publishers if each.publishes else topic.subscriptions).append(each)
@@ -75,29 +74,10 @@ def meant(all_topics: list[Topic]) -> Iterator[Meant]:
         if topic.publishers or not topic.subscriptions:
             continue
         others = [other for other in all_topics if other.publishers and other.types & topic.types]
-        near = [other for other in others if misspelt(topic.name, other.name)]
+        near = [other for other in others if alike(topic.name, other.name)]
         if len(near) == 1:
             yield Meant(topic.subscriptions[0], near[0].publishers[0], "name")
             continue
-        lonely = [other for other in others if not other.subscriptions and _tail(other.name) == _tail(topic.name)]
+        lonely = [other for other in others if not other.subscriptions and tail(other.name) == tail(topic.name)]
         if not near and len(lonely) == 1 and len(others) == 1:
             yield Meant(topic.subscriptions[0], lonely[0].publishers[0], "namespace")
-
-
-def misspelt(one: str, other: str) -> bool:
-    """Whether two names differ by a slip in one word, or in underscores only. Numbers and short words do not count."""
-    ours, theirs = re.split(r"[/_]", one), re.split(r"[/_]", other)
-    if len(ours) != len(theirs):
-        return one.count("/") == other.count("/") and one.replace("_", "") == other.replace("_", "")
-    different = [(a, b) for a, b in zip(ours, theirs, strict=True) if a != b]
-    if len(different) != 1:
-        return False
-    a, b = different[0]
-    if re.sub(r"\d", "", a) == re.sub(r"\d", "", b):
-        return False
-    limit = min(2, len(min(a, b, key=len)) // 3)
-    return limit > 0 and edits(a.lower(), b.lower(), limit) <= limit
-
-
-def _tail(name: str) -> str:
-    return name.rpartition("/")[2]

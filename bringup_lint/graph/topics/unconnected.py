@@ -83,19 +83,28 @@ def _meant(use: Use, others: Iterable[Use], alone: set[str]) -> Use | None:
     """The one name that is nearly the same: one part an edit or two away, or the same name in another namespace that is
     alone as well."""
     by_name = {each.topic: each for each in others if not _numbered(each.topic, use.topic)}
-    near = [name for name in by_name if _alike(name, use.topic)]
+    near = [name for name in by_name if alike(name, use.topic)]
     if not near:
         near = [name for name in by_name if name in alone and _nested(name, use.topic)]
     return by_name[near[0]] if len(near) == 1 else None
 
 
-def _alike(one: str, other: str) -> bool:
-    """Whether two names differ in one part only, and that part is one word misspelt; a few letters are another word."""
+def alike(one: str, other: str) -> bool:
+    """Whether two names differ in one part only, and there by a slip in one word, or in underscores. Numbers are other
+    names, and a few letters are another word: ``/arm_l/state`` and ``/arm_r/state``."""
     ours, theirs = one.split("/"), other.split("/")
-    if len(ours) != len(theirs):
+    if len(ours) != len(theirs) or _numbered(one, other):
         return False
     apart = [(own, their) for own, their in zip(ours, theirs, strict=True) if own != their]
-    return len(apart) == 1 and min(map(len, apart[0])) >= SHORTEST and bool(nearest(apart[0][0], [apart[0][1]]))
+    return len(apart) == 1 and min(map(len, apart[0])) >= SHORTEST and _slipped(*apart[0])
+
+
+def _slipped(one: str, other: str) -> bool:
+    ours, theirs = one.split("_"), other.split("_")
+    if len(ours) != len(theirs):
+        return "".join(ours) == "".join(theirs)
+    apart = [(own, their) for own, their in zip(ours, theirs, strict=True) if own != their]
+    return len(apart) == 1 and bool(nearest(apart[0][0], [apart[0][1]]))
 
 
 def _nested(one: str, other: str) -> bool:
