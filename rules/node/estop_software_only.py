@@ -37,7 +37,7 @@ def estop_software_only(robot: Robot):
     if stops and not topics.has_stop_hardware(robot):
         yield finding(
             stops[0].name,
-            f"the only emergency stop to be seen is the topic {stops[0].name}: it fails together with the network, the "
+            f"The only emergency stop to be seen is the topic {stops[0].name}: it fails together with the network, the "
             "computer or the node",
             advice="let a wired circuit cut the drive power; when there is one, ignore this rule in the configuration",
             confidence="medium",

@@ -38,7 +38,7 @@ def heartbeat_unknown_node(robot: Robot):
         what = f"the node is '{meant}'" if meant else "nothing in the tree starts it"
         yield finding(
             name,
-            f"no node is called '{name}', {what}: what waits for it never sees it",
+            f"No node is called '{name}', {what}: what waits for it never sees it",
             advice=f"write '{meant}'" if meant else "name a node that is started, as `ros2 node list` shows it",
             related=[
                 *([note(watched.where, "it is watched by this list")] if watched.where is not name else []),
