@@ -50,6 +50,11 @@ def document_edges(robot: Robot) -> Iterator[Edge]:
 
 
 def security_places(robot: Robot) -> Iterator[tuple[Node, Span]]:
+    for keystore in robot.sros2.keystores:
+        for source in robot.of_kind("sros2-governance", "sros2-permissions", "sros2-certificate"):
+            if _lies_in(source, keystore):
+                yield _keystore_node(keystore), source.whole
+                break
     for permissions in robot.sros2.permissions:
         if robot.sros2.is_used(permissions.source):
             yield file_node("permissions-file", permissions.source), file_place(permissions.source)

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections import defaultdict
+from itertools import pairwise
+from math import isqrt
 from typing import Any
 from typing import NamedTuple
 
@@ -74,7 +76,24 @@ def _word(edge: Edge) -> str:
 
 
 def shortened(text: str, longest: int = LONGEST) -> str:
-    return text if len(text) <= longest else f"{text[: longest - 1]}…"
+    """The beginning of a text, the end of a path."""
+    if len(text) <= longest:
+        return text
+    return f"…{text[1 - longest :]}" if text.startswith("/") else f"{text[: longest - 1]}…"
+
+
+def rows(document: dict[str, Any]) -> list[tuple[str, str]]:
+    """Pairs of nodes that nothing leads to or from, to be drawn side by side: else all of a layer form one column."""
+    busy = {end for edge in document["edges"] for end in (edge["source"], edge["target"])}
+    alone: dict[str, list[str]] = defaultdict(list)
+    for node in document["nodes"]:
+        if node["id"] not in busy:
+            alone[node["layer"]].append(node["id"])
+    pairs = []
+    for ids in alone.values():
+        width = isqrt(len(ids) // 3) + 1
+        pairs += [pair for at, pair in enumerate(pairwise(ids), 1) if at % width]
+    return pairs
 
 
 def worst(document: dict[str, Any], findings: list[int] | tuple[int, ...]) -> str:

@@ -7,6 +7,7 @@ from typing import Any
 
 from bringup_lint.report.picture.arrows import Arrow
 from bringup_lint.report.picture.arrows import arrows
+from bringup_lint.report.picture.arrows import rows
 from bringup_lint.report.picture.arrows import shortened
 from bringup_lint.report.picture.arrows import worst
 from bringup_lint.report.picture.marks import ALWAYS_WHOLE
@@ -56,6 +57,7 @@ def _lines(document: dict[str, Any]) -> Iterator[str]:
             yield from (f"    {_node(document, node)}" for node in members)
             yield "  }"
     yield from (f"  {_arrow(document, arrow)}" for arrow in arrows(document))
+    yield from (f"  {quoted(one)} -> {quoted(other)} [style=invis];" for one, other in rows(document))
     yield "}"
 
 
@@ -74,7 +76,7 @@ def _node(document: dict[str, Any], node: dict[str, Any]) -> str:
         "tooltip": "\n".join(_tooltip(document, node)),
     }
     if attributes["shape"] == "cds":
-        attributes["margin"] = "0.25,0.05"
+        attributes["margin"] = "0.25,0.08"
     if node["id"] in document["focus"]:
         attributes["peripheries"] = "2"
     return f"{quoted(node['id'])} [{', '.join(f'{name}={quoted(value)}' for name, value in attributes.items())}];"

@@ -10,12 +10,12 @@ from bringup_lint.graph.graph import Node
 
 
 def labels(graph: Graph) -> dict[Node, str]:
-    """Files of the tree by the shortest end of their path that tells them apart; everything else by its name."""
+    """Files and folders of the tree by the shortest end of their path that tells them apart; everything else by its name."""
     found = {node: node.name for node in graph.nodes}
     files: dict[str, list[Node]] = defaultdict(list)
     for node in found:
         places = graph.places.get(node)
-        if places and places[0].path == node.name:
+        if places and f"{places[0].path}/".startswith(f"{node.name}/"):
             files[node.kind].append(node)
     for nodes in files.values():
         tails = shortest_tails({node.name for node in nodes})

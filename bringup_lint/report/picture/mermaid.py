@@ -8,6 +8,7 @@ from typing import Any
 
 from bringup_lint.report.picture.arrows import Arrow
 from bringup_lint.report.picture.arrows import arrows
+from bringup_lint.report.picture.arrows import rows
 from bringup_lint.report.picture.arrows import shortened
 from bringup_lint.report.picture.arrows import worst
 from bringup_lint.report.picture.marks import ALWAYS_WHOLE
@@ -50,8 +51,10 @@ def _lines(document: dict[str, Any]) -> Iterator[str]:
             yield f"  subgraph layer-{layer['id']} [{quoted(layer['title'])}]"
             yield from (f"    {names[node['id']]}{_node(document, node)}" for node in members)
             yield "  end"
+            yield f"  style layer-{layer['id']} fill:none,stroke:{STROKES['']}"
     shown = arrows(document)
     yield from (f"  {_arrow(document, arrow, names)}" for arrow in shown)
+    yield from (f"  {names[one]} ~~~ {names[other]}" for one, other in rows(document))
     yield from _styles(document, names)
     for at, arrow in enumerate(shown):
         severity = worst(document, arrow.findings)
