@@ -28,7 +28,7 @@ EXAMPLE = re.compile(
     re.DOTALL,
 )
 PICTURE = re.compile(r"<!-- picture (?P<name>\S+)(?: in (?P<folder>\S+))?: bringup-lint (?P<arguments>.*?) -->\n")
-COMMAND = re.compile(r"^bringup-lint ?(?P<arguments>.*?)(?: {2,}#.*)?$", re.M)
+COMMAND = re.compile(r"^bringup-lint ?(?P<arguments>.*?)(?: \| .*| {2,}#.*)?$", re.M)
 ELSEWHERE = {"/etc": "etc", "/mnt/image": ".", "RULE": "systemd/network-target"}
 """Where the example stands for what a reader has."""
 

@@ -10,7 +10,7 @@ from bringup_lint.graph.graph import Node
 
 
 def labels(graph: Graph) -> dict[Node, str]:
-    """Files and folders of the tree by the shortest end of their path that tells them apart; everything else by its name."""
+    """Files and folders of the tree by the shortest end of their path that tells them apart, all else by its name."""
     found = {node: node.name for node in graph.nodes}
     files: dict[str, list[Node]] = defaultdict(list)
     for node in found:

@@ -35,7 +35,7 @@ SHAPES = {
 LONGEST = 48
 """Characters of a label."""
 _LINES = {"strong": "==>", "plain": "-->", "weak": "-.->"}
-_PLAIN = re.compile(r"[^A-Za-z0-9 _./,=-]")
+_ODD = re.compile("[^A-Za-z0-9 _./,:()@=✖▲●…-]")
 
 
 def render(document: dict[str, Any]) -> str:
@@ -51,12 +51,11 @@ def _lines(document: dict[str, Any]) -> Iterator[str]:
             yield f"  subgraph layer-{layer['id']} [{quoted(layer['title'])}]"
             yield from (f"    {names[node['id']]}{_node(document, node)}" for node in members)
             yield "  end"
-            yield f"  style layer-{layer['id']} fill:none,stroke:{STROKES['']}"
-    shown = arrows(document)
-    yield from (f"  {_arrow(document, arrow, names)}" for arrow in shown)
+    drawn = arrows(document)
+    yield from (f"  {_arrow(document, arrow, names)}" for arrow in drawn)
     yield from (f"  {names[one]} ~~~ {names[other]}" for one, other in rows(document))
     yield from _styles(document, names)
-    for at, arrow in enumerate(shown):
+    for at, arrow in enumerate(drawn):
         severity = worst(document, arrow.findings)
         if severity:
             yield f"  linkStyle {at} stroke:{STROKES[severity]},color:{STROKES[severity]}"
@@ -77,7 +76,8 @@ def _arrow(document: dict[str, Any], arrow: Arrow, names: dict[str, str]) -> str
 
 def _styles(document: dict[str, Any], names: dict[str, str]) -> Iterator[str]:
     """Classes for layers, for what the tree does not hold, and for findings."""
-    classes: dict[str, list[str]] = {}
+    shown = {node["layer"] for node in document["nodes"]}
+    classes = {"layer": [f"layer-{layer['id']}" for layer in document["layers"] if layer["id"] in shown]}
     for node in document["nodes"]:
         absent = node["path"] is None and node["kind"] not in ALWAYS_WHOLE
         classes.setdefault("absent" if absent else node["layer"], []).append(names[node["id"]])
@@ -93,6 +93,7 @@ def _styles(document: dict[str, Any], names: dict[str, str]) -> Iterator[str]:
 
 
 _CLASSES = {
+    "layer": f"fill:none,stroke:{STROKES['']}",
     **{layer: f"fill:{fill},stroke:{STROKES['']},color:{TEXT}" for layer, fill in FILLS.items()},
     "absent": f"fill:#ffffff,stroke:{STROKES['']},color:{TEXT},stroke-dasharray:4 3",
     "focus": "stroke-width:4px",
@@ -102,4 +103,4 @@ _CLASSES = {
 
 def quoted(*lines: str) -> str:
     """A label that Mermaid shows as it is, whatever it holds: odd characters by their number."""
-    return '"' + "<br/>".join(_PLAIN.sub(lambda match: f"#{ord(match[0])};", line) for line in lines) + '"'
+    return '"' + "<br/>".join(_ODD.sub(lambda match: f"#{ord(match[0])};", line) for line in lines) + '"'
