@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
 
 import pytest
@@ -280,3 +281,38 @@ def test_what_runs_together() -> None:
     robot = Robot(discover([str(FIXTURES / "node/cmd_vel_multiple_publishers/bad_units")]))
     labels = [(running.label.rpartition("/")[2], len(running.nodes)) for running in robot.topics.runs]
     assert labels == [("the units", 3), ("dock.launch.py", 1), ("wire.launch.py", 2)]
+
+
+COMPOSE = """
+services:
+  wire:
+    image: ros:jazzy
+    command: ros2 launch mower wire.launch.py
+  dock:
+    image: ros:jazzy
+    command: ros2 launch mower dock.launch.py
+"""
+
+
+@pytest.mark.parametrize(
+    ("more", "nodes"),
+    [
+        ("", 3),
+        ("    environment:\n      ROS_DOMAIN_ID: '0'\n", 3),
+        ("    profiles: [manual]\n", 2),
+    ],
+)
+def test_services_of_one_compose_file_run_together(tmp_path: Path, more: str, nodes: int) -> None:
+    mower = FIXTURES / "node/cmd_vel_multiple_publishers/bad_units/mower"
+    shutil.copytree(mower, tmp_path / "mower")
+    robot = robot_of((tmp_path / "compose.yaml", COMPOSE + more))
+    assert len(robot.topics.runs[0].nodes) == nodes
+    assert (len({use.node.name for use in robot.topics.runs[0].by_topic()["/cmd_vel"]}) == 3) == (nodes == 3)
+
+
+def test_services_of_different_domains_do_not_meet(tmp_path: Path) -> None:
+    mower = FIXTURES / "node/cmd_vel_multiple_publishers/bad_units/mower"
+    shutil.copytree(mower, tmp_path / "mower")
+    text = COMPOSE.replace("wire.launch.py\n", "wire.launch.py\n    environment: {ROS_DOMAIN_ID: '1'}\n")
+    robot = robot_of((tmp_path / "compose.yaml", f"{text}    environment: {{ROS_DOMAIN_ID: '2'}}\n"))
+    assert [len(running.nodes) for running in robot.topics.runs] == [1, 2]

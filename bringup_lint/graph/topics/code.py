@@ -53,6 +53,6 @@ def _python(robot: Robot, program) -> Code:
         lineage = list(node.lineage)
         known = all(each.is_node is True for each in lineage) and all(e.name is not None for e in code.endpoints)
         files = {id(each.source): robot.nodes.file_of(each) for each in lineage}
-        code.complete = known and not any(file.strays for file in files.values())
-        code.complete &= not any(hands_itself_over(each, robot.nodes.file_of(each)) for each in lineage)
+        whole = known and not any(file.strays for file in files.values())
+        code.complete = whole and not any(hands_itself_over(each, robot.nodes.file_of(each)) for each in lineage)
     return code

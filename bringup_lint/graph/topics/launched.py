@@ -25,7 +25,6 @@ from bringup_lint.graph.topics.remapping import node_name
 from bringup_lint.graph.topics.remapping import node_namespace
 from bringup_lint.graph.topics.remapping import remap
 from bringup_lint.graph.topics.remapping import remapping
-from bringup_lint.graph.topics.rviz import displays
 from bringup_lint.graph.topics.use import LaunchedNode
 from bringup_lint.graph.topics.use import Use
 from bringup_lint.source import Located
@@ -41,14 +40,17 @@ if TYPE_CHECKING:
 TOPICS = ("publisher", "subscription")
 
 
-def launched(robot: Robot, started: Started, code: Code | None) -> LaunchedNode:
-    """``code``: what the sources of the tree say about what is started."""
-    return _Reader(robot, started, code).node()
+def launched(robot: Robot, started: Started, code: Code | None, displays: list[Display]) -> LaunchedNode:
+    """``code``: what the sources of the tree say about what is started; ``displays``: what RViz is told to show."""
+    reader = _Reader(robot, started, code)
+    node = reader.node()
+    for display in displays:
+        reader.add_display(node, display)
+    return node
 
 
 class _Reader:
     def __init__(self, robot: Robot, started: Started, code: Code | None) -> None:
-        self.robot = robot
         self.started = started
         self.code = code
         self.arguments: RosArguments = ros_arguments(started)
@@ -76,8 +78,6 @@ class _Reader:
                     node.complete &= self.from_source(node, endpoint)
             settle(node)
             return node
-        for display in displays(self.robot, self.started):
-            self.add_display(node, display)
         if self.known is None:
             return node
         node.complete = self.known.complete

@@ -17,23 +17,30 @@ if TYPE_CHECKING:
 OPTIONS = ("-d", "--display-config")
 
 
-def displays(robot: Robot, started: Started) -> list[Display]:
-    """The displays that are switched on; none when the configuration is not in the tree."""
-    if literal_text(started.package) != "rviz2" or literal_text(started.executable) != "rviz2":
+class Displays:
+    """The RViz configurations of the tree, each read once."""
+
+    def __init__(self, robot: Robot) -> None:
+        self.robot = robot
+        self._read: dict[str, list[Display]] = {}
+
+    def of(self, started: Started) -> list[Display]:
+        """The displays that are switched on; none when the configuration is not in the tree."""
+        if literal_text(started.package) != "rviz2" or literal_text(started.executable) != "rviz2":
+            return []
+        values = list(started.arguments)
+        for at, value in enumerate(values[:-1]):
+            if text_of(value) in OPTIONS:
+                path = path_of(self.robot.launch, values[at + 1])
+                return self._at(path) if path is not None else []
         return []
-    values = list(started.arguments)
-    for at, value in enumerate(values[:-1]):
-        if text_of(value) in OPTIONS:
-            path = path_of(robot.launch, values[at + 1])
-            return _read(robot, path) if path is not None else []
-    return []
 
+    def _at(self, path: str) -> list[Display]:
+        from bringup_lint.parsers.rviz import parse
 
-def _read(robot: Robot, path: str) -> list[Display]:
-    from bringup_lint.parsers.rviz import parse
-
-    if path not in set(robot.tree.named(os.path.basename(path))):
-        return []
-    source = robot.tree.read(path)
-    read = robot.parsed(parse, [source] if source is not None and not source.template else [])
-    return read[0] if read else []
+        if path not in self._read:
+            there = path in set(self.robot.tree.named(os.path.basename(path)))
+            source = self.robot.tree.read(path) if there else None
+            read = self.robot.parsed(parse, [source] if source is not None and not source.template else [])
+            self._read[path] = read[0] if read else []
+        return self._read[path]

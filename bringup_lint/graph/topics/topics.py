@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.graph.launch.expand import Expansion
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import exclusive
+from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.topics import names
 from bringup_lint.graph.topics.code import Code
 from bringup_lint.graph.topics.code import code_of
@@ -18,6 +19,7 @@ from bringup_lint.graph.topics.compatible import Conflict
 from bringup_lint.graph.topics.compatible import conflicts
 from bringup_lint.graph.topics.cpp_code import CppCode
 from bringup_lint.graph.topics.launched import launched
+from bringup_lint.graph.topics.rviz import Displays
 from bringup_lint.graph.topics.systems import systems
 from bringup_lint.graph.topics.use import LaunchedNode
 from bringup_lint.graph.topics.use import Pair
@@ -39,6 +41,8 @@ class Topics:
     def __init__(self, robot: Robot) -> None:
         self.robot = robot
         self._cpp = CppCode(robot)
+        self._displays = Displays(robot)
+        self._codes: dict[tuple[str | None, ...], Code | None] = {}
         self._launched: dict[int, LaunchedNode] = {}
 
     @cached_property
@@ -48,11 +52,14 @@ class Topics:
 
     def code(self, started: Started) -> Code | None:
         """What the tree's sources say about a launched program."""
-        return code_of(self.robot, started, self._cpp)
+        program = tuple(literal_text(each) for each in (started.package, started.executable, started.plugin))
+        if program not in self._codes:
+            self._codes[program] = code_of(self.robot, started, self._cpp)
+        return self._codes[program]
 
     def node(self, started: Started) -> LaunchedNode:
         if id(started) not in self._launched:
-            self._launched[id(started)] = launched(self.robot, started, self.code(started))
+            self._launched[id(started)] = launched(self.robot, started, self.code(started), self._displays.of(started))
         return self._launched[id(started)]
 
     @cached_property
