@@ -57,6 +57,7 @@ _WORDS = {
     "runs_as_root": "bringup_lint.model.dockerfile",
     "sandbox": "bringup_lint.graph.systemd.sandbox",
     "shell_commands": "bringup_lint.parsers.shell",
+    "stop_time": "bringup_lint.graph.launch.supervision",
     "topics": "bringup_lint.graph.topics.words",
 }
 """Words of single layers, and whole modules of them, loaded when the first rule asks for them."""

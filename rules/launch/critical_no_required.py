@@ -56,5 +56,18 @@ def critical_no_required(robot: Robot):
                 f"If {node.label()} dies, launch goes on and nothing notices: a service around it stays active "
                 f"without its {role}",
                 advice="set on_exit=Shutdown() and let the unit restart with Restart=always, or set respawn",
-                related=[note(place, "started by this unit") for place in units],
+                related=starts(robot, entry),
+                chain=robot.ways.to_node(node),
             )
+
+
+def starts(robot: Robot, entry):
+    """The commands that launch the file, and the restart policies that do not see the end of a node."""
+    related = []
+    for command in robot.launch.commands:
+        if command.file is entry and command.process is not None:
+            policy = robot.units.restart(command.process.unit)
+            related.append(note(command.target, f"{command.runner} starts it"))
+            if policy.restart in ("on-failure", "on-abnormal", "on-abort") and policy.restart_at is not None:
+                related.append(note(policy.restart_at, "launch itself does not fail"))
+    return related

@@ -68,7 +68,16 @@ def notify_ros_launch(robot: Robot):
                 *(note(source, "talks to systemd") for source in robot.notify.sources[:3]),
             ],
             fix=_fix(unit, service, robot) if unit.editable else None,
+            chain=_chain(robot, service),
         )
+
+
+def _chain(robot, service):
+    """From the unit to the code of the node whose message is refused."""
+    for ros in [service.main.ros] if service.main.ros else []:
+        for node, said in robot.notify.speakers(ros):
+            return robot.ways.to_node(node, note(said, "a child of launch talks to systemd"))
+    return ()
 
 
 def _fix(unit, service, robot):

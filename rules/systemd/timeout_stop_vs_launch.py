@@ -1,7 +1,8 @@
 """TimeoutStopSec= is shorter than ros2 launch needs to stop its nodes.
 
 ## What it finds
-A service that runs ros2 launch with TimeoutStopSec= below 15 seconds, or above 90.
+A service that runs ros2 launch with TimeoutStopSec= below 15 seconds, or above 90. When the launch file is in the tree,
+the `sigterm_timeout` and `sigkill_timeout` of its nodes count instead of the usual 5 and 5 seconds.
 
 ## Why it matters on a robot
 When it is asked to stop, launch sends every node SIGINT, after 5 s SIGTERM and after 5 s more SIGKILL. A
@@ -35,11 +36,13 @@ from bringup_lint.api import Robot
 from bringup_lint.api import duration
 from bringup_lint.api import finding
 from bringup_lint.api import fix
+from bringup_lint.api import launched
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api import stop_time
 
-ESCALATION = 10.0
-SHORT, LONG = 15.0, 90.0
+USUAL = 10.0
+MARGIN, LONG = 5.0, 90.0
 
 
 @rule("warning", fix="unsafe", symptoms=["State 'stop-sigterm' timed out. Killing."])
@@ -48,14 +51,17 @@ def timeout_stop_vs_launch(robot: Robot):
         service = robot.units.supervision(unit)
         launches = [found for process in robot.units.started(unit) for _, found in process.launches]
         limit = service.stop_timeout
-        if not launches or limit.value is None or SHORT <= limit.value <= LONG or service.in_container:
+        needed, given = needs(robot, launches)
+        short = needed + MARGIN
+        if not launches or limit.value is None or short <= limit.value <= max(LONG, short) or service.in_container:
             continue
         if limit.at is None or unit.get("Type") == "oneshot":
             continue
-        if limit.value < SHORT:
+        if limit.value < short:
+            steps = "(SIGINT, 5 s, SIGTERM, 5 s, SIGKILL) " if not given else ""
             message = (
                 f"{unit.name} is killed {duration(limit.value)} after the stop: ros2 launch alone may take "
-                f"{duration(ESCALATION)} (SIGINT, 5 s, SIGTERM, 5 s, SIGKILL) to end its nodes"
+                f"{duration(needed)} {steps}to end its nodes"
             )
         elif limit.value == math.inf:
             message = f"One hung node of {unit.name} blocks the stop, and with it the shutdown, for ever"
@@ -65,7 +71,23 @@ def timeout_stop_vs_launch(robot: Robot):
         yield finding(
             limit.at,
             message,
-            advice="set TimeoutStopSec=20",
-            related=[note(found.where, "ros2 launch is started here") for found in launches],
-            fix=fix("leave 20 seconds", (limit.at, "20"), safe=False) if unit.editable and own else None,
+            advice=f"set TimeoutStopSec={math.ceil(needed + 2 * MARGIN)}",
+            related=[
+                *(note(found.where, "ros2 launch is started here") for found in launches),
+                *(note(value.span, "a node is given this long") for value in given),
+            ],
+            fix=fix(
+                f"leave {math.ceil(needed + 2 * MARGIN)} seconds",
+                (limit.at, f"{math.ceil(needed + 2 * MARGIN)}"),
+                safe=False,
+            )
+            if unit.editable and own
+            else None,
         )
+
+
+def needs(robot: Robot, launches) -> tuple[float, list]:
+    """How long the launch files of a unit may take to stop, by the time-outs of their nodes, and what says so."""
+    expansions = [launched(found, robot) for found in launches]
+    known = [stop_time(expansion) if expansion is not None else None for expansion in expansions]
+    return max((each or (USUAL, []) for each in known), key=lambda each: each[0], default=(USUAL, []))

@@ -60,9 +60,19 @@ def watchdog_without_notify(robot: Robot):
                 *([note(service.access.at, "who may notify")] if service.access.at else ()),
             ],
             fix=_fix(unit, service, robot) if unit.editable else None,
+            chain=_chain(robot, service),
             severity=severity,
             confidence="high" if severity == "error" else "medium",
         )
+
+
+def _chain(robot, service):
+    """From the unit to the code of a node that sends keep-alives which are refused."""
+    if service.access.value == "all" or service.main.ros is None:
+        return ()
+    for node, said in robot.notify.speakers(service.main.ros):
+        return robot.ways.to_node(node, note(said, "a child of launch talks to systemd"))
+    return ()
 
 
 def _verdict(service, robot):

@@ -9,11 +9,13 @@ from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.resolve import truth
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.model.launch import Process
+from bringup_lint.model.launch_values import Value
 
 _CHECK_WORD = re.compile(
     r"(?:^|[/_.-])(?:check|checks|verify|validate|validation|preflight|pre_flight|self_?test|diagnose|wait_for)(?:$|[/_.-])"
 )
 _SHELL_TEST = re.compile(r"(?:^|[;&|(]\s*|\bif\s+|\s)(?:test\s+-|\[\s+-|\[\[\s)")
+_SECONDS = re.compile(r"\d+(?:\.\d+)?")
 _SHELLS = ("bash", "sh", "dash", "zsh")
 
 
@@ -33,6 +35,25 @@ def watched(node: Started, expansion: Expansion) -> bool:
             if handler.target is None or handler.target == action.key:
                 return True
     return False
+
+
+STEPS = ("sigterm_timeout", "sigkill_timeout")
+"""After how many seconds launch goes on to the next signal, 5 each unless a process says otherwise."""
+
+
+def stop_time(expansion: Expansion) -> tuple[float, list[Value]] | None:
+    """How many seconds launch may need to stop all that it starts, and the values that say so; None when that is not
+    known."""
+    longest: tuple[float, list[Value]] | None = None
+    for node in expansion.nodes:
+        given = [node.options[name] for name in STEPS if name in node.options]
+        texts = [text_of(value) for value in given]
+        if any(text is None or not _SECONDS.fullmatch(text) for text in texts):
+            return None
+        seconds = sum(float(text) for text in texts if text) + 5.0 * (len(STEPS) - len(given))
+        if longest is None or seconds > longest[0]:
+            longest = seconds, given
+    return None if expansion.open else longest
 
 
 def check_of(node: Started) -> str | None:

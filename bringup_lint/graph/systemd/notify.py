@@ -13,9 +13,11 @@ from typing import TYPE_CHECKING
 from bringup_lint.graph.launch.of_units import launched
 from bringup_lint.graph.systemd.process import Process
 from bringup_lint.graph.systemd.process import Ros
+from bringup_lint.source import Located
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.launch.started import Started
     from bringup_lint.robot import Robot
 
 SPEAKS = re.compile(
@@ -76,6 +78,22 @@ class Notify:
         return (
             f"{named} is in no launch file that is started" if named else "no code of the tree talks to systemd"
         ), idle
+
+    def speakers(self, ros: Ros) -> Iterator[tuple[Started, Located]]:
+        """The nodes of a launch file whose code talks to systemd, with the place where it does."""
+        from bringup_lint.graph.launch.started import literal_text
+
+        expansion = launched(ros, self.robot)
+        for node in expansion.nodes if expansion is not None else ():
+            package, executable = literal_text(node.package), literal_text(node.executable)
+            if package is None or executable is None:
+                continue
+            for source in self.sources:
+                owner = self.robot.launch.workspace.owner(source)
+                said = SPEAKS.search(source.text)
+                if owner is not None and owner.name == package and said:
+                    if self._starts(source, [(str(package), str(executable))]):
+                        yield node, source.located(*said.span())
 
     def _launched(self, ros: Ros) -> tuple[list[tuple[str, str]], set[str]] | None:
         """(package, executable) of what the launch file starts, and the packages that are not in the tree."""
