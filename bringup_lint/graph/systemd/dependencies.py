@@ -50,10 +50,11 @@ class Instance(NamedTuple):
 
 
 def resolve(name: str, near: Unit, units: Units) -> Node | None:
-    """The node that a unit name means in a unit; None when it is masked or could mean several units."""
+    """The node that a unit name means in a unit; None when it is masked, another robot's, or
+    could mean several units."""
     found = units.find(name, near)
     if found is None:
-        if len(units.candidates(name, near.manager)) > 1:
+        if units.candidates(name, near.manager):
             return None
         return Node(_kind(near.manager), units.real_name(name, near.manager))
     if found.masked:

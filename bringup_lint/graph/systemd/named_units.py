@@ -14,6 +14,7 @@ from bringup_lint.graph.graph import Node
 from bringup_lint.graph.systemd import distribution
 from bringup_lint.graph.systemd.provision import makes
 from bringup_lint.graph.systemd.unit import Unit
+from bringup_lint.graph.variants import overlay_of
 from bringup_lint.parsers.systemd_values import is_unit_name
 from bringup_lint.source import Located
 from bringup_lint.source import Source
@@ -71,8 +72,8 @@ class NamedUnits:
 
     def find(self, name: str, near: Unit) -> Unit | None:
         """The unit that a name in ``near`` means; None when it is not in the tree or several variants could
-        be meant."""
-        found = self.candidates(name, near.manager)
+        be meant. A unit of another overlay is another robot's."""
+        found = [unit for unit in self.candidates(name, near.manager) if not _apart(unit, near)]
         if len(found) > 1:
             found = [unit for unit in found if unit.place == near.place]
         return found[0] if len(found) == 1 else None
@@ -180,6 +181,12 @@ class NamedUnits:
                 or self.candidates(link.name, unit.manager) == [unit]
             ):
                 yield link.unit, link.relation, link.name
+
+
+def _apart(one: Unit, other: Unit) -> bool:
+    """Whether two units lie in different overlays."""
+    overlays = [overlay_of(unit.files[0].source) for unit in (one, other) if unit.files]
+    return len(overlays) == 2 and None not in overlays and overlays[0] != overlays[1]
 
 
 def _family(name: str) -> str:
