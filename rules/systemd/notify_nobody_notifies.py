@@ -34,7 +34,12 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("warning", confidence="medium", symptoms=["start operation timed out. Terminating."])
+@rule(
+    "warning",
+    confidence="medium",
+    symptoms=["start operation timed out. Terminating."],
+    aliases=["node/sd-notify-missing"],
+)
 def notify_nobody_notifies(robot: Robot):
     for unit in robot.units.ros:
         service = robot.units.supervision(unit)

@@ -4,22 +4,48 @@ from __future__ import annotations
 
 import ast
 
+from bringup_lint.finding import Edit
+from bringup_lint.finding import Fix
 from bringup_lint.model.node_source import NodeSource
 from bringup_lint.source import Span
 
 
 def import_edits(file: NodeSource, module: str, name: str) -> list[tuple[Span, str]]:
-    """The edit that imports a name; none when the file has it."""
-    if file.imports.get(name) == f"{module}.{name}":
+    """The edit that imports a name, or the module of that name; none when the file has it."""
+    if file.imports.get(name) in (f"{module}.{name}", module or name):
         return []
     imports = [node for node in file.tree.body if isinstance(node, (ast.Import, ast.ImportFrom))]
     ours = [node for node in imports if _sorts_before(node, module)]
-    line = f"from {module} import {name}\n"
+    line = f"from {module} import {name}\n" if module else f"import {name}\n"
     if ours:
         return [(_behind(file, ours[-1]), line)]
     first = imports[0] if imports else next(iter(file.tree.body), None)
     start = file.span_of(first).start if first is not None else 0
     return [(Span(file.source, start, start), line)]
+
+
+def swap(file: NodeSource, first: ast.stmt, second: ast.stmt) -> Fix | None:
+    """Move a statement behind a later one of its block; None when either shares a line, or gives a value."""
+    if not isinstance(first, ast.Expr) or not isinstance(second, ast.Expr):
+        return None
+    upper, lower = _lines(file, first), _lines(file, second)
+    if upper is None or lower is None:
+        return None
+    after = Span(file.source, lower.end, lower.end)
+    edits = (Edit(upper, ""), Edit(after, upper.text))
+    return (
+        Fix("publish first, then deactivate", edits) if upper.text.endswith("\n") == lower.text.endswith("\n") else None
+    )
+
+
+def _lines(file: NodeSource, node: ast.stmt) -> Span | None:
+    """The whole lines of a statement; None when something else stands on them."""
+    span, text = file.span_of(node), file.source.text
+    start = text.rfind("\n", 0, span.start) + 1
+    end = text.find("\n", span.end)
+    end = len(text) if end < 0 else end + 1
+    alone = not text[start : span.start].strip() and not text[span.end : end].strip()
+    return Span(file.source, start, end) if alone else None
 
 
 def _sorts_before(node: ast.Import | ast.ImportFrom, module: str) -> bool:

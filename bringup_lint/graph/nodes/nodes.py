@@ -28,6 +28,11 @@ if TYPE_CHECKING:
     from bringup_lint.robot import Robot
 
 _TIMERS = re.compile(r"\bcreate_(?:timer|rate|wall_timer)\b|\bTimer\(|\bcreate_task\b")
+_GATES = re.compile(
+    r"\b(?:cmd_vel_timeout|reference_timeout|diff_drive_controller|mecanum_drive_controller|ackermann_steering_controller"
+    r"|tricycle_controller|twist_mux|velocity_smoother|collision_monitor|create3)\b"
+)
+"""Parameters, controllers and filters that end a motion when no command comes."""
 _TEST = re.compile(r"(?:^|[/_-])tests?(?:[/_.-]|$)|(?:^|/)(?:testing|integration_tests?)/", re.I)
 _EXAMPLE = re.compile(
     r"(?:^|[/_-])(?:examples?|demos?|tutorials?|samples?)(?:[/_.-]|$)|(?:^|/)(?:docs?|tools?|benchmarks?)/", re.I
@@ -155,6 +160,29 @@ class Nodes:
     def programs(self) -> list[NodeSource]:
         """The judged sources but tests: those whose ends are looked at."""
         return [file for file in self.judged if self.purpose(file.source) != "test"]
+
+    @property
+    def with_callbacks(self) -> Iterator[tuple[NodeSource, NodeClass]]:
+        """The classes of nodes in the judged sources but tests, each with its file."""
+        for file in self.programs:
+            yield from ((file, node) for node in file.classes if node.is_node is True)
+
+    def threads(self, node: NodeClass) -> str:
+        """Whether ``one`` thread runs the callbacks of a node or ``several``; empty when no file spins it."""
+        texts = [file.source.text for file in (self.file_of(node), *self.makers(node))]
+        if any("MultiThreadedExecutor" in text or "EventsExecutor" in text for text in texts):
+            return "several"
+        return "one" if any("spin" in text for text in texts) else ""
+
+    @cached_property
+    def gate(self) -> str | None:
+        """Something of the tree that stops the robot by itself when commands fail to come, in a word."""
+        roles = (self.robot.launch.role(started).role for started in self.robot.launch.nodes)
+        if any(role in ("velocity filter", "safety") for role in roles):
+            return "a velocity filter"
+        kinds = ("params", "launch-python", "launch-xml", "launch-yaml")
+        found = (_GATES.search(source.text) for source in self.robot.of_kind(*kinds))
+        return next((match[0] for match in found if match is not None), None)
 
     def stopped_by(self, file: NodeSource) -> set[str]:
         """The signals with which units stop a file that they start; empty when no unit does, or that is not known."""

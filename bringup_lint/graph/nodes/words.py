@@ -2,14 +2,60 @@
 
 from __future__ import annotations
 
+import re
+
+from bringup_lint.graph.nodes.callbacks import awaits_asyncio
+from bringup_lint.graph.nodes.callbacks import blocking
+from bringup_lint.graph.nodes.callbacks import deadlocks
+from bringup_lint.graph.nodes.callbacks import waits
 from bringup_lint.graph.nodes.commands import moves
 from bringup_lint.graph.nodes.edits import import_edits
+from bringup_lint.graph.nodes.edits import swap
+from bringup_lint.graph.nodes.names import dict_ranges
+from bringup_lint.graph.nodes.names import range_text
+from bringup_lint.graph.nodes.names import undefined
+from bringup_lint.graph.nodes.safe_state import commands
+from bringup_lint.graph.nodes.safe_state import fed_without_condition
+from bringup_lint.graph.nodes.safe_state import has_safe_state
+from bringup_lint.graph.nodes.safe_state import relays
+from bringup_lint.graph.nodes.safe_state import silenced
+from bringup_lint.graph.nodes.safe_state import uncovered_sigterm
 from bringup_lint.graph.nodes.stopping import doubles
 from bringup_lint.graph.nodes.stopping import starved
 from bringup_lint.graph.nodes.stopping import too_late
 from bringup_lint.graph.nodes.stopping import uncaught
 
-__all__ = ["doubles", "import_edits", "lowered", "moves", "starved", "too_late", "uncaught"]
+__all__ = [
+    "awaits_asyncio",
+    "blocking",
+    "commands",
+    "deadlocks",
+    "dict_ranges",
+    "doubles",
+    "fed_without_condition",
+    "has_safe_state",
+    "import_edits",
+    "lowered",
+    "moves",
+    "range_text",
+    "relays",
+    "silenced",
+    "starved",
+    "swap",
+    "too_late",
+    "uncaught",
+    "uncovered_sigterm",
+    "undefined",
+    "valid_node_name",
+    "waits",
+]
+
+_NODE_NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,254}\Z")
+
+
+def valid_node_name(name: str) -> bool:
+    """Whether rcl takes a node name (rmw, validate_node_name.c)."""
+    return bool(_NODE_NAME.match(name))
 
 
 def lowered(purpose: str, severity: str) -> str:

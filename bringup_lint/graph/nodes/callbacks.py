@@ -1,0 +1,290 @@
+"""What a node does while an executor waits for it: the code of its callbacks, and calls in it that block."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from bringup_lint.graph.nodes.sending import called
+from bringup_lint.graph.nodes.shutdown import Ending
+from bringup_lint.graph.nodes.stopping import handed
+from bringup_lint.graph.nodes.syntax import Syntax
+from bringup_lint.graph.nodes.syntax import body_of
+from bringup_lint.graph.nodes.syntax import own
+from bringup_lint.graph.nodes.syntax import own_calls
+from bringup_lint.model.node_source import Callback
+from bringup_lint.model.node_source import Group
+from bringup_lint.model.node_source import NodeClass
+
+DEPTH = 3
+SHORT = 0.1
+"""Seconds; a shorter sleep delays nothing that matters."""
+_PROGRAMS = frozenset(
+    {"subprocess.run", "subprocess.call", "subprocess.check_call", "subprocess.check_output", "os.system"}
+)
+_REQUESTS = frozenset(
+    f"requests.{verb}" for verb in ("get", "post", "put", "delete", "patch", "head", "options", "request")
+)
+_OPENS = frozenset({*_REQUESTS, "urllib.request.urlopen"})
+_SPINS = frozenset({"rclpy.spin", "rclpy.spin_until_future_complete"})
+_SERIAL_READS = frozenset({"read", "readline", "readlines", "read_until"})
+
+
+class Blocking(NamedTuple):
+    """A call in a callback that gives the executor nothing back for a while."""
+
+    callback: Callback
+    name: str
+    """The method or function that is the callback."""
+    call: ast.AST
+    what: str
+    """What it is, in words: ``time.sleep(2)``."""
+    how_long: str
+    """``for 2 s``, ``as long as the program runs``; empty when it waits for what the same executor must do."""
+    partner: Group | None = None
+    """The group of the callback that it waits for."""
+    nested: bool = False
+    """It runs the executor itself, so that only a shared group keeps its partner from running."""
+
+
+def code_of(ending: Ending, cls: NodeClass, callback: Callback) -> tuple[str, list[ast.AST]]:
+    """The name and the statements of a callback that stands in the file of its class."""
+    if callback.function is not None:
+        return "a lambda", [callback.function.body]
+    if callback.name is None:
+        return "", []
+    method = cls.methods.get(callback.name)
+    if method is not None:
+        return callback.name, body_of(method.node)
+    return callback.name, handed(ending, ast.Name(callback.name), None)
+
+
+def reached(syntax: Syntax, body: list[ast.AST], cls: NodeClass) -> Iterator[ast.AST]:
+    """The syntax that a callback runs: its own, and that of the methods and functions of the file that it calls."""
+    seen: set[int] = set()
+    todo = [(body, 0)]
+    while todo:
+        statements, depth = todo.pop()
+        for node in own(statements):
+            yield node
+            if isinstance(node, ast.Call) and depth < DEPTH and _is_plain(node):
+                for function, owner in called(syntax, node, cls):
+                    if id(function) not in seen and (owner is None or owner.source is cls.source):
+                        seen.add(id(function))
+                        todo.append((body_of(function), depth + 1))
+
+
+def _is_plain(call: ast.Call) -> bool:
+    """Whether a call is one of ``self`` or of a function, of which it is known what it runs."""
+    function = call.func
+    return isinstance(function, ast.Name) or (
+        isinstance(function, ast.Attribute) and isinstance(function.value, ast.Name) and function.value.id == "self"
+    )
+
+
+def deadlocks(found: Blocking, threads: str) -> bool:
+    """Whether what a call waits for can surely never run, as tried with rclpy (Jazzy)."""
+    ours, theirs = found.callback.group, found.partner
+    if found.what.endswith(".sleep()"):
+        return threads == "one"
+    shared = ours == theirs and (ours is None or ours.reentrant is False)
+    return shared if found.nested or threads != "one" else True
+
+
+def blocking(ending: Ending, cls: NodeClass) -> Iterator[Blocking]:
+    """The calls that block in the callbacks of a class."""
+    seen: set[int] = set()
+    for callback in cls.callbacks:
+        if callback.role == "shutdown":
+            continue
+        name, body = code_of(ending, cls, callback)
+        for node in reached(ending.syntax, body, cls):
+            if id(node) in seen:
+                continue
+            found = _blocks(ending, node, cls)
+            if found is not None:
+                seen.add(id(node))
+                clients = [each for each in cls.all_endpoints if each.role.endswith("client")]
+                nested = found[0].startswith("rclpy.spin")
+                if nested and not any(each.callback_group is None for each in clients):
+                    continue
+                kept = [each for each in clients if found[0] == f"{each.attribute}.call()"]
+                partner = kept[0].callback_group if kept else None
+                yield Blocking(callback, name, node, *found, partner, nested)
+
+
+def _blocks(ending: Ending, node: ast.AST, cls: NodeClass) -> tuple[str, str] | None:
+    if isinstance(node, ast.While):
+        return ("'while True'", "for ever") if _never_ends(node) else None
+    if not isinstance(node, ast.Call) or any(isinstance(above, ast.Await) for above, _ in _next(ending, node)):
+        return None
+    name = ending.syntax.qualified(node)
+    if name == "time.sleep":
+        return _sleep(ending, node)
+    if name in _PROGRAMS and not _has(node, "timeout"):
+        return name, "as long as the program runs"
+    if name in _OPENS:
+        return _open(ending, node, name)
+    if name in _SPINS and _is_of(node, cls):
+        return f"{name}(self)", _timeout(ending, node, 2)
+    if isinstance(node.func, ast.Name) and node.func.id == "input" and ending.file.imports.get("input") is None:
+        return "input()", "until somebody types"
+    if isinstance(node.func, ast.Attribute) and isinstance(node.func.value, ast.Attribute):
+        return _method(ending, node, node.func.value, cls)
+    return None
+
+
+def _next(ending: Ending, node: ast.AST) -> list[tuple[ast.AST, str]]:
+    first = next(ending.syntax.above(node), None)
+    return [first] if first is not None else []
+
+
+def _sleep(ending: Ending, call: ast.Call) -> tuple[str, str] | None:
+    seconds = ending.file.constant(call.args[0], ending.syntax.function(call)) if len(call.args) == 1 else None
+    if not isinstance(seconds, (int, float)) or isinstance(seconds, bool):
+        return None
+    loops = [above for above, _ in ending.syntax.within(call) if isinstance(above, (ast.For, ast.While))]
+    turns = _turns(ending, loops[0]) if len(loops) == 1 else None
+    total = seconds * turns if turns is not None else seconds
+    if total < SHORT:
+        return None
+    each_turn = " a turn of its loop" if loops and turns is None else ""
+    return f"time.sleep({seconds:g})", f"for {total:g} s{each_turn}"
+
+
+def _turns(ending: Ending, loop: ast.For | ast.While) -> int | None:
+    """How often a ``for ... in range(n)`` runs."""
+    given = loop.iter if isinstance(loop, ast.For) else None
+    if not isinstance(given, ast.Call) or not isinstance(given.func, ast.Name) or given.func.id != "range":
+        return None
+    number = ending.file.constant(given.args[0], ending.syntax.function(loop)) if len(given.args) == 1 else None
+    return number if isinstance(number, int) else None
+
+
+def _timeout(ending: Ending, call: ast.Call, index: int) -> str:
+    """How long a call with a time-out lasts; empty when it has none."""
+    given = call.args[index] if len(call.args) > index else None
+    given = next((each.value for each in call.keywords if each.arg == "timeout_sec"), given)
+    if given is None:
+        return ""
+    seconds = ending.file.constant(given, ending.syntax.function(call))
+    return f"for {seconds:g} s" if isinstance(seconds, (int, float)) else "until its time-out"
+
+
+def _open(ending: Ending, call: ast.Call, name: str) -> tuple[str, str]:
+    given = next((each.value for each in call.keywords if each.arg == "timeout"), None)
+    seconds = ending.file.constant(given, ending.syntax.function(call)) if given is not None else None
+    if isinstance(seconds, (int, float)):
+        return name, f"for up to {seconds:g} s"
+    return name, "until the other side answers" if given is not None else "for ever when the other side is silent"
+
+
+def _has(call: ast.Call, keyword: str) -> bool:
+    return any(each.arg in (keyword, None) for each in call.keywords)
+
+
+def _is_of(call: ast.Call, cls: NodeClass) -> bool:
+    return bool(call.args) and isinstance(call.args[0], ast.Name) and call.args[0].id == "self" and cls.name is not None
+
+
+def _method(ending: Ending, call: ast.Call, owner: ast.Attribute, cls: NodeClass) -> tuple[str, str] | None:
+    """``self.x.method()``."""
+    if not isinstance(owner.value, ast.Name) or owner.value.id != "self":
+        return None
+    kept, name = f"self.{owner.attr}", call.func.attr
+    clients = [each for each in cls.all_endpoints if each.role == "client" and each.attribute == kept]
+    if name == "call" and clients:
+        return f"{kept}.call()", _timeout(ending, call, 1)
+    if name == "sleep" and not call.args and _is_rate(ending, owner.attr):
+        return f"{kept}.sleep()", ""
+    if name in _SERIAL_READS and _waits_for_ever(ending, owner, call):
+        return f"{kept}.{name}()", "until a byte comes"
+    return None
+
+
+def _is_rate(ending: Ending, attribute: str) -> bool:
+    """Whether an attribute is a Rate of the node, whose timer the same executor must run."""
+    for call in ending.syntax.calls:
+        if isinstance(call.func, ast.Attribute) and call.func.attr == "create_rate":
+            for above, _ in _next(ending, call):
+                targets = above.targets if isinstance(above, ast.Assign) else []
+                return any(isinstance(each, ast.Attribute) and each.attr == attribute for each in targets)
+    return False
+
+
+def _waits_for_ever(ending: Ending, owner: ast.Attribute, call: ast.Call) -> bool:
+    """Whether an attribute is a serial port that was opened without a time-out."""
+    if (
+        ending.file.named(owner, ending.syntax.function(call)) != "serial.Serial"
+        or "in_waiting" in ending.file.source.text
+    ):
+        return False
+    made = [each for each in ending.syntax.calls if ending.syntax.qualified(each) == "serial.Serial"]
+    text = ending.file.source.text
+    return len(made) == 1 and len(made[0].args) < 7 and not _has(made[0], "timeout") and ".timeout" not in text
+
+
+def _never_ends(node: ast.While) -> bool:
+    if not isinstance(node.test, ast.Constant) or not node.test.value:
+        return False
+    leaves = (ast.Break, ast.Return, ast.Raise, ast.Await, ast.Yield, ast.YieldFrom)
+    exits = [call for call in own_calls(node.body) if isinstance(call.func, ast.Attribute) and call.func.attr == "exit"]
+    return not exits and not any(isinstance(each, leaves) for each in own(node.body))
+
+
+def awaits_asyncio(ending: Ending, cls: NodeClass) -> Iterator[tuple[Callback, str, ast.Call, str]]:
+    """``await asyncio.sleep(...)`` and the like in callbacks: callback, its name, the call, the function's name."""
+    if any((ending.syntax.qualified(call) or "") in _LOOPS for call in ending.syntax.calls):
+        return
+    seen: set[int] = set()
+    for callback in cls.callbacks:
+        name, body = code_of(ending, cls, callback)
+        for node in reached(ending.syntax, body, cls):
+            if not isinstance(node, ast.Await) or not isinstance(node.value, ast.Call) or id(node) in seen:
+                continue
+            wanted = ending.syntax.qualified(node.value) or ""
+            if wanted in _NEED_A_LOOP and not _is_zero(node.value):
+                seen.add(id(node))
+                yield callback, name, node.value, wanted
+
+
+_NEED_A_LOOP = frozenset(
+    f"asyncio.{name}" for name in ("sleep", "gather", "wait", "wait_for", "to_thread", "create_task")
+)
+_LOOPS = frozenset(
+    f"asyncio.{name}"
+    for name in ("run", "get_event_loop", "new_event_loop", "set_event_loop", "Runner", "ensure_future")
+)
+
+
+def _is_zero(call: ast.Call) -> bool:
+    return bool(call.args) and isinstance(call.args[0], ast.Constant) and call.args[0].value == 0
+
+
+class Waiting(NamedTuple):
+    """``wait_for_service()`` or ``wait_for_server()`` without a time-out, in the constructor or in a callback."""
+
+    call: ast.Call
+    service: str | None
+    where: str
+
+
+def waits(ending: Ending, cls: NodeClass) -> Iterator[Waiting]:
+    """The waits for a service that may last for ever."""
+    init = cls.methods.get("__init__")
+    places = [("__init__", body_of(init.node))] if init is not None else []
+    places += [code_of(ending, cls, callback) for callback in cls.callbacks]
+    seen: set[int] = set()
+    for where, body in places:
+        for node in reached(ending.syntax, body, cls):
+            if not isinstance(node, ast.Call) or node.args or node.keywords or id(node) in seen:
+                continue
+            function = node.func
+            if not isinstance(function, ast.Attribute) or function.attr not in ("wait_for_service", "wait_for_server"):
+                continue
+            kept = ast.unparse(function.value)
+            found = [each for each in cls.all_endpoints if each.attribute == kept and each.role.endswith("client")]
+            if found:
+                seen.add(id(node))
+                yield Waiting(node, found[0].name, where)

@@ -1,0 +1,137 @@
+"""Whether a node that moves something stops it when it ends."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from bringup_lint.graph.nodes.commands import moves
+from bringup_lint.graph.nodes.sending import published
+from bringup_lint.graph.nodes.sending import sendings
+from bringup_lint.graph.nodes.shutdown import Ending
+from bringup_lint.graph.nodes.stopping import is_on_shutdown
+from bringup_lint.graph.nodes.syntax import Syntax
+from bringup_lint.graph.nodes.syntax import body_of
+from bringup_lint.graph.nodes.syntax import own_calls
+from bringup_lint.model.node_source import Endpoint
+from bringup_lint.model.node_source import Function
+from bringup_lint.model.node_source import NodeClass
+
+_ENDS = ("on_deactivate", "on_shutdown", "on_cleanup", "on_error", "destroy_node", "__del__", "__exit__")
+_STOP_WORDS = re.compile(r"stop|zero|halt|brake|safe|estop|e_stop|disable|disarm|idle|shutdown|cleanup|close", re.I)
+
+
+def commands(node: NodeClass) -> list[Endpoint]:
+    """The publishers of a node that move something."""
+    return [each for each in node.all_endpoints if each.role == "publisher" and moves(each)]
+
+
+def relays(node: NodeClass) -> bool:
+    """Whether a node passes commands on that it gets from another one."""
+    wanted = {each.type for each in commands(node)}
+    heard = [each for each in node.all_endpoints if each.role == "subscription"]
+    return any(each.type in wanted or moves(each) for each in heard)
+
+
+def has_safe_state(ending: Ending, nodes: list[NodeClass]) -> bool:
+    """Whether a file does anything at the end that could be a stop command, well or badly."""
+    if ending.handlers or any(is_on_shutdown(call) for call in ending.syntax.calls):
+        return True
+    if any(ending.syntax.qualified(call) == "atexit.register" for call in ending.syntax.calls):
+        return True
+    for node in nodes:
+        for name in _ENDS:
+            method = node.method(name)
+            if method is not None and _is_stop(ending.syntax, body_of(method.node), node):
+                return True
+    return any(_is_stop(ending.syntax, block, None) for block in _last_blocks(ending))
+
+
+def _last_blocks(ending: Ending) -> Iterator[list[ast.stmt]]:
+    """What runs when something else is over: ``finally``, ``except``, and the statements behind a spin."""
+    for node in ast.walk(ending.file.tree):
+        if isinstance(node, ast.Try):
+            yield node.finalbody
+            yield from (handler.body for handler in node.handlers)
+    for spin in ending.spins:
+        for outer, _ in ending.syntax.within(spin.call):
+            if isinstance(outer, ast.stmt):
+                yield ending.syntax.after(outer)
+
+
+def _is_stop(syntax: Syntax, block: list[ast.AST], cls: NodeClass | None) -> bool:
+    if next(sendings(syntax, block, cls), None) is not None:
+        return True
+    for call in own_calls(block):
+        name = call.func.attr if isinstance(call.func, ast.Attribute) else getattr(call.func, "id", "")
+        if name == "publish" or (_STOP_WORDS.search(name) and (syntax.qualified(call) or "")[:6] != "rclpy."):
+            return True
+    return False
+
+
+class Reordered(NamedTuple):
+    """``deactivate`` stands before ``publish`` in a transition of a lifecycle node."""
+
+    method: Function
+    deactivate: ast.stmt
+    publish: ast.stmt
+    endpoint: Endpoint
+
+
+def silenced(syntax: Syntax, node: NodeClass) -> Iterator[Reordered]:
+    """The messages that a lifecycle publisher drops, because it was deactivated before."""
+    for name in ("on_deactivate", "on_shutdown", "on_cleanup", "on_error"):
+        method = node.methods.get(name)
+        first: ast.stmt | None = None
+        for statement in method.node.body if method is not None else ():
+            sent = [each.endpoint for each in sendings(syntax, [statement], node)]
+            silent = [each for each in sent if each.lifecycle and first is not None and _covers(first, each)]
+            if silent:
+                yield Reordered(method, first, statement, silent[0])
+                break
+            if first is None and any(_deactivates(call) for call in own_calls([statement])):
+                if not isinstance(statement, (ast.Expr, ast.Assign)):
+                    break
+                first = statement
+
+
+def _deactivates(call: ast.Call) -> bool:
+    return isinstance(call.func, ast.Attribute) and call.func.attr == "on_deactivate"
+
+
+def _covers(statement: ast.stmt, endpoint: Endpoint) -> bool:
+    """Whether a deactivation is of the whole node, or of this publisher."""
+    for call in own_calls([statement]):
+        if _deactivates(call):
+            owner = call.func.value
+            return isinstance(owner, ast.Call) or ast.unparse(owner) == endpoint.attribute
+    return False
+
+
+def uncovered_sigterm(ending: Ending, nodes: list[NodeClass]) -> ast.Call | None:
+    """``rclpy.init`` with SignalHandlerOptions.NO and no handler: SIGTERM ends the process without any Python code."""
+    moving = any(commands(node) for node in nodes)
+    return ending.inits[0] if moving and ending.signals == "none" and not ending.handlers else None
+
+
+def fed_without_condition(syntax: Syntax, node: NodeClass) -> Iterator[tuple[ast.Call, str]]:
+    """``WATCHDOG=1`` sent from a timer of a node that nothing can keep from it: the call, and the callback."""
+    for callback in node.callbacks:
+        method = node.methods.get(callback.name or "")
+        if callback.role != "timer" or method is None:
+            continue
+        body = method.node.body
+        if any(isinstance(each, (ast.If, ast.Try, ast.Return, ast.While, ast.Match)) for each in body):
+            continue
+        for call in own_calls(body):
+            words = [each.value for each in ast.walk(call) if isinstance(each, ast.Constant)]
+            if any(isinstance(word, (str, bytes)) and "WATCHDOG=1" in str(word) for word in words):
+                if published(syntax, call, node) is None and not _conditional(syntax, call):
+                    yield call, str(callback.name)
+                    break
+
+
+def _conditional(syntax: Syntax, call: ast.Call) -> bool:
+    return any(isinstance(outer, (ast.If, ast.IfExp, ast.BoolOp)) for outer, _ in syntax.within(call))

@@ -1,0 +1,49 @@
+"""asyncio in a callback of rclpy.
+
+## What it finds
+`await asyncio.sleep(...)`, `gather`, `wait`, `wait_for` in a callback, in a file that runs no event loop of asyncio.
+
+## Why it matters on a robot
+rclpy's executors run coroutines themselves; there is no loop of asyncio. The await raises "no running event loop":
+the action aborts, or the node dies with the traceback of its callback.
+
+## Bad
+```python
+async def execute(self, goal):
+    await asyncio.sleep(1.0)
+```
+
+## Good
+```python
+async def execute(self, goal):
+    await self.arrived  # an rclpy Future that a timer or a subscription sets
+```
+
+## References
+- tried with rclpy 7.1 (Jazzy)
+- https://github.com/ros2/rclpy/issues/962
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import nodes
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["RuntimeError: no running event loop"])
+def asyncio_in_callback(robot: Robot):
+    for file, node in robot.nodes.with_callbacks:
+        for callback, name, call, function in nodes.awaits_asyncio(robot.nodes.ending(file), node):
+            yield finding(
+                file.span_of(call),
+                f"'RuntimeError: no running event loop': rclpy's executor runs {name}() without asyncio, "
+                f"{function} raises",
+                advice="await an rclpy Future that a timer completes, or use a Rate in another callback group",
+                related=[note(callback.span, f"{name} is the callback of {_article(callback.role)}")],
+                severity=nodes.lowered(robot.nodes.purpose(file.source), "error"),
+            )
+
+
+def _article(role: str) -> str:
+    return f"{'an' if role[0] == 'a' else 'a'} {role}"

@@ -1,0 +1,70 @@
+"""A callback that blocks stops the whole node.
+
+## What it finds
+Calls in a callback (also in the methods that it calls) that give nothing back to the executor: `time.sleep` of 0.1 s
+and more, `requests.*`, `subprocess.run` and its kin, `input()`, reads of a serial port without a time-out, `while
+True`, and those that wait for the executor itself: `client.call()`, `Rate.sleep()`,
+`rclpy.spin_until_future_complete(self, ...)`.
+
+## Why it matters on a robot
+An executor runs one callback after the other. While one blocks, no timer fires and no message is taken: the watchdog
+of cmd_vel does not run, stop commands wait in the queue. What waits for an answer that only the same executor can
+take waits for ever.
+
+## Bad
+```python
+def on_goal(self, message):
+    time.sleep(2.0)
+    self.pub.publish(self.stop)
+```
+
+## Good
+```python
+def on_goal(self, message):
+    self.later = self.create_timer(2.0, self.halt)
+```
+
+## References
+- https://docs.ros.org/en/jazzy/How-To-Guides/Sync-Vs-Async.html
+- https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Executors.html
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import nodes
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+WORK = ("subscription", "timer", "service", "action", "client")
+
+
+@rule("warning", tags=["CWE-833"])
+def blocking_in_callback(robot: Robot):
+    for file, node in robot.nodes.with_callbacks:
+        threads = robot.nodes.threads(node)
+        for found in nodes.blocking(robot.nodes.ending(file), node):
+            callback = found.callback
+            shared = [each for each in node.callbacks if each.role in WORK and each.name != callback.name]
+            if threads == "several":
+                shared = [each for each in shared if each.group == callback.group]
+                if found.how_long and callback.group is not None and callback.group.reentrant is not False:
+                    continue
+            stuck = nodes.deadlocks(found, threads)
+            if not shared if found.how_long and not found.nested else not stuck:
+                continue
+            others = f"{len(shared)} other callback{'s' if len(shared) > 1 else ''}"
+            where = f"{found.name}()" if callback.function is None else found.name
+            message = f"{found.what} in {where} stops the node's {others} {found.how_long}"
+            if not found.how_long:
+                message = f"{found.what} in {where} waits for ever: only the executor that it blocks could end it"
+            yield finding(
+                file.span_of(found.call) if found.how_long != "for ever" else file.span_of(found.call.test),
+                message,
+                advice="use a timer, call_async with add_done_callback, or a thread of its own",
+                related=[
+                    note(callback.span, f"{found.name} is the callback of a {callback.role}"),
+                    *(note(each.span, "does not run meanwhile") for each in shared[:3]),
+                ],
+                severity=nodes.lowered(robot.nodes.purpose(file.source), "warning"),
+                confidence="high" if threads == "one" else "medium",
+            )

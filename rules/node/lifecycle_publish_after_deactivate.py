@@ -1,0 +1,55 @@
+"""A lifecycle node deactivates its publisher before it publishes the stop command.
+
+## What it finds
+In `on_deactivate`, `on_shutdown`, `on_cleanup` or `on_error`: `super().on_deactivate()`, or `on_deactivate()` of a
+lifecycle publisher, and a message on that publisher after it.
+
+## Why it matters on a robot
+A lifecycle publisher that is not active drops its messages without a word. The code shows a stop command, and the
+motors keep their last velocity.
+
+## Bad
+```python
+def on_deactivate(self, state):
+    super().on_deactivate(state)
+    self.pub.publish(Twist())
+    return TransitionCallbackReturn.SUCCESS
+```
+
+## Good
+```python
+def on_deactivate(self, state):
+    self.pub.publish(Twist())
+    return super().on_deactivate(state)
+```
+
+## References
+- tried with rclpy 7.1 (Jazzy)
+- https://design.ros2.org/articles/node_lifecycle.html
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import nodes
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning", fix="safe")
+def lifecycle_publish_after_deactivate(robot: Robot):
+    for file, node in robot.nodes.with_callbacks:
+        for found in nodes.silenced(robot.nodes.syntax(file), node) if node.is_lifecycle else ():
+            place = file.span_of(found.publish)
+            moving = nodes.moves(found.endpoint)
+            yield finding(
+                place,
+                "The message is dropped silently, its publisher is not active any more"
+                + (": the motors keep moving" if moving else ""),
+                advice="publish first, then deactivate",
+                related=[
+                    note(file.span_of(found.deactivate), "deactivated here"),
+                    note(found.endpoint.span, "a lifecycle publisher"),
+                ],
+                fix=nodes.swap(file, found.deactivate, found.publish),
+                severity=nodes.lowered(robot.nodes.purpose(file.source), "warning"),
+            )

@@ -1,0 +1,48 @@
+"""The name that a node gives itself is not valid.
+
+## What it finds
+A literal name in the constructor of a node that rcl refuses: a `-`, a dot, a blank or another sign than letters,
+digits and underscores, a digit at the beginning, an empty name, or more than 255 signs.
+
+## Why it matters on a robot
+The node ends when it is made, whatever name a launch file gives it.
+
+## Bad
+```python
+super().__init__('front-lidar')
+```
+
+## Good
+```python
+super().__init__('front_lidar')
+```
+
+## References
+- rclpy.validate_node_name; rmw, validate_node_name.c
+"""
+
+import re
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import nodes
+from bringup_lint.api import rule
+
+
+@rule("error", fix="unsafe", symptoms=["rclpy.exceptions.InvalidNodeNameException: Invalid node name"])
+def node_name_invalid(robot: Robot):
+    for file, node in robot.nodes.with_callbacks:
+        name = node.node_name
+        if name is None or nodes.valid_node_name(name) or name.span.source is not file.source:
+            continue
+        better = re.sub(r"[^A-Za-z0-9_]", "_", name.strip("/ "))
+        better = f"_{better}" if better[:1].isdigit() else better
+        valid = nodes.valid_node_name(better)
+        change = fix(f"write '{better}'", (name, better), safe=False)
+        yield finding(
+            name,
+            f"'{name}' is not a valid node name: the node does not start",
+            advice=f"write '{better}'" if valid else "use letters, digits and underscores",
+            fix=change if valid and name and name.span.text == name else None,
+        )

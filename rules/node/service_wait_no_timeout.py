@@ -1,0 +1,45 @@
+"""The node waits for a service without end and without a word.
+
+## What it finds
+`wait_for_service()` or `wait_for_server()` without a time-out in the constructor of a node or in a callback.
+
+## Why it matters on a robot
+When the other node does not come up, or has another name or domain, this one hangs: its process is there, `ros2 node
+list` shows it, no log line says what it waits for, and no timer or stop command of it runs.
+
+## Bad
+```python
+self.dock = self.create_client(Trigger, 'dock')
+self.dock.wait_for_service()
+```
+
+## Good
+```python
+while not self.dock.wait_for_service(timeout_sec=2.0):
+    self.get_logger().warning('waiting for the service dock')
+```
+
+## References
+- https://docs.ros.org/en/jazzy/p/rclpy/, rclpy.client.Client.wait_for_service
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import nodes
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning")
+def service_wait_no_timeout(robot: Robot):
+    for file, node in robot.nodes.with_callbacks:
+        for call, service, where in nodes.waits(robot.nodes.ending(file), node):
+            what = f"'{service}'" if service else "the service"
+            yield finding(
+                file.span_of(call),
+                f"If {what} never appears, the node hangs "
+                + ("at start without any message" if where == "__init__" else f"in {where}() without any message"),
+                advice="wait with timeout_sec= in a loop that logs what it waits for",
+                related=[note(service, "declared here")] if service is not None else [],
+                severity=nodes.lowered(robot.nodes.purpose(file.source), "warning"),
+            )

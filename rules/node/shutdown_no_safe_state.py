@@ -1,0 +1,83 @@
+"""A node that moves the robot ends without a stop command.
+
+## What it finds
+A program with a node that publishes velocities or efforts (`cmd_vel`, `*_command`, ...) and that does nothing when it
+ends: no `finally` or `except` that publishes, no signal handler, no `on_deactivate` or `on_shutdown` that publishes.
+Also one that leaves SIGTERM to the operating system (`SignalHandlerOptions.NO` without a handler). Where a mux,
+smoother or controller with a time-out of its own is in the tree, or the node only passes on commands, it is a remark
+(info).
+
+## Why it matters on a robot
+A motor controller that gets no message keeps the last one. When the unit is stopped or the node crashes, the robot
+drives on with its last velocity, until something stops it.
+
+## Bad
+```python
+rclpy.init()
+rclpy.spin(Drive())
+```
+
+## Good
+```python
+rclpy.init(signal_handler_options=SignalHandlerOptions.NO)
+signal.signal(signal.SIGTERM, signal.default_int_handler)
+node = Drive()  # with a timer
+try:
+    rclpy.spin(node)
+except KeyboardInterrupt:
+    pass
+finally:
+    node.publish_zero()
+    node.destroy_node()
+    rclpy.try_shutdown()
+```
+
+## References
+- tried with rclpy 7.1 (Jazzy)
+- https://control.ros.org/jazzy/doc/ros2_controllers/diff_drive_controller/doc/userdoc.html, cmd_vel_timeout
+"""
+
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import nodes
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+ADVICE = (
+    "init with SignalHandlerOptions.NO, turn SIGTERM into KeyboardInterrupt, publish zero in a finally around "
+    "the spin, and let the motor controller time out"
+)
+
+
+@rule("warning", confidence="medium", tags=["CWE-404"])
+def shutdown_no_safe_state(robot: Robot):
+    for file in robot.nodes.programs:
+        ending = robot.nodes.ending(file)
+        made = [node for node in robot.nodes.made(file) if nodes.commands(node)]
+        if not made or not ending.spins or ending.signals is None:
+            continue
+        init = nodes.uncovered_sigterm(ending, made)
+        if init is None and nodes.has_safe_state(ending, made):
+            continue
+        gentle = robot.nodes.stopped_by(file) == {"SIGINT"}
+        if init is not None and gentle:
+            continue
+        command = nodes.commands(made[0])[0]
+        place = file.span_of(init) if init is not None else command.span
+        message = "The node ends without a stop command: what it drives keeps its last velocity"
+        if init is not None:
+            message = "SIGTERM ends the node at once, no finally runs: what it drives keeps its last velocity"
+        calm = robot.nodes.gate is not None or all(nodes.relays(node) for node in made) or made[0].is_lifecycle
+        yield finding(
+            place,
+            message,
+            advice=ADVICE,
+            related=[
+                note(file.span_of(ending.spins[0].call), "behind this spin nothing stops it"),
+                *([note(command.span, f"publishes {command.name}")] if init is not None else []),
+                *(note(unit.where, f"{unit.name} stops it") for unit in robot.nodes.units(file)),
+            ],
+            chain=robot.nodes.way(file, note(place, "no stop command")),
+            severity="info" if calm else nodes.lowered(robot.nodes.purpose(file.source), "warning"),
+            confidence="medium",
+        )
