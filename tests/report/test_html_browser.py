@@ -196,10 +196,12 @@ def test_keyboard_walks_from_node_to_node(opened) -> None:
     assert walked[-1] in ("/cmd_vel", "enp2s0")
     tab.keyboard.press("Enter")
     assert nodes(tab, ".chosen") == [walked[-1]]
+    assert tab.evaluate("document.activeElement.matches('.node.chosen')")
     for _ in range(12):
         tab.keyboard.press("ArrowLeft")
     for _ in range(3):
         tab.keyboard.press("ArrowUp")
+    assert tab.evaluate("document.activeElement.matches('.node')")
     assert tab.evaluate(label) == "network.target"
 
 

@@ -207,8 +207,15 @@ function light(pointed) {
     box.classList.toggle("found", Boolean(found?.has(index)));
   });
   drawn.lines.forEach((line, index) => line.classList.toggle("lit", lines.has(index)));
-  if (chosen && boxes.size <= FEW) boxes.forEach((index) => drawn.boxes[index].parentNode.append(drawn.boxes[index]));
+  if (chosen && boxes.size <= FEW) raise([...boxes].map((index) => drawn.boxes[index]));
   return found;
+}
+
+/* Draws boxes above the others; to move an element takes the keyboard from it. */
+function raise(boxes) {
+  const held = document.activeElement;
+  boxes.forEach((box) => box.parentNode.append(box));
+  if (held !== document.activeElement) held.focus({ preventScroll: true });
 }
 
 /* The boxes and lines that hold a finding. */
