@@ -82,6 +82,7 @@ def test_wheel_carries_the_rules_and_no_top_level_rules(repository: Path, tmp_pa
     (wheel,) = tmp_path.glob("*.whl")
     names = zipfile.ZipFile(wheel).namelist()
     assert "bringup_lint/rules/lint/encoding.py" in names
+    assert "bringup_lint/report/html/page.html" in names
     assert not [name for name in names if name.startswith(("rules/", "tests/", "fixtures/"))]
     command = environment(tmp_path / "env", wheel)
     assert rules_of(command, robot) == RULES

@@ -10,6 +10,7 @@ function choose(chosen, jump = true) {
   if (chosen?.finding !== undefined) byId(`finding-${chosen.finding}`)?.classList.add("chosen");
   if (!jump || !chosen) return;
   if (chosen.node !== undefined) bring([drawn.boxOf.get(chosen.node)]);
+  else if (chosen.link !== undefined) bring([drawn.links[chosen.link].from, drawn.links[chosen.link].to]);
   else if (chosen.finding !== undefined) {
     const { boxes, lines } = holders(chosen.finding);
     bring([...boxes, ...lines.flatMap((index) => [drawn.links[index].from, drawn.links[index].to])]);

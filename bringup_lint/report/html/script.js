@@ -29,7 +29,11 @@ function setUpLegend() {
     const sample = make("svg", { class: "sample", viewBox: "0 0 26 8", "aria-hidden": "true" }, make("path", { class: "line", "data-kind": kind, d: "M0 4h26" }));
     return make("label", {}, box, sample, kind, make("i", {}, String(data.edges.filter((edge) => edge.kind === kind).length)));
   }));
-  pane.querySelector(".legend").hidden = !kinds.length;
+  const marks = SEVERITIES.filter((severity) => data.findings.some((finding) => finding.severity === severity)).reverse();
+  const ranked = data.nodes.some((node) => node.rank != null);
+  pane.querySelector(".marks").append(...marks.map((severity) => make("span", {}, icon(severity), severity)),
+    ...(ranked ? [make("span", {}, make("b", {}, "2"), "step of the boot")] : []));
+  pane.querySelector(".legend").hidden = !kinds.length && !marks.length;
 }
 
 byId("in").addEventListener("click", () => zoom(1.25));
