@@ -21,6 +21,7 @@ from bringup_lint.graph.topics.names import expand
 from bringup_lint.graph.topics.names import full_complaint
 from bringup_lint.graph.topics.remapping import remap
 from bringup_lint.graph.topics.remapping import remapping
+from bringup_lint.graph.topics.together import together as meets
 from bringup_lint.graph.variants import together
 from bringup_lint.parsers import cpp_node
 from bringup_lint.parsers import rviz
@@ -316,3 +317,28 @@ def test_services_of_different_domains_do_not_meet(tmp_path: Path) -> None:
     text = COMPOSE.replace("wire.launch.py\n", "wire.launch.py\n    environment: {ROS_DOMAIN_ID: '1'}\n")
     robot = robot_of((tmp_path / "compose.yaml", f"{text}    environment: {{ROS_DOMAIN_ID: '2'}}\n"))
     assert [len(running.nodes) for running in robot.topics.runs] == [1, 2]
+
+
+MEETING = """
+from launch import LaunchDescription
+from launch.actions import RegisterEventHandler
+from launch.event_handlers import OnProcessExit
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    first = Node(package="joy", executable="joy_node", name="first")
+    then = Node(package="joy", executable="joy_node", name="then")
+    far = Node(package="joy", executable="joy_node", name="far", additional_env={"ROS_DOMAIN_ID": "5"})
+    late = RegisterEventHandler(OnProcessExit(target_action=first, on_exit=[then]))
+    return LaunchDescription([first, Node(package="joy", executable="joy_node", name="beside"), late, far])
+"""
+
+
+def test_who_meets(tmp_path: Path) -> None:
+    robot = robot_of((tmp_path / "joy.launch.py", MEETING))
+    nodes = {node.name: node for node in robot.topics.entries[0].nodes}
+    assert meets(nodes["first"], nodes["beside"])
+    assert meets(nodes["then"], nodes["beside"])
+    assert not meets(nodes["first"], nodes["then"])
+    assert not meets(nodes["first"], nodes["far"])

@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from itertools import combinations
 from typing import TYPE_CHECKING
 
-from bringup_lint.graph.launch.started import exclusive
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.topics.names import tail
+from bringup_lint.graph.topics.together import together
 from bringup_lint.graph.topics.use import LaunchedNode
 from bringup_lint.graph.topics.use import Running
 from bringup_lint.graph.topics.use import Use
@@ -68,7 +68,7 @@ def rivals(running: Running) -> Iterator[list[Use]]:
             if use.role == "publisher" and is_velocity(topic, use.type) and sure:
                 found.setdefault(_who(use.node), use)
         several = list(found.values())
-        apart = any(exclusive(one.node.started, other.node.started) for one, other in combinations(several, 2))
+        apart = not all(together(one.node, other.node) for one, other in combinations(several, 2))
         if len(several) > 1 and not apart and not any(is_gate(use.node) for use in several):
             yield several
         elif not apart and (past := _past_the_gate(several)):

@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.graph.launch.expand import Expansion
 from bringup_lint.graph.launch.started import Started
-from bringup_lint.graph.launch.started import exclusive
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.topics import names
 from bringup_lint.graph.topics.code import Code
@@ -21,6 +20,7 @@ from bringup_lint.graph.topics.cpp_code import CppCode
 from bringup_lint.graph.topics.launched import launched
 from bringup_lint.graph.topics.rviz import Displays
 from bringup_lint.graph.topics.systems import systems
+from bringup_lint.graph.topics.together import together
 from bringup_lint.graph.topics.use import LaunchedNode
 from bringup_lint.graph.topics.use import Pair
 from bringup_lint.graph.topics.use import Running
@@ -177,12 +177,6 @@ class Topics:
 
 def _places(*uses: Use) -> tuple:
     return tuple((id(use.where.source), use.where.start, use.topic) for use in uses)
-
-
-def together(one: LaunchedNode, other: LaunchedNode) -> bool:
-    """Whether two nodes both start when no argument is passed."""
-    both = one.started.by_default is True and other.started.by_default is True
-    return one is other or (both and not exclusive(one.started, other.started))
 
 
 def load_topics(robot: Robot) -> Topics:
