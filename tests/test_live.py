@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import re
 import signal
 import subprocess
@@ -11,6 +12,9 @@ import time
 from pathlib import Path
 
 import pytest
+from hypothesis import given
+from hypothesis import settings
+from hypothesis import strategies as st
 
 from bringup_lint.cli.live import command
 from bringup_lint.live import observe
@@ -76,6 +80,18 @@ def test_without_rclpy_it_says_how_to_get_it(stub: Path) -> None:
     )
 
 
+def test_the_python_of_a_sourced_ros_is_tried_too(stub: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    stub.write_text("raise ModuleNotFoundError(\"No module named 'rclpy'\")\n")
+    python = stub.parent / "bin/python3"
+    python.parent.mkdir()
+    python.write_text(f"#!/bin/sh\nprintf '%s\\n' '{observe.MARK}{json.dumps({**SEEN, 'states': {}})}'\n")
+    python.chmod(0o755)
+    monkeypatch.setenv("PATH", f"{python.parent}:{os.environ['PATH']}")
+    run = lint("live", "--save", "graph.yaml", cwd=stub.parent / "tree")
+    assert run.code == 0, run.stderr
+    assert "- {name: /a, enclave: /}\n" in (stub.parent / "tree/graph.yaml").read_text()
+
+
 def test_a_broken_middleware_is_told_in_one_line(stub: Path) -> None:
     stub.write_text("raise RuntimeError('librmw_example.so: cannot open shared object file')\n")
     run = lint("live", cwd=stub.parent / "tree")
@@ -130,6 +146,35 @@ def test_what_was_seen_is_read_again() -> None:
     assert (qos.reliability, qos.durability, qos.deadline) == ("RELIABLE", "VOLATILE", 0.5)
     assert (qos.liveliness, qos.lease) == ("AUTOMATIC", INFINITE)
     assert [(domain, [node.name for node in nodes]) for domain, nodes in living.elsewhere] == [(0, ["/b"])]
+
+
+@given(
+    st.lists(st.tuples(st.text(), st.text()), max_size=4),
+    st.lists(st.tuples(st.text(), st.text(), st.text(), st.sampled_from((None, 0.25, 1e6))), max_size=4),
+)
+@settings(max_examples=100, deadline=None)
+def test_whatever_names_are_on_the_network_they_are_read_as_they_are(
+    nodes: list[tuple[str, str]], ends: list[tuple[str, str, str, float | None]]
+) -> None:
+    qos = {"reliability": "best_effort", "durability": "volatile", "liveliness": "automatic", "lease": None}
+    endpoints = [
+        {"topic": topic, "role": "subscription", "node": node, "type": type_, "qos": {**qos, "deadline": deadline}}
+        for topic, node, type_, deadline in ends
+    ]
+    text = graph_text({**SEEN, "nodes": nodes, "states": {}, "endpoints": endpoints}, [], "", False)
+    living = parse(Source("graph.yaml", text))
+    assert living.problems == ()
+    assert [(node.name, node.enclave) for node in living.nodes] == nodes
+    read = [(end.topic, end.node, end.type, end.qos.deadline) for end in living.endpoints]
+    assert read == [(*names, INFINITE if deadline is None else deadline) for *names, deadline in ends]
+
+
+@given(
+    st.text() | st.from_regex(r"domain: [0-9]\n(nodes|endpoints|elsewhere):(\n- [a-z{}:,\[\] /]*)*\n", fullmatch=True)
+)
+@settings(max_examples=100, deadline=None)
+def test_no_text_makes_the_reader_raise(text: str) -> None:
+    parse(Source("graph.yaml", text))
 
 
 @pytest.mark.parametrize("text", ["", "[]", "nodes: []\n", "domain: many\n", "domain: [\n"])

@@ -97,6 +97,8 @@ def _compare(outputs: list[Output], paths: tuple[str, ...], options: dict[str, A
     robot.launch_commands = options["launched"]
     _known(robot)
     robot.join(loaded(options["load"]) if options["load"] else seen(robot, options))
+    if robot.living.seen.problems:
+        raise ConfigError(f"{options['load']}: not a graph that bringup-lint live --save wrote")
     _tell(robot)
     outcome = run(robot, Registry.of(), config, ignores=not options["no_ignores"])
     return deliver(outcome, robot, config, started, outputs, options)
@@ -118,17 +120,13 @@ def _known(robot: Robot) -> None:
 
 
 def loaded(path: str) -> Source:
-    """A graph that was saved. Raises ConfigError when the file holds none."""
-    from bringup_lint.parsers.living import parse
+    """A graph that was saved. Raises ConfigError when the file cannot be read."""
     from bringup_lint.source import Source
 
     try:
-        source = Source(path, Path(path).read_text("utf-8", errors="replace"), KIND)
+        return Source(path, Path(path).read_text("utf-8", errors="replace"), KIND)
     except OSError as error:
         raise ConfigError(f"{path}: {error.strerror}") from error
-    if parse(source).problems:
-        raise ConfigError(f"{path}: not a graph that bringup-lint live --save wrote")
-    return source
 
 
 def seen(robot: Robot, options: dict[str, Any]) -> Source:

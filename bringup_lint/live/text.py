@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import re
 from collections.abc import Iterable
 from collections.abc import Iterator
@@ -56,5 +55,12 @@ def _scalar(value: Any) -> str:
     """Names on the network may be anything; what is not a plain name is quoted."""
     if isinstance(value, str):
         plain = _PLAIN.fullmatch(value) and value.lower() not in _WORDS
-        return value if plain else json.dumps(value)
+        return value if plain else '"' + "".join(map(_escaped, value)) + '"'
     return f"{value:g}"
+
+
+def _escaped(char: str) -> str:
+    code = ord(char)
+    if 0xD800 <= code < 0xE000:
+        return "\\uFFFD"
+    return char if " " <= char <= "~" and char not in '"\\' else f"\\U{code:08X}"

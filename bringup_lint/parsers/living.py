@@ -10,10 +10,12 @@ from bringup_lint.model.living import RunningNode
 from bringup_lint.model.node_source import INFINITE
 from bringup_lint.model.node_source import Qos
 from bringup_lint.model.yaml_node import Mapping
+from bringup_lint.model.yaml_node import Scalar
 from bringup_lint.parsers import yaml_nodes
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
+from bringup_lint.source import Span
 
 KIND = "living-graph"
 
@@ -54,31 +56,37 @@ def _items(mapping: Mapping, key: str) -> Iterator[Mapping]:
             yield item
 
 
+def _values(item: Mapping) -> dict[str, Located]:
+    found = ((str(key.value), value) for key, value in item.entries)
+    return {key: value.value for key, value in found if isinstance(value, Scalar) and not value.is_null}
+
+
 def _nodes(mapping: Mapping) -> Iterator[RunningNode]:
     for item in _items(mapping, "nodes"):
-        name = _text(item, "name")
-        if name is not None:
-            yield RunningNode(name, _text(item, "enclave"), _text(item, "state"))
+        values = _values(item)
+        if "name" in values:
+            yield RunningNode(values["name"], values.get("enclave"), values.get("state"))
 
 
 def _endpoints(root: Mapping) -> Iterator[Endpoint]:
     for item in _items(root, "endpoints"):
-        topic, kind = _text(item, "topic"), _text(item, "type")
-        publisher = _text(item, "publisher")
-        node = publisher or _text(item, "subscription")
-        if topic is not None and kind is not None and node is not None:
-            yield Endpoint(topic, node, publisher is not None, kind, _qos(item))
+        values = _values(item)
+        node = values.get("publisher") or values.get("subscription")
+        if node is not None and "topic" in values and "type" in values:
+            yield Endpoint(
+                values["topic"], node, bool(values.get("publisher")), values["type"], _qos(item.span, values)
+            )
 
 
-def _qos(item: Mapping) -> Qos:
+def _qos(where: Span, values: dict[str, Located]) -> Qos:
     """What is not written is the default: no deadline, automatic liveliness, no lease."""
     return Qos(
-        item.span,
-        _upper(_text(item, "reliability")),
-        _upper(_text(item, "durability")),
-        deadline=_seconds(item, "deadline"),
-        liveliness=_upper(_text(item, "liveliness")) or "AUTOMATIC",
-        lease=_seconds(item, "lease"),
+        where,
+        _upper(values.get("reliability")),
+        _upper(values.get("durability")),
+        deadline=_seconds(values.get("deadline")),
+        liveliness=_upper(values.get("liveliness")) or "AUTOMATIC",
+        lease=_seconds(values.get("lease")),
     )
 
 
@@ -86,9 +94,9 @@ def _upper(text: Located | None) -> str | None:
     return text.upper() if text else None
 
 
-def _seconds(item: Mapping, key: str) -> float:
+def _seconds(text: Located | None) -> float:
     try:
-        return float(_text(item, key) or INFINITE)
+        return float(text or INFINITE)
     except ValueError:
         return INFINITE
 

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from collections.abc import Iterator
 from dataclasses import dataclass
 from dataclasses import field
+from functools import cached_property
 from typing import NamedTuple
 
 from bringup_lint.graph.topics.commands import is_velocity
@@ -26,7 +27,7 @@ class Topic:
     publishers: list[Endpoint] = field(default_factory=list)
     subscriptions: list[Endpoint] = field(default_factory=list)
 
-    @property
+    @cached_property
     def types(self) -> frozenset[str]:
         return frozenset(str(each.type) for each in (*self.publishers, *self.subscriptions))
 
@@ -70,10 +71,14 @@ def topics(endpoints: Iterable[Endpoint]) -> list[Topic]:
 
 def meant(all_topics: list[Topic]) -> Iterator[Meant]:
     """Subscriptions without a publisher, each with the one other topic of its type that its name comes close to."""
+    served: dict[str, list[Topic]] = {}
     for topic in all_topics:
-        if topic.publishers or not topic.subscriptions:
+        for each in topic.types if topic.publishers else ():
+            served.setdefault(each, []).append(topic)
+    for topic in all_topics:
+        if topic.publishers or not topic.subscriptions or len(topic.types) > 1:
             continue
-        others = [other for other in all_topics if other.publishers and other.types & topic.types]
+        others = served.get(next(iter(topic.types)), [])
         near = [other for other in others if alike(topic.name, other.name)]
         if len(near) == 1:
             yield Meant(topic.subscriptions[0], near[0].publishers[0], "name")
