@@ -77,6 +77,9 @@ need."""
 _ROS1_TEXT = re.compile(r"/opt/ros/(?:noetic|melodic|kinetic|lunar|jade|indigo)\b|\broslaunch\b|\broscore\b")
 _ROS_TEXT = re.compile(r"\bros2 |/opt/ros/|install/(?:local_)?setup\.(?:bash|sh)|component_container")
 
+_ON_FILES = ("security", "pkg", "interface", "extensions", "extension_points")
+"""Verbs of ros2 that start no node."""
+
 
 @dataclass(frozen=True)
 class Ros:
@@ -184,7 +187,10 @@ class Process:
 
     @property
     def mentions_ros(self) -> bool:
-        """Whether the line, or a script it starts, has anything to do with ROS."""
+        """Whether the line, or a script it starts, has anything to do with nodes of ROS: ``ros2 security`` and its
+        likes only work on files."""
+        if self.ros and all(ros.kind == "cli" and ros.target in _ON_FILES for _, ros in self.ros):
+            return False
         return bool(self.ros) or any(_ROS_TEXT.search(text) for text in self.texts)
 
     @property
