@@ -4,7 +4,7 @@
 UDP ranges that are opened for DDS (they begin at a port of some domain) but do not hold the ports of the
 domain that the tree sets with `ROS_DOMAIN_ID`: 7400 + 250 × domain, +0 and +1 for multicast, +10 + 2p and
 +11 + 2p for participant p. Rules that let in a whole subnet or interface, and trees with several domains,
-are left alone.
+are left alone, and so are robots whose processes all read a DDS file with ports of its own.
 
 ## Why it matters on a robot
 Discovery is dropped: from other machines the robot has no topics at all, and everything works on the robot
@@ -37,7 +37,7 @@ def dds_ports(robot: Robot):
     domain = robot.dds_domain
     if domain is None:
         return
-    if any("<Ports" in source.text or "portBase" in source.text for source in robot.of_kind("cyclonedds", "fastdds")):
+    if not uses_default_ports(robot):
         return
     number, place = domain
     base = 7400 + 250 * number
@@ -57,3 +57,14 @@ def dds_ports(robot: Robot):
                 advice=f"open {base}:{base + 99}/udp",
                 related=[note(place, "the domain is set here")],
             )
+
+
+def uses_default_ports(robot: Robot):
+    """Whether a process surely keeps to the usual ports: every file with others is read by other processes."""
+    if any("portBase" in source.text for source in robot.of_kind("fastdds")):
+        return False
+    own = [each for each in robot.dds.configurations if "<Ports" in each.source.text]
+    readers = [robot.dds.readers(each) for each in own]
+    elsewhere = {id(reader.unit) for group in readers for reader in group if reader.unit}
+    usual = any(process.unit and id(process.unit) not in elsewhere for process in robot.ros.processes)
+    return not own or (all(readers) and usual)
