@@ -139,3 +139,9 @@ def test_robots_of_the_corpus(corpus: Path) -> None:
             found += [f"{folder.name}/{line}" for line in run.stdout.splitlines() if line]
     assert len(found) == 1
     assert "config/cyclonedds.xml:43:" in found[0] and "socket-buffer-exceeds-sysctl" in found[0]
+
+
+def test_fastdds_ends_at_an_end_tag_behind_the_root():
+    text = '<profiles><participant profile_name="a" is_default_profile="true"/></profiles>'
+    assert not fastdds.parse(Source("a.xml", f"{text}</dds><bogus")).dropped
+    assert fastdds.parse(Source("a.xml", f"</dds>{text}")).dropped

@@ -1,6 +1,7 @@
 """The few facts that a robot's start depends on, out of an X.509 certificate in PEM: its subject and its last day.
 
-ITU-T X.690 (DER) and RFC 5280, section 4.1. Nothing is verified; whatever is odd gives None.
+ITU-T X.690 (DER) and RFC 5280, section 4.1. Nothing is verified; whatever is odd gives None. What this small reader
+does not understand is left to ``cryptography``, where the extra ``pki`` has installed it.
 """
 
 from __future__ import annotations
@@ -30,7 +31,21 @@ def parse(text: str) -> Certificate | None:
     try:
         return _read(base64.b64decode(match[1]))
     except (binascii.Error, IndexError, ValueError):
+        return _by_cryptography(match[0])
+
+
+def _by_cryptography(pem: str) -> Certificate | None:
+    try:
+        from cryptography import x509
+    except ImportError:
         return None
+    text = f"{pem.replace('TRUSTED ', '')} CERTIFICATE-----\n"
+    try:
+        read = x509.load_pem_x509_certificate(text.encode())
+        names = read.subject.get_attributes_for_oid(x509.NameOID.COMMON_NAME)
+    except Exception:
+        return None
+    return Certificate(str(names[0].value) if names else None, read.not_valid_after_utc.date())
 
 
 def _read(data: bytes) -> Certificate:

@@ -13,6 +13,7 @@ from collections.abc import Iterator
 from bringup_lint.model.fastdds import Profile
 from bringup_lint.model.fastdds import Profiles
 from bringup_lint.model.fastdds import Remark
+from bringup_lint.model.xml import Document
 from bringup_lint.model.xml import Element
 from bringup_lint.parsers.fastdds_schema import Item
 from bringup_lint.parsers.fastdds_schema import schema
@@ -21,6 +22,7 @@ from bringup_lint.parsers.fastdds_values import first_text
 from bringup_lint.parsers.fastdds_values import hidden_by_comment
 from bringup_lint.parsers.xml import parse as parse_xml
 from bringup_lint.source import Located
+from bringup_lint.source import Problem
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 
@@ -59,6 +61,8 @@ TOLERATED = frozenset(
 """XML problems that TinyXML-2 does not mind."""
 STRICT_ATTRIBUTES = ("builtinTransports", "{ThreadSettings}")
 _DURATION_WORDS = ("DURATION_INFINITY", "DURATION_INFINITE_SEC", "DURATION_INFINITE_NSEC")
+_DIGITS = re.compile(r"\s*([0-9]+)")
+"""As much of a number as the library reads."""
 _SIZE = re.compile(r"[0-9]+ *(?:[a-zA-Z]+)?")
 
 
@@ -67,6 +71,8 @@ def parse(source: Source, version: str = DEFAULT_VERSION) -> Profiles:
     document = parse_xml(source)
     profiles = Profiles(source, document, version)
     for problem in document.problems:
+        if problem.code == "stray-end-tag" and _is_behind(document, problem):
+            break
         drops = problem.code not in TOLERATED
         if problem.code == "late-declaration":
             span = getattr(problem.where, "span", problem.where)
@@ -81,6 +87,12 @@ def parse(source: Source, version: str = DEFAULT_VERSION) -> Profiles:
     if document.root is not None:
         _Reader(profiles).document(document.root)
     return profiles
+
+
+def _is_behind(document: Document, problem: Problem) -> bool:
+    """Whether a problem stands behind the root. TinyXML-2 ends at an end tag there, and reads nothing of the rest."""
+    span = getattr(problem.where, "span", problem.where)
+    return document.root is not None and span.start >= document.root.span.end
 
 
 class _Reader:
@@ -213,14 +225,15 @@ class _Reader:
     def allocation(self, element: Element, item: Item) -> None:
         """Initial and largest number; a step of zero is fine when nothing can grow. The largest is 0 for no
         limit."""
-        texts = {str(child.name): first_text(child) or "" for child in element.children}
-        if not all(text.strip().isdigit() for text in texts.values()):
+        texts = {str(child.name): _DIGITS.match(first_text(child) or "") for child in element.children}
+        if None in texts.values():
             return
-        initial = int(texts.get("initial", "0"))
-        maximum = int(texts.get("maximum", "0")) or None
+        numbers = {name: int(found[1]) for name, found in texts.items()}
+        initial = numbers.get("initial", 0)
+        maximum = numbers.get("maximum", 0) or None
         if maximum is not None and initial > maximum:
             self.remark("number", element.find("initial").text, True, "more than maximum", item.path)
-        elif int(texts.get("increment", "1")) == 0 and initial != maximum:
+        elif numbers.get("increment", 1) == 0 and initial != maximum:
             self.remark("number", element.find("increment").text, True, "zero", f"{item.path}/increment")
 
     def attributes(self, element: Element, item: Item, shape: Item) -> None:
@@ -228,6 +241,9 @@ class _Reader:
         for attribute in element.attributes:
             if attribute.name not in known and (item.name in STRICT_ATTRIBUTES or shape.path in STRICT_ATTRIBUTES):
                 self.remark("unknown-attribute", attribute.name, True, attribute.name, item.path)
+            own = known.get(str(attribute.name))
+            if own is not None and own.check == "enum" and attribute.value not in own.allowed:
+                self.remark("enum", attribute.value, True, "", own.path)
         for needed in item.attributes.values():
             value = element.get(needed.name)
             if not needed.required or value:

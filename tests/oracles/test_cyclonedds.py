@@ -30,7 +30,8 @@ FOLDER = Path(__file__).parent
 DIFFERENCES = read_toml((FOLDER / "differences" / "cyclonedds.toml").read_text("utf-8"))["difference"]
 MUTANTS = 400
 """For each seed."""
-AGREEMENT = 0.99
+AGREEMENT = 0.97
+"""Without what the table of differences explains."""
 VALUES = [
     "true",
     "False",
@@ -123,7 +124,7 @@ def explained(verdict: Verdict) -> bool:
 
 
 def compare(texts: list[str], verdicts: list[Verdict], inline: bool) -> None:
-    """At least 99 of 100 agree; the rest stands in the table of differences."""
+    """They agree; what does not stands in the table of differences."""
     ours = [refusals(text, inline) for text in texts]
     differing = [
         (text, verdict, codes)
@@ -136,7 +137,8 @@ def compare(texts: list[str], verdicts: list[Verdict], inline: bool) -> None:
     for text, verdict, codes in wrong[:10]:
         print(f"--- {codes} / {verdict}\n{text[:600]}")
     assert not [each for each in wrong if each[2]], "refused by us alone"
-    assert len(wrong) <= len(texts) * (1 - AGREEMENT)
+    assert not wrong
+    assert len(differing) <= max(len(texts) * (1 - AGREEMENT), 2)
 
 
 def setting(path: str, value: str) -> str:

@@ -31,7 +31,8 @@ FOLDER = Path(__file__).parent
 DIFFERENCES = read_toml((FOLDER / "differences" / "fastdds.toml").read_text("utf-8"))["difference"]
 SEED = (FOLDER / "dds/fastdds.xml").read_text("utf-8")
 MUTANTS = 900
-AGREEMENT = 0.99
+AGREEMENT = 0.95
+"""Without what the table of differences explains."""
 VALUES = [
     "true",
     "True",
@@ -90,11 +91,11 @@ def verdict_of(text: str) -> int:
         return DROPPED
     if not codes & {"profile-name", "profile-duplicate"}:
         return LOADED
-    return PARTLY if any(profile.name for profile in profiles.profiles) else DROPPED
+    return PARTLY if profiles.transports or any(profile.name for profile in profiles.profiles) else DROPPED
 
 
 def compare(texts: list[str], verdicts: list[Verdict]) -> None:
-    """At least 99 of 100 agree; the rest stands in the table of differences."""
+    """They agree; what does not stands in the table of differences."""
     wrong = []
     differing = 0
     for text, verdict in zip(texts, verdicts, strict=True):
@@ -107,7 +108,8 @@ def compare(texts: list[str], verdicts: list[Verdict]) -> None:
     print(f"{len(texts)} files, {dropped} dropped, {differing} differ, {len(wrong)} without a reason")
     for text, verdict, ours in wrong[:10]:
         print(f"--- ours {ours} / {verdict}\n{text[:500]}")
-    assert len(wrong) <= len(texts) * (1 - AGREEMENT)
+    assert not wrong
+    assert differing <= len(texts) * (1 - AGREEMENT)
 
 
 def needed(item: Item, skip: str = "") -> str:
