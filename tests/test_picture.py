@@ -263,3 +263,12 @@ def test_same_tree_same_picture() -> None:
 def test_corpus_is_drawn(corpus: Path) -> None:
     for repository in sorted(path for path in corpus.iterdir() if path.is_dir()):
         check(drawn(repository))
+
+
+def test_layer_that_fails_costs_itself_alone(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    tree(tmp_path, {"a.service": "[Service]\nUser=rover\nExecStart=/bin/true\n"})
+    monkeypatch.setattr("bringup_lint.graph.dds.edges.dds_places", lambda robot: 1 / 0)
+    run = lint("graph", "--format", "json", cwd=tmp_path)
+    assert run.code == 0
+    assert run.stderr == "bringup-lint: the picture is not whole: ZeroDivisionError('division by zero')\n"
+    assert ("a.service", "runs-as", "rover") in said(json.loads(run.stdout))

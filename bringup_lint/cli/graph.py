@@ -69,7 +69,7 @@ def _draw(paths: tuple[str, ...], options: dict[str, Any]) -> str:
     config, rule_folders = configuration(paths, settings)
     robot = read_robot(paths, config, settings)
     outcome = run(robot, Registry.of(rule_folders), config)
-    for failure in outcome.failures:
+    for failure in (*outcome.failures, *(f"the picture is not whole: {error!r}" for error in robot.graph.failures)):
         click.echo(f"bringup-lint: {failure}", err=True)
     document = picture(robot.graph, outcome.findings)
     if options["focus"]:

@@ -55,6 +55,9 @@ class Graph:
     ranks: dict[Node, int] = field(default_factory=dict)
     """The place of a unit in the boot order, from 0: higher than that of every unit it starts after."""
 
+    failures: list[Exception] = field(default_factory=list)
+    """What failed inside while a layer was joined; the layer is not complete then."""
+
     def add(self, edges: Iterable[Edge]) -> None:
         for edge in edges:
             self.out.setdefault(edge.source, []).append(edge)

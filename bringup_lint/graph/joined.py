@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.graph import Graph
@@ -17,24 +18,28 @@ LAUNCH = ("launch-python", "launch-xml", "launch-yaml")
 def joined_graph(robot: Robot) -> Graph:
     """Everything that the files of the tree name. What they only share a repository with is not joined."""
     graph = Graph()
-    if robot.of_kind(*UNITS):
-        _add_units(graph, robot)
-    if robot.of_kind("compose"):
-        _add_services(graph, robot)
-    if robot.of_kind(*LAUNCH):
-        _add_launch(graph, robot)
-    _add_files(graph, robot)
+    for add in (_add_units, _add_services, _add_launch, _add_files):
+        _try(add, graph, robot)
     places = Places(graph)
-    _add_dds(graph, robot, places)
-    _add_security(graph, robot, places)
-    _add_devices(graph, robot, places)
+    for join in (_add_network, _add_dds, _add_security, _add_devices):
+        _try(join, graph, robot, places)
     for ends in (graph.out, graph.into):
         for node, edges in ends.items():
             ends[node] = list(dict.fromkeys(edges))
     return graph
 
 
+def _try(add: Callable[..., None], graph: Graph, robot: Robot, *more: Places) -> None:
+    """A layer that fails costs itself alone."""
+    try:
+        add(graph, robot, *more)
+    except Exception as error:
+        graph.failures.append(error)
+
+
 def _add_units(graph: Graph, robot: Robot) -> None:
+    if not robot.of_kind(*UNITS):
+        return
     from bringup_lint.graph.environment.edges import environment_edges
     from bringup_lint.graph.environment.edges import environment_places
     from bringup_lint.graph.systemd.edges import KINDS
@@ -56,6 +61,8 @@ def _add_units(graph: Graph, robot: Robot) -> None:
 
 
 def _add_services(graph: Graph, robot: Robot) -> None:
+    if not robot.of_kind("compose"):
+        return
     from bringup_lint.graph.compose_edges import compose_edges
     from bringup_lint.graph.compose_edges import compose_places
     from bringup_lint.graph.compose_edges import starting_units
@@ -67,12 +74,19 @@ def _add_services(graph: Graph, robot: Robot) -> None:
 
 
 def _add_launch(graph: Graph, robot: Robot) -> None:
+    if not robot.of_kind(*LAUNCH):
+        return
     from bringup_lint.graph.launch.edges import launch_edges
     from bringup_lint.graph.launch.edges import launch_places
-    from bringup_lint.graph.topics.edges import topic_edges
 
     graph.add(launch_edges(robot.launch))
     graph.define(launch_places(robot.launch))
+    _try(_add_topics, graph, robot)
+
+
+def _add_topics(graph: Graph, robot: Robot) -> None:
+    from bringup_lint.graph.topics.edges import topic_edges
+
     graph.add(topic_edges(robot))
 
 
@@ -89,17 +103,21 @@ def _add_files(graph: Graph, robot: Robot) -> None:
             graph.define([(file_node("env-file", source), file_place(source))])
 
 
+def _add_network(graph: Graph, robot: Robot, places: Places) -> None:
+    if not robot.of_kind("netplan"):
+        return
+    from bringup_lint.graph.netplan.edges import network_edges
+    from bringup_lint.graph.netplan.edges import network_places
+
+    graph.add(network_edges(robot))
+    graph.define(network_places(robot))
+
+
 def _add_dds(graph: Graph, robot: Robot, places: Places) -> None:
     from bringup_lint.graph.dds.edges import binding_edges
     from bringup_lint.graph.dds.edges import dds_places
     from bringup_lint.graph.dds.edges import selection_edges
 
-    if robot.of_kind("netplan"):
-        from bringup_lint.graph.netplan.edges import network_edges
-        from bringup_lint.graph.netplan.edges import network_places
-
-        graph.add(network_edges(robot))
-        graph.define(network_places(robot))
     graph.define(dds_places(robot))
     graph.add(selection_edges(robot, places))
     graph.add(binding_edges(robot, places))

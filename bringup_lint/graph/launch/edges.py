@@ -59,7 +59,8 @@ def launch_edges(launch: Launch) -> Iterator[Edge]:
 
 def _parameter_file(launch: Launch, path: str) -> Node:
     """By its absolute path in the tree or on the robot."""
-    source = None if os.path.lexists(path) else launch.robot.tree.find(path)
+    tree = launch.robot.tree
+    source = None if path in tree.named(os.path.basename(path)) else tree.find(path)
     return Node("parameter-file", source.name if source else display_name(path))
 
 
