@@ -77,7 +77,8 @@ def _program(modules: Modules, file: NodeSource, function: str | None, declared:
 
 def made(modules: Modules, file: NodeSource, function: str | None) -> Iterator[NodeClass]:
     """The nodes that a function, or the whole file, makes; functions of the same file are followed."""
-    todo: list[ast.AST] = [file.functions[function].node] if function in file.functions else [file.tree]
+    start = file.functions[function].node if function in file.functions else file.tree
+    todo: list[ast.AST] = [start] if start is not None else []
     seen = {function}
     singles = {(each.span.start, each.span.end): each for each in file.classes if each.name is None}
     while todo and len(seen) < FUNCTIONS:

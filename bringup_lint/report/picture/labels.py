@@ -28,11 +28,11 @@ def _tell_apart(found: dict[Node, str]) -> None:
     """The file goes with names that several nodes of a kind have."""
     same: dict[tuple[str, str], list[Node]] = defaultdict(list)
     for node, label in found.items():
-        if node.place:
-            same[node.kind, label].append(node)
+        same[node.kind, label].append(node)
     for nodes in same.values():
-        tails = shortest_tails({node.place for node in nodes}) if len(nodes) > 1 else {}
-        found.update((node, f"{found[node]} ({tails[node.place]})") for node in nodes if tails)
+        if len(nodes) > 1:
+            tails = shortest_tails({node.place for node in nodes if node.place})
+            found.update((node, f"{found[node]} ({tails[node.place]})") for node in nodes if node.place)
 
 
 def shortest_tails(paths: Iterable[str]) -> dict[str, str]:
