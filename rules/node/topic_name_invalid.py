@@ -4,7 +4,8 @@
 The literal name of a publisher, subscription, service or client in a Python or C++ node that is no valid topic name:
 a character other than letters, digits, `_` and `/`, a part that begins with a digit, a `/` at its end, `//`, a `~`
 that is not at the beginning, or a substitution other than `{node}`, `{ns}` and `{namespace}`. Names may have 247
-characters once they are expanded.
+characters once they are expanded. Also such names in parameters that give a topic its name, and in the remappings of
+launch files, which may hold neither `__` nor a substitution.
 
 ## Why it matters on a robot
 The call raises an exception, in the constructor as a rule: the node never starts.
@@ -29,7 +30,9 @@ import re
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
+from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api import topics
 
 ROLES = {"publisher": "topic", "subscription": "topic", "service": "service", "client": "service"}
 
@@ -46,10 +49,10 @@ def topic_name_invalid(robot: Robot):
     for endpoint in robot.topics.endpoints:
         if endpoint.role not in ROLES or endpoint.name is None:
             continue
-        reason = robot.topics.refusal(endpoint.name)
+        reason = topics.refusal(endpoint.name)
         if reason is not None:
             better = re.sub(r"/+", "/", re.sub(r"[^A-Za-z0-9_/~{}]", "_", endpoint.name)).rstrip("/")
-            good = better and robot.topics.refusal(better) is None
+            good = better and topics.refusal(better) is None
             yield finding(
                 endpoint.name,
                 f"'{endpoint.name}' is no valid {ROLES[endpoint.role]} name, {reason}: the node exits when it "
@@ -59,3 +62,10 @@ def topic_name_invalid(robot: Robot):
                 else "use letters, digits, '_' and '/' only, and no part that begins with a digit",
                 fix=fix(f"rename it to '{better}'", (endpoint.name, better), safe=False) if good else None,
             )
+    for node, where, name, when in robot.topics.refused:
+        yield finding(
+            where,
+            f"'{name}' is no valid topic name: {node.label()} exits {when}",
+            advice="use letters, digits, '_' and '/' only, no '__', and no part that begins with a digit",
+            related=[note(node.started.span, f"{node.label()} is started here")],
+        )

@@ -175,6 +175,34 @@ def test_remappings_of_a_real_node(rules: list[str], tmp_path: Path) -> None:
     assert [remap(read, expand(topic, name, namespace), name, namespace).name for topic in TOPICS] == lines[1:]
 
 
+SIDES = (
+    "a front-lidar/scan a//b front/ / ~ ~/x ~x 1a a/1b {node}/x /a/ a.b é __x /front/1 ~/ a~b ~a/b /~/x * /a/*/b **/x"
+    " rostopic://x a:b _ 1 /1 n:x a__b _x a/_b __ a_ ~/__x A1 x__ ~/a/b /a/b/c"
+).split()
+REMAPPED = """
+    import sys, rclpy
+    from rcl_interfaces.msg import Log
+    for rule in sys.argv[1:]:
+        context = rclpy.Context()
+        try:
+            rclpy.init(args=["driver", "--ros-args", "-r", rule], context=context)
+        except Exception:
+            print("refused")
+            continue
+        node = rclpy.create_node("driver", namespace="/r1", context=context)
+        print(node.create_publisher(Log, "scan", 10).topic_name)
+        context.try_shutdown()
+"""
+
+
+@pytest.mark.parametrize("pattern", ["scan:={}", "{}:=other"])
+def test_remappings_are_refused_as_by_rcl(pattern: str, tmp_path: Path) -> None:
+    texts = [pattern.replace("{}", side) for side in SIDES]
+    rules = [remapping(text) for text in texts]
+    found = [remap([rule], "/r1/scan", "driver", "/r1").name if rule else "refused" for rule in rules]
+    assert dict(zip(texts, found)) == dict(zip(texts, run(REMAPPED, texts, tmp_path).splitlines()))
+
+
 def run(program: str, arguments: list[str], folder: Path) -> str:
     environment = {
         **os.environ,

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import literal_text
+from bringup_lint.graph.topics.given import Given
 from bringup_lint.graph.topics.given import GivenParameters
 from bringup_lint.graph.topics.given import given_parameters
 from bringup_lint.graph.topics.given import names
@@ -17,6 +18,7 @@ from bringup_lint.graph.topics.known import KnownTopic
 from bringup_lint.graph.topics.known import known_node
 from bringup_lint.graph.topics.names import expand
 from bringup_lint.graph.topics.names import full_complaint
+from bringup_lint.graph.topics.names import refusal
 from bringup_lint.graph.topics.overrides import overridden
 from bringup_lint.graph.topics.process_arguments import RosArguments
 from bringup_lint.graph.topics.process_arguments import ros_arguments
@@ -99,6 +101,8 @@ class _Reader:
             return False
         use = self.use(node, endpoint.role, written, endpoint.type, endpoint.qos, endpoint.span)
         if use is None:
+            if given is not None and refusal(written) is not None:
+                node.refused.append(Given(written, given))
             return False
         use.given = given
         use.implied, use.conditional, use.lifecycle = endpoint.implied, endpoint.conditional, endpoint.lifecycle

@@ -58,6 +58,17 @@ def full_complaint(name: str) -> str | None:
     return None
 
 
+def refusal(name: str) -> str | None:
+    """Why a topic or service name is refused wherever the node stands; None when it is not."""
+    if complaint(name):
+        return complaint(name)
+    unknown = unknown_substitution(name)
+    if unknown is not None:
+        return f"'{unknown}' is no substitution"
+    full = expand(name, "n", "/")
+    return full_complaint(full) if full is not None else None
+
+
 def expand(name: str, node: str | None, namespace: str | None) -> str | None:
     """The full name that ``scan``, ``~/scan``, ``/scan`` or ``{node}/scan`` has for a node (``rcl_expand_topic_name``).
 

@@ -4,14 +4,23 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
+from collections.abc import Iterator
 from typing import NamedTuple
 
+from bringup_lint.graph.launch.started import Started
+from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.topics.names import expand
+from bringup_lint.source import Located
 from bringup_lint.source import Span
 
+_NAME = r"(?:~/|/)?(?!\d)\w+(?:/(?!\d)\w+)*"
 _RULE = re.compile(
-    r"(?:(?P<node>\w+):(?!=|//))?(?P<kind>rostopic://|rosservice://)?(?P<match>[\w/~]+):=(?P<to>[\w/~]+)", re.A
+    rf"(?:(?P<node>(?!\d)\w+):(?!=|//))?"
+    rf"(?:(?P<special>__node|__name|__ns):=(?P<name>/?{_NAME}|/)"
+    rf"|(?P<kind>rostopic://|rosservice://)?(?P<match>{_NAME}):=(?P<to>{_NAME}))",
+    re.A,
 )
+_PREFIX = re.compile(r"^(?:\w+:(?!//))?(?:rostopic://|rosservice://)?")
 NODE = ("__node", "__name")
 NAMESPACE = "__ns"
 
@@ -33,8 +42,17 @@ def remapping(text: str, where: Span | None = None) -> Remapping | None:
     found = _RULE.fullmatch(text)
     if found is None:
         return None
+    if found["special"]:
+        return Remapping(found["special"], found["name"], found["node"], "any", where)
+    if not (is_remapped_name(found["match"]) and is_remapped_name(found["to"])):
+        return None
     kind = {"rostopic://": "topic", "rosservice://": "service"}.get(found["kind"] or "", "any")
     return Remapping(found["match"], found["to"], found["node"], kind, where)
+
+
+def is_remapped_name(text: str) -> bool:
+    """Whether a side of a rule is a name as rcl's lexer takes it: no ``__``, no slash at its end, no substitution."""
+    return bool(re.fullmatch(_NAME, text, re.A)) and "__" not in text
 
 
 def node_name(rules: Iterable[Remapping], name: str | None) -> str | None:
@@ -76,3 +94,14 @@ def remap(rules: Iterable[Remapping], full: str, node: str | None, namespace: st
         if match == full:
             return Remapped(rule.replacement and expand(rule.replacement, node, namespace), rule)
     return Remapped(full, None)
+
+
+def refused_sides(started: Started) -> Iterator[Located]:
+    """The sides of a node's remappings for which rcl refuses the rule, so that the process ends."""
+    for pair in started.remappings:
+        sides = [literal_text(value) for value in pair]
+        if None in sides or remapping(f"{sides[0]}:={sides[1]}") is not None:
+            continue
+        for side in sides:
+            if not is_remapped_name(_PREFIX.sub("", side)):
+                yield side

@@ -18,6 +18,7 @@ from bringup_lint.graph.topics.compatible import Conflict
 from bringup_lint.graph.topics.compatible import conflicts
 from bringup_lint.graph.topics.cpp_code import CppCode
 from bringup_lint.graph.topics.launched import launched
+from bringup_lint.graph.topics.remapping import refused_sides
 from bringup_lint.graph.topics.rviz import Displays
 from bringup_lint.graph.topics.systems import systems
 from bringup_lint.graph.topics.together import together
@@ -32,6 +33,7 @@ if TYPE_CHECKING:
     from bringup_lint.model.node_source import Endpoint
     from bringup_lint.robot import Robot
     from bringup_lint.source import Source
+    from bringup_lint.source import Span
 
 LAUNCH = ("launch-python", "launch-xml", "launch-yaml")
 CPP = (".cpp", ".cc", ".cxx", ".hpp", ".h")
@@ -92,14 +94,16 @@ class Topics:
         if publisher.qos is not None and subscription.qos is not None:
             yield from conflicts(publisher.qos, subscription.qos)
 
-    @staticmethod
-    def refusal(name: str) -> str | None:
-        """Why a topic or service name is refused wherever the node stands; None when it is not."""
-        unknown = None if names.complaint(name) else names.unknown_substitution(name)
-        if unknown is not None:
-            return f"'{unknown}' is no substitution"
-        full = names.expand(name, "n", "/")
-        return names.complaint(name) or (names.full_complaint(full) if full is not None else None)
+    @property
+    def refused(self) -> Iterator[tuple[LaunchedNode, Span, str, str]]:
+        """Names in parameters and remappings of launched nodes that rcl does not take: the node, the place, the name,
+        and when it ends."""
+        for running in self.entries:
+            for node in running.nodes:
+                for value, where in node.refused:
+                    yield node, where, str(value), "when it makes the topic"
+                for side in refused_sides(node.started):
+                    yield node, side.span, str(side), "before it starts, 'Couldn't parse remap rule'"
 
     @property
     def endpoints(self) -> Iterator[Endpoint]:

@@ -14,6 +14,7 @@ from bringup_lint.source import Located
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.topics.given import Given
     from bringup_lint.graph.topics.given import GivenParameters
     from bringup_lint.model.node_source import NodeClass
     from bringup_lint.model.node_source import Qos
@@ -80,6 +81,8 @@ class LaunchedNode:
     uses: list[Use] = field(default_factory=list)
     complete: bool = False
     """It uses no other topics than these, as far as launch files and sources can tell."""
+    refused: list[Given] = field(default_factory=list)
+    """Parameters that give a topic a name which rcl does not take."""
 
     @property
     def fqn(self) -> str | None:

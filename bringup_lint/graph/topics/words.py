@@ -8,6 +8,7 @@ from bringup_lint.graph.topics.commands import is_stop
 from bringup_lint.graph.topics.commands import is_velocity
 from bringup_lint.graph.topics.commands import rivals
 from bringup_lint.graph.topics.commands import ungated
+from bringup_lint.graph.topics.names import refusal
 from bringup_lint.graph.topics.names import tail
 from bringup_lint.graph.topics.namespaces import shared_by_namespaces
 from bringup_lint.graph.topics.publishing import published_at_start
