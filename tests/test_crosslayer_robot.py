@@ -77,18 +77,37 @@ def test_every_finding_is_a_planted_defect(before: Counter[Found]) -> None:
     assert set(before.values()) == {1}
 
 
-def test_chains_lead_from_a_unit_to_the_defect(robot: Path) -> None:
-    run = lint("--select", "device/link-undefined", *ARGUMENTS, cwd=robot)
+@pytest.mark.parametrize(
+    ("rule", "steps"),
+    [
+        (
+            "device/link-undefined",
+            "curlew-drivers.service, curlew-drivers, drivers.launch.py, lidar.launch.py, lidar.launch.py, lidar.yaml",
+        ),
+        ("cyclonedds/interface-not-in-netplan", "curlew-drivers.service, ros.env, cyclonedds.xml"),
+        ("fastdds/whitelist-interface-missing", "curlew-video-bridge.service, video.env, fastdds-video.xml"),
+        ("env/cyclonedds-uri-file-missing", "curlew-tide.service, tide.env"),
+        ("launch/plugin-missing", "curlew-perception.service, perception.launch.py"),
+        ("systemd/notify-ros-launch", "curlew-health.service, health.launch.py, alive.py"),
+        ("params/use-sim-time-real-robot", "curlew-survey.service, survey.launch.py, survey.launch.py, survey.yaml"),
+        ("node/qos-incompatible", "curlew-watch.service, watch.launch.py, guard.py"),
+    ],
+)
+def test_chains_lead_from_a_unit_to_the_defect(rule: str, steps: str, robot: Path) -> None:
+    run = lint("--select", rule, *ARGUMENTS, cwd=robot)
     (found,) = json.loads(run.stdout)["findings"]
-    places = [step["path"].rpartition("/")[2] for step in (each["location"] for each in found["chain"])]
-    assert places == [
-        "curlew-drivers.service",
-        "curlew-drivers",
-        "drivers.launch.py",
-        "lidar.launch.py",
-        "lidar.launch.py",
-        "lidar.yaml",
-    ]
+    assert ", ".join(step["location"]["path"].rpartition("/")[2] for step in found["chain"]) == steps
+
+
+def test_chains_are_code_flows_and_numbered_paths(robot: Path) -> None:
+    sarif = json.loads(lint("--root", ".", "--output-format", "sarif", "/", cwd=robot).stdout)
+    flows = [result["codeFlows"][0]["threadFlows"] for result in sarif["runs"][0]["results"] if "codeFlows" in result]
+    assert len(flows) > 30
+    assert all(len(flow) == 1 and len(flow[0]["locations"]) > 1 for flow in flows)
+    assert all(step["location"]["message"]["text"] for (flow,) in flows for step in flow["locations"])
+    text = lint("--root", ".", "--select", "device/link-undefined", "/", cwd=robot).stdout
+    assert "= path: 1. curlew-drivers.service runs curlew-drivers\n" in text
+    assert "          6. /dev/curlew/lidr is opened\n" in text
 
 
 def test_page_lists_every_rule(update_expected: bool) -> None:

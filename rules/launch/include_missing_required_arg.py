@@ -2,7 +2,7 @@
 
 ## What it finds
 Includes of files that declare an argument without a default, where the include does not pass it and nothing before
-has set it; and units that launch such a file without it.
+has set it; and units, and compose services that are built from the tree, that launch such a file without it.
 
 ## Why it matters on a robot
 launch checks the arguments when it reaches the include, and aborts.
@@ -52,7 +52,8 @@ def include_missing_required_arg(robot: Robot):
                 )
     for command in robot.launch.commands:
         passed = {str(name) for name, _ in command.arguments}
-        for declared in robot.launch.expansion(command.file).declared if command.file else ():
+        known = command.file is not None and command.is_of_tree
+        for declared in robot.launch.expansion(command.file).declared if known else ():
             own = declared.file is command.file and not declared.conditions and declared.before is None
             if own and declared.action.default is None and declared.name not in passed:
                 yield finding(

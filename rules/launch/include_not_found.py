@@ -2,7 +2,7 @@
 
 ## What it finds
 Includes of a file in a package of this workspace, or beside the launch file, that is not there; and `ros2 launch`
-commands of units that name such a file.
+commands of units, and of compose services that are built from the tree, that name such a file.
 
 ## Why it matters on a robot
 launch aborts when it reaches the include; nothing after it starts.
@@ -54,13 +54,16 @@ def commands(robot: Robot):
         package = robot.launch.workspace.packages.get(command.package or "")
         if package is None or command.file is not None or not package.installs_known or "$" in command.target:
             continue
+        if not command.is_of_tree:
+            continue
         known = [os.path.basename(each.source.name) for each in robot.launch.files_of(package)]
         if command.target in known or not command.target.endswith((".py", ".xml", ".yaml", ".yml", ".launch")):
             continue
         near = nearest(command.target, known, 3)
         yield finding(
             command.target,
-            f"{command.target} does not exist in {package.name}: the unit fails at every start",
+            f"{command.target} does not exist in {package.name}: {command.runner} fails at every start",
             advice=f"launch {near[0]}" if near else "correct the name",
             related=[note(package.manifest.name, f"the package {package.name}")],
+            chain=robot.ways.to(command.target, f"{command.target} is launched"),
         )

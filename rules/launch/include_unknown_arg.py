@@ -1,8 +1,9 @@
 """An argument is passed to a launch file that does not have it.
 
 ## What it finds
-Keys in `launch_arguments` (`<arg>` inside `<include>`), and `name:=value` of `ros2 launch` commands in units, that the
-launched file and everything it includes neither declares nor reads.
+Keys in `launch_arguments` (`<arg>` inside `<include>`), and `name:=value` of `ros2 launch` commands in units and in
+compose services that are built from the tree, that the launched file and everything it includes neither declares nor
+reads.
 
 ## Why it matters on a robot
 launch accepts any name. The value is ignored without a word, and the included part runs with its default: in
@@ -42,7 +43,7 @@ def include_unknown_arg(robot: Robot):
             own = [name for name in names if name and not robot.launch.read_elsewhere(name, file, inner)]
             yield from unknown(robot, own, include.target)
     for command in robot.launch.commands:
-        if command.file is not None:
+        if command.file is not None and command.is_of_tree:
             yield from unknown(robot, [name for name, _ in command.arguments], command.file)
 
 

@@ -58,11 +58,11 @@ def lifecycle_unknown_node(robot: Robot):
 
 
 def alone(robot, managers):
-    """A manager in a launch file of its own: its nodes come from the other files of the tree, if some of them do."""
-    names = robot.launch.all_names
+    """A manager in a launch file of its own: its nodes come from the other files of the robot, if some of them do."""
     if any(launch.outside(expansion) for expansion in robot.launch.expansions):
         return
     for manager in managers:
+        names = robot.launch.names_near(manager.node.file)
         listed = {managed.fqn.rpartition("/")[2]: managed for managed in manager.managed or ()}
         if names.isdisjoint(listed):
             continue

@@ -34,6 +34,11 @@ class LaunchCommand(NamedTuple):
     service: Service | None = None
 
     @property
+    def is_of_tree(self) -> bool:
+        """Whether it surely starts what the tree holds: an image from elsewhere may hold another version."""
+        return self.process is not None or (self.service is not None and self.service.build is not None)
+
+    @property
     def runner(self) -> str:
         """``robot.service``, or ``service 'driver'`` of a compose file."""
         if self.process is not None:

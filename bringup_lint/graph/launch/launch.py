@@ -237,13 +237,19 @@ class Launch:
     @cached_property
     def all_names(self) -> frozenset[str]:
         """The bare names of all nodes that any launch file of the tree starts."""
-        found = set()
-        for expansion in self.expansions:
+        return frozenset(self._names(self.expansions))
+
+    def names_near(self, file: LaunchFile) -> frozenset[str]:
+        """The bare names of all nodes that the launch files of one robot or variant start."""
+        near = (each for each in self.expansions if self.robot.together(each.entry.source, file.source))
+        return frozenset(self._names(near))
+
+    def _names(self, expansions: Iterable[Expansion]) -> Iterator[str]:
+        for expansion in expansions:
             for node in expansion.nodes:
                 name = full_name(node, self.role(node))
                 if name is not None:
-                    found.add(name.rpartition("/")[2])
-        return frozenset(found)
+                    yield name.rpartition("/")[2]
 
     @cached_property
     def managed_names(self) -> frozenset[str] | None:
