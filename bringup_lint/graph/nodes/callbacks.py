@@ -142,7 +142,7 @@ def _next(ending: Ending, node: ast.AST) -> list[tuple[ast.AST, str]]:
 
 def _sleep(ending: Ending, call: ast.Call) -> tuple[str, str] | None:
     seconds = ending.file.constant(call.args[0], ending.syntax.function(call)) if len(call.args) == 1 else None
-    if not isinstance(seconds, (int, float)) or isinstance(seconds, bool):
+    if not isinstance(seconds, (int, float)) or isinstance(seconds, bool) or _ends_behind(ending, call):
         return None
     loops = [above for above, _ in ending.syntax.within(call) if isinstance(above, (ast.For, ast.While))]
     turns = _turns(ending, loops[0]) if len(loops) == 1 else None
@@ -151,6 +151,13 @@ def _sleep(ending: Ending, call: ast.Call) -> tuple[str, str] | None:
         return None
     each_turn = " a turn of its loop" if loops and turns is None else ""
     return f"time.sleep({seconds:g})", f"for {total:g} s{each_turn}"
+
+
+def _ends_behind(ending: Ending, call: ast.Call) -> bool:
+    """Whether the node ends in the function that sleeps, so that nothing else of it is to run."""
+    function = ending.syntax.function(call)
+    last = (each for each in own_calls(body_of(function)) if each.lineno > call.lineno)
+    return any(ending.syntax.qualified(each) in ("rclpy.shutdown", "rclpy.try_shutdown", "sys.exit") for each in last)
 
 
 def _turns(ending: Ending, loop: ast.For | ast.While) -> int | None:
