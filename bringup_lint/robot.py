@@ -98,8 +98,8 @@ class Robot:
 
     def join(self, source: Source) -> None:
         """Take in a source that comes later, of a kind that nothing asked for before."""
-        self.sources.append(source)
         self._by_kind.setdefault(source.kind, []).append(source)
+        self.sources.append(source)
 
     def of_kind(self, *kinds: str) -> list[Source]:
         return [source for kind in kinds for source in self._by_kind.get(kind, ())]
