@@ -113,3 +113,15 @@ def test_rule_of_the_way_in_works(tmp_path: Path) -> None:
     (tmp_path / "rover.service").write_text('[Service]\nExecStart=/usr/bin/rover "front\tleft"\n', "utf-8")
     run = lint("--rules", "rules", "--select", "systemd/no-tabs", "--output-format", "concise", ".", cwd=tmp_path)
     assert run.stdout == "rover.service:2:11: warning[systemd/no-tabs] What will happen on the robot\n"
+
+
+def test_every_page_is_in_the_index() -> None:
+    index = (PROJECT / "docs" / "README.md").read_text("utf-8")
+    pages = [path.name for path in (PROJECT / "docs").iterdir() if path.suffix in (".md", ".json")]
+    assert [name for name in pages if name != "README.md" and f"({name})" not in index] == []
+
+
+def test_every_layer_is_in_the_map() -> None:
+    text = (PROJECT / "CONTRIBUTING.md").read_text("utf-8")
+    layers = [path.parent.name for path in (PROJECT / "bringup_lint" / "graph").glob("*/__init__.py")]
+    assert [name for name in layers if f"`{name}`" not in text] == []
