@@ -145,3 +145,30 @@ def test_fastdds_ends_at_an_end_tag_behind_the_root():
     text = '<profiles><participant profile_name="a" is_default_profile="true"/></profiles>'
     assert not fastdds.parse(Source("a.xml", f"{text}</dds><bogus")).dropped
     assert fastdds.parse(Source("a.xml", f"</dds>{text}")).dropped
+
+
+BOMB = "".join(f'<!ENTITY e{n} "{f"&e{n - 1};" * 10}">' for n in range(1, 10))
+ATTACKS = [
+    f'<!DOCTYPE x [<!ENTITY e0 "x">{BOMB}]>',
+    '<!DOCTYPE x SYSTEM "http://192.0.2.1/x.dtd">',
+    '<!DOCTYPE x [<!ENTITY e9 SYSTEM "file:///etc/passwd">]>',
+]
+
+
+@pytest.mark.parametrize("head", ATTACKS)
+def test_attacks_in_files_and_inline_are_named_and_load_nothing(head: str) -> None:
+    text = f"{head}<CycloneDDS><Domain><General><AllowMulticast>&e9;</AllowMulticast></General></Domain></CycloneDDS>"
+    for inline in (False, True):
+        found = cyclonedds.parse(Source("a.xml", text), inline=inline)
+        assert any(remark.code == "xml" for remark in found.remarks)
+        assert "root:" not in str([remark.detail for remark in found.all_remarks])
+    text = f'{head}<profiles><participant profile_name="&e9;" is_default_profile="true"/></profiles>'
+    profiles = fastdds.parse(Source("a.xml", text))
+    assert any(remark.code == "xml" for remark in profiles.remarks)
+    assert [str(profile.name) for profile in profiles.profiles] == ["&e9;"]
+
+
+def test_deep_and_wide_trees_cost_linear_time() -> None:
+    for text in ("<a>" * 200_000, "<CycloneDDS>" + "<Domain/>" * 20_000, "<profiles>" * 100_000):
+        assert any(remark.fatal for remark in cyclonedds.parse(Source("a.xml", text)).remarks)
+        assert fastdds.parse(Source("a.xml", text)).dropped

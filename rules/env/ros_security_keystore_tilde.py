@@ -27,8 +27,8 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
-ORIGINS = ("Environment=", "EnvironmentFile=", "env_file:")
-"""Who reads the place without a shell."""
+ORIGINS = ("Environment=", "EnvironmentFile=", "env_file:", "SetEnvironmentVariable", "additional_env", "env")
+"""Who reads the place without a shell; the last three are launch's."""
 
 
 @rule("error", symptoms=["SECURITY ERROR: directory"])
