@@ -187,14 +187,23 @@ function order(columns) {
         const near = [...(forward ? item.before : item.after), ...item.beside];
         return [item, lonely(item) ? Infinity : near.length ? middle(near) : item.y];
       }));
-      const step = (item) => (column.shared && item.index >= 0 ? item.step : null);
-      column.items.sort((a, b) => {
-        const steps = step(a) !== null && step(b) !== null ? step(a) - step(b) : 0;
-        return steps || (pull.get(a) === pull.get(b) ? 0 : pull.get(a) - pull.get(b));
-      });
+      column.items = sorted(column, (a, b) => (pull.get(a) === pull.get(b) ? 0 : pull.get(a) - pull.get(b)));
       stack(column);
     }
   }
+}
+
+/* The items by their pull; where steps share a column, the nodes keep to their steps and the tracks go between them. */
+function sorted(column, byPull) {
+  if (!column.shared) return [...column.items].sort(byPull);
+  const boxes = column.items.filter((item) => item.index >= 0).sort((a, b) => a.step - b.step || byPull(a, b));
+  const tracks = column.items.filter((item) => item.index < 0).sort(byPull);
+  const merged = [];
+  for (const box of boxes) {
+    while (tracks.length && byPull(tracks[0], box) < 0) merged.push(tracks.shift());
+    merged.push(box);
+  }
+  return [...merged, ...tracks];
 }
 
 /* Moves each item towards what it is linked to, as far as order and distances allow: least squares by pooling. */
