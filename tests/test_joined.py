@@ -10,6 +10,23 @@ from tests.drawing import drawn
 from tests.drawing import said
 from tests.drawing import tree
 
+PYTHON_SETUP = "from setuptools import setup\nsetup(name='p', entry_points={'console_scripts': ['e = p.e:main']})\n"
+NODE = """\
+import rclpy
+from rclpy.node import Node
+
+
+class Lift(Node):
+    latched = QoSProfile(depth=1)
+
+    def __init__(self):
+        super().__init__('lift')
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Lift())
+"""
 SERVICE = "[Service]\nExecStart=/bin/true\n"
 
 
@@ -119,10 +136,9 @@ def test_units_of_the_distribution_are_drawn_only_when_the_tree_names_them(tmp_p
 
 def test_program_that_is_no_python_is_drawn_all_the_same(tmp_path: Path) -> None:
     package = "<package format='3'><name>p</name><export><build_type>ament_python</build_type></export></package>"
-    setup = "from setuptools import setup\nsetup(name='p', entry_points={'console_scripts': ['e = p.e:main']})\n"
     files = {
         "p/package.xml": package,
-        "p/setup.py": setup,
+        "p/setup.py": PYTHON_SETUP,
         "p/p/e.py": "def main(:\n",
         "p/launch/a.launch.xml": "<launch><node pkg='p' exec='e' name='n'/></launch>\n",
     }
@@ -219,6 +235,24 @@ def test_user_units_are_ordered_among_themselves(tmp_path: Path) -> None:
     document = drawn(tree(tmp_path, files))
     orders = [(edge["source"], edge["target"]) for edge in document["edges"] if edge["kind"] == "orders"]
     assert orders == [("user-unit:b.service", "user-unit:a.service")]
+
+
+def test_findings_in_sources_and_dockerfiles_stand_on_what_is_made_of_them(tmp_path: Path) -> None:
+    package = "<package format='3'><name>p</name><export><build_type>ament_python</build_type></export></package>"
+    files = {
+        "p/package.xml": package,
+        "p/setup.py": PYTHON_SETUP,
+        "p/p/e.py": NODE,
+        "p/launch/a.launch.xml": "<launch><node pkg='p' exec='e' name='n'/></launch>\n",
+        "docker/compose.yaml": "services:\n  driver:\n    build: .\n    command: ros2 run p e\n",
+        "docker/Dockerfile": "FROM ros:foxy\nENV ROS_DOMAIN_ID=500\n",
+    }
+    document = drawn(tree(tmp_path, files))
+    paths = {
+        node["label"]: {document["findings"][index]["path"] for index in node["findings"]} for node in document["nodes"]
+    }
+    assert "p/p/e.py" in paths["/n"]
+    assert "docker/Dockerfile" in paths["driver"]
 
 
 def test_drop_ins_belong_to_their_unit(tmp_path: Path) -> None:

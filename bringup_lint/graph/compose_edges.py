@@ -59,6 +59,9 @@ def compose_places(robot: Robot) -> Iterator[tuple[Node, Span]]:
     for service in _services(robot):
         start = service.name.span
         yield service_node(service), start._replace(end=max(service.body.span.end, start.end))
+        stage = robot.compose.stage(service)
+        if stage is not None:
+            yield service_node(service), file_place(stage.start.keyword.span.source)
         for found in robot.compose.env_files(service):
             yield file_node("env-file", found), file_place(found)
 

@@ -85,9 +85,11 @@ def _add_launch(graph: Graph, robot: Robot) -> None:
 
 
 def _add_topics(graph: Graph, robot: Robot) -> None:
+    from bringup_lint.graph.topics.edges import program_places
     from bringup_lint.graph.topics.edges import topic_edges
 
     graph.add(topic_edges(robot))
+    graph.define(program_places(robot))
 
 
 def _add_files(graph: Graph, robot: Robot) -> None:

@@ -18,6 +18,9 @@ if TYPE_CHECKING:
     from bringup_lint.robot import Robot
 
 
+_DOCUMENTS = ("sros2-governance", "sros2-permissions")
+
+
 def keystore_edges(robot: Robot, places: Places) -> Iterator[Edge]:
     """``selects`` keystores by variable, ``holds`` their enclaves, ``secures`` what selects one."""
     for keystore in robot.sros2.keystores:
@@ -51,10 +54,11 @@ def document_edges(robot: Robot) -> Iterator[Edge]:
 
 def security_places(robot: Robot) -> Iterator[tuple[Node, Span]]:
     for keystore in robot.sros2.keystores:
-        for source in robot.of_kind("sros2-governance", "sros2-permissions", "sros2-certificate"):
-            if _lies_in(source, keystore):
-                yield _keystore_node(keystore), source.whole
-                break
+        inside = [source for source in robot.sources if source.judged and _lies_in(source, keystore)]
+        inside.sort(key=lambda source: source.kind in _DOCUMENTS)
+        for at, source in enumerate(inside):
+            if source.kind not in _DOCUMENTS or at == 0:
+                yield _keystore_node(keystore), source.whole if source.kind in _DOCUMENTS else file_place(source)
     for permissions in robot.sros2.permissions:
         if robot.sros2.is_used(permissions.source):
             yield file_node("permissions-file", permissions.source), file_place(permissions.source)

@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.graph.files import file_place
 from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.graph import Node
 from bringup_lint.graph.launch.edges import ros_node
+from bringup_lint.source import Span
 
 if TYPE_CHECKING:
     from bringup_lint.robot import Robot
@@ -28,3 +30,12 @@ def topic_edges(robot: Robot) -> Iterator[Edge]:
                 if edge not in seen:
                     seen.add(edge)
                     yield edge
+
+
+def program_places(robot: Robot) -> Iterator[tuple[Node, Span]]:
+    """The sources of the nodes that launch files start, where the tree holds them."""
+    for expansion in robot.launch.entries:
+        for started in expansion.nodes:
+            code = robot.topics.code(started) if started.is_node else None
+            if code is not None and code.source is not None:
+                yield ros_node(started), file_place(code.source)

@@ -37,6 +37,7 @@ SHAPES = {
 LONGEST = 48
 """Characters of a label."""
 FONT = f'fontname="Helvetica,Arial,sans-serif", fontcolor="{TEXT}"'
+_BORDERS = {"error": "3", "warning": "2"}
 _WEIGHTS = {"strong": "penwidth=1.8", "plain": "penwidth=1", "weak": "style=dashed"}
 
 
@@ -72,7 +73,7 @@ def _node(document: dict[str, Any], node: dict[str, Any]) -> str:
         "style": f"{style},rounded" if SHAPES.get(node["kind"]) == "box" else style,
         "fillcolor": "#ffffff" if absent else FILLS[node["layer"]],
         "color": STROKES[severity],
-        "penwidth": "2.4" if severity in ("error", "warning") else "1",
+        "penwidth": _BORDERS.get(severity, "1"),
         "tooltip": "\n".join(_tooltip(document, node)),
     }
     if attributes["shape"] == "cds":
