@@ -145,6 +145,32 @@ def test_cpp_sources() -> None:
     assert [each.name.span.text for each in node.endpoints if each.name] == ["scan", "~/pose", "raw", "stop", "late"]
 
 
+PARAMETERS = """
+// declare_parameter("scan_topic", "comment");
+declare_parameter("scan_topic", "front/scan");
+get_parameter("scan_topic", scan_topic_);
+create_subscription<sensor_msgs::msg::LaserScan>(scan_topic_, 10, callback);
+const auto odometry = node->declare_parameter<std::string>("odometry", std::string("odom"));
+node->create_subscription<nav_msgs::msg::Odometry>(odometry, 10, callback);
+map_topic_ = get_parameter("map").as_string();
+map_topic_ = "/" + map_topic_;
+create_publisher<nav_msgs::msg::OccupancyGrid>(map_topic_, 1);
+late = this->get_parameter("late").as_string();
+create_publisher<std_msgs::msg::Bool>(late, 1);
+"""
+
+
+def test_names_that_parameters_give() -> None:
+    found = cpp_node.parse(Source("a.cpp", PARAMETERS)).endpoints
+    assert [(each.parameter, each.name) for each in found] == [
+        ("scan_topic", "front/scan"),
+        ("odometry", "odom"),
+        (None, None),
+        ("late", None),
+    ]
+    assert found[1].name.span.text == "odom"
+
+
 def test_a_profile_that_changes_later_is_not_known() -> None:
     text = 'rclcpp::QoS qos(5);\nqos.best_effort();\nnode->create_publisher<std_msgs::msg::Bool>("a", qos);'
     assert cpp_node.parse(Source("a.cpp", text)).endpoints[0].qos is None

@@ -10,6 +10,7 @@ from dataclasses import field
 
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import Qos
+from bringup_lint.parsers.cpp_names import from_parameter
 from bringup_lint.parsers.cpp_qos import quality
 from bringup_lint.parsers.cpp_text import arguments
 from bringup_lint.parsers.cpp_text import blanked
@@ -71,11 +72,12 @@ def _endpoints(source: Source, code: str, bare: str, aliases: dict[str, str]) ->
         qos = _qos(source, code, bare, *spans[1]) if len(spans) > 1 else None
         type_ = _type(bare[found.end() : end], aliases)
         name = _literal(source, code, bare, *spans[0]) if spans else None
+        given = from_parameter(source, code, code[slice(*spans[0])]) if spans and name is None else None
         yield Endpoint(
             found["role"],
             type_,
-            name,
-            None,
+            name if given is None else given.default,
+            None if given is None else given.parameter,
             qos,
             None,
             None,
