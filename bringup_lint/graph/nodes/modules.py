@@ -22,7 +22,8 @@ class Modules:
         self.by_path = {os.path.abspath(file.source.name): file for file in files}
         self.by_source = {id(file.source): file for file in files}
         self._files = list(files)
-        self._folders: dict[str, str | None] = {}
+        self._modules: dict[tuple[str, str], NodeSource | None] = {}
+        self._names: dict[tuple[str, int], NodeClass | None] = {}
 
     def link(self) -> None:
         """Give each class the one it builds on, where that stands in another file of the tree."""
@@ -48,6 +49,13 @@ class Modules:
         local = file.class_named(dotted)
         if local is not None or depth > _DEPTH:
             return local
+        key = (dotted, id(file))
+        if key not in self._names:
+            self._names[key] = None
+            self._names[key] = self._imported(dotted, file, depth)
+        return self._names[key]
+
+    def _imported(self, dotted: str, file: NodeSource, depth: int) -> NodeClass | None:
         module, _, name = dotted.rpartition(".")
         if module.strip(".") == "" and module:
             module = f"{module}."
@@ -64,6 +72,11 @@ class Modules:
     def module(self, dotted: str, file: NodeSource) -> NodeSource | None:
         """The file of a module as another file imports it: ``package.module`` or ``.module``."""
         here = os.path.dirname(os.path.abspath(file.source.name))
+        if (dotted, here) not in self._modules:
+            self._modules[dotted, here] = self._find(dotted, here)
+        return self._modules[dotted, here]
+
+    def _find(self, dotted: str, here: str) -> NodeSource | None:
         level = len(dotted) - len(dotted.lstrip("."))
         path = dotted.lstrip(".").replace(".", "/")
         if level:

@@ -142,7 +142,13 @@ class Nodes:
 
     def made(self, file: NodeSource) -> list[NodeClass]:
         """The nodes that the code of a file makes, also of classes that stand in other files."""
-        return list(dict.fromkeys(made(self._modules, file, None)))
+        if id(file) not in self._made:
+            self._made[id(file)] = list(dict.fromkeys(made(self._modules, file, None)))
+        return self._made[id(file)]
+
+    @cached_property
+    def _made(self) -> dict[int, list[NodeClass]]:
+        return {}
 
     def makers(self, node: NodeClass) -> list[NodeSource]:
         """The files of the tree that make a node of this class."""

@@ -272,6 +272,9 @@ def _assign_attribute(todo: Todo, target: ast.Attribute, value: ast.expr | None)
         sets.append(AttributeSet(target.attr, value, scope, todo.conditional))
 
 
+_LEAVES = (ast.Name, ast.Constant, ast.expr_context, ast.operator, ast.unaryop, ast.boolop, ast.cmpop, ast.alias)
+
+
 def _children(module: Module, todo: Todo) -> Iterator[Todo]:
     """What stands inside a statement or expression; parts that need not run are conditional."""
     node = todo.node
@@ -283,7 +286,7 @@ def _children(module: Module, todo: Todo) -> Iterator[Todo]:
     for name, value in ast.iter_fields(node):
         conditional = todo.conditional or _may_not_run(node, name)
         for child in value if isinstance(value, list) else (value,):
-            if isinstance(child, ast.AST):
+            if isinstance(child, ast.AST) and not isinstance(child, _LEAVES):
                 yield Todo(child, todo.scope, todo.cls, conditional)
 
 
