@@ -55,5 +55,5 @@ def shutdown_double(robot: Robot):
                 advice="call rclpy.try_shutdown()",
                 related=[note(file.span_of(spin.call), "the signal ends this spin")],
                 fix=change if name.text.endswith(".shutdown") else None,
-                severity="info" if robot.nodes.purpose(file.source) else None,
+                severity="info" if robot.nodes.purpose(file.source) or robot.nodes.by_hand(file.source) else None,
             )

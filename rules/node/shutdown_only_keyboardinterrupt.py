@@ -62,5 +62,5 @@ def shutdown_only_keyboardinterrupt(robot: Robot):
                     edit,
                     *nodes.import_edits(file, "rclpy.executors", "ExternalShutdownException"),
                 ),
-                severity="info" if robot.nodes.purpose(file.source) else None,
+                severity="info" if robot.nodes.purpose(file.source) or robot.nodes.by_hand(file.source) else None,
             )

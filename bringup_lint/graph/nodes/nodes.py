@@ -33,6 +33,10 @@ _GATES = re.compile(
     r"|tricycle_controller|twist_mux|velocity_smoother|collision_monitor|create3)\b"
 )
 """Parameters, controllers and filters that end a motion when no command comes."""
+_STARTERS = (
+    *("systemd-unit", "systemd-dropin", "compose", "dockerfile", "shell-script"),
+    *("launch-python", "launch-xml", "launch-yaml", "env-file", "cmake", "setup-py"),
+)
 _TEST = re.compile(r"(?:^|[/_-])tests?(?:[/_.-]|$)|(?:^|/)(?:testing|integration_tests?)/", re.I)
 _EXAMPLE = re.compile(
     r"(?:^|[/_-])(?:examples?|demos?|tutorials?|samples?)(?:[/_.-]|$)|(?:^|/)(?:docs?|tools?|benchmarks?)/", re.I
@@ -85,6 +89,13 @@ class Nodes:
         if owner is not None:
             return os.path.relpath(path, os.path.dirname(owner.folder))
         return "/".join(path.split("/")[-2:]) if os.path.isabs(source.name) else source.name
+
+    def by_hand(self, source: Source) -> bool:
+        """Whether only people run a file: no package of the workspace holds it, and nothing that starts things names it."""
+        workspace = self.robot.launch.workspace
+        if not workspace.packages or workspace.owner(source) is not None:
+            return False
+        return not any(source.basename in each.text for each in self.robot.of_kind(*_STARTERS))
 
     def program(self, package: str, executable: str) -> Program | None:
         """The source of ``ros2 run package executable``; None when it is not Python, or not in the tree."""
