@@ -91,7 +91,7 @@ class Nodes:
         return "/".join(path.split("/")[-2:]) if os.path.isabs(source.name) else source.name
 
     def by_hand(self, source: Source) -> bool:
-        """Whether only people run a file: no package of the workspace holds it, and nothing that starts things names it."""
+        """Whether only people run a file: no package holds it, and nothing that starts things names it."""
         workspace = self.robot.launch.workspace
         if not workspace.packages or workspace.owner(source) is not None:
             return False
