@@ -231,7 +231,7 @@ class Nodes:
     def ending(self, file: NodeSource) -> Ending:
         """How the programs of a file end."""
         if id(file) not in self._endings:
-            self._endings[id(file)] = Ending(Syntax(file))
+            self._endings[id(file)] = Ending(Syntax(file), self.robot.target.ros)
         return self._endings[id(file)]
 
     @cached_property

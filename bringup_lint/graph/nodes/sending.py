@@ -96,7 +96,9 @@ def _owners(syntax: Syntax, call: ast.Call, node: ast.expr, cls: NodeClass | Non
     name = file.named(node, syntax.function(call))
     if name is not None:
         return [each for each in file.classes if each.name == name]
-    return [each for each in file.classes if each.is_node]
+    last = node.id if isinstance(node, ast.Name) else getattr(node, "attr", "")
+    unsure = isinstance(node, ast.Name) or "node" in last.lower()
+    return [each for each in file.classes if each.is_node] if unsure and last not in file.imports else []
 
 
 def _is_super(node: ast.Call) -> bool:

@@ -30,6 +30,10 @@ _OWN_SIGNALS = (
 )
 
 
+UNKNOWN = ("foxy", "galactic")
+"""Distributions whose rclpy handles signals in another way (before rclpy 3, Humble)."""
+
+
 class Spin(NamedTuple):
     """A call that runs callbacks until the node ends. ``executor``: ``single``, ``multi`` or None when not known."""
 
@@ -52,9 +56,10 @@ class Handler(NamedTuple):
 class Ending:
     """One file."""
 
-    def __init__(self, syntax: Syntax) -> None:
+    def __init__(self, syntax: Syntax, distribution: str | None = None) -> None:
         self.syntax = syntax
         self.file = syntax.file
+        self.distribution = distribution
 
     @cached_property
     def inits(self) -> list[ast.Call]:
@@ -64,6 +69,8 @@ class Ending:
     def signals(self) -> str | None:
         """What handles SIGINT and SIGTERM: ``rclpy`` (the default), ``none`` (not rclpy); None: not known."""
         options = {self._option(call) for call in self.inits}
+        if self.distribution in UNKNOWN:
+            return None
         if len(options) != 1 or any(self.syntax.qualified(call) in _OWN_SIGNALS for call in self.syntax.calls):
             return None
         return options.pop()
@@ -96,7 +103,7 @@ class Ending:
         found = []
         for call in self.syntax.calls:
             spin = self._spin(call)
-            if spin is not None:
+            if spin is not None and not self._in_thread(call):
                 found.append(spin)
         return found
 
@@ -138,14 +145,25 @@ class Ending:
         """The ``try`` statements around a spin."""
         found = []
         for node in ast.walk(self.file.tree):
-            if isinstance(node, ast.Try) and (spins := list(self.spins_in(node.body))) and not self._in_thread(node):
+            if isinstance(node, ast.Try) and (spins := list(self.spins_in(node.body))):
                 found.append((node, spins))
         return found
 
     def _in_thread(self, node: ast.AST) -> bool:
-        """Whether code stands in a class of threads: what a signal raises is not raised there."""
-        classes = [outer for outer, _ in self.syntax.above(node) if isinstance(outer, ast.ClassDef)]
-        return any((self.file.qualified(base) or "").endswith("Thread") for each in classes for base in each.bases)
+        """Whether code runs in a thread of its own: what a signal raises is not raised there."""
+        for outer, _ in self.syntax.above(node):
+            if isinstance(outer, ast.ClassDef):
+                return any((self.file.qualified(base) or "").endswith("Thread") for base in outer.bases)
+            if isinstance(outer, (ast.FunctionDef, ast.AsyncFunctionDef)) and outer.name in self._targets:
+                return True
+        return False
+
+    @cached_property
+    def _targets(self) -> frozenset[str]:
+        """The functions and methods that are handed to threads and processes."""
+        given = [each.value for call in self.syntax.calls for each in call.keywords if each.arg == "target"]
+        names = [node.attr if isinstance(node, ast.Attribute) else getattr(node, "id", "") for node in given]
+        return frozenset(names)
 
     def caught(self, handler: ast.ExceptHandler) -> frozenset[str]:
         """The names of the exceptions that a handler takes; ``BaseException`` when it takes all. Empty: not known."""
