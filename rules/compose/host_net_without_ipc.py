@@ -3,7 +3,7 @@
 ## What it finds
 Two or more ROS services with `network_mode: host` and Fast DDS, of which one has neither `ipc: host` nor a
 common `/dev/shm`, or whose `ipc` modes differ. A transport profile or `FASTDDS_BUILTIN_TRANSPORTS` may
-switch shared memory off: then nothing is said.
+switch shared memory off: then nothing is said. Where all of them name Fast DDS, `fastdds/shm-docker` says it.
 
 ## Why it matters on a robot
 On the host network the containers take each other for processes of one machine, and Fast DDS sends through
@@ -43,6 +43,8 @@ def host_net_without_ipc(robot: Robot):
     for file in robot.compose.files:
         services = [s for s in file.services if s.is_ros and s.is_whole and s.is_on_host_network]
         if len(services) < 2 or file.source.template or not all(_is_fast_dds(robot, service) for service in services):
+            continue
+        if all(robot.compose.variables(service, "RMW_IMPLEMENTATION") for service in services):
             continue
         apart = [service for service in services if not _shares_memory(service)]
         for service in apart:
