@@ -12,6 +12,7 @@ from bringup_lint.graph.topics.node_names import NodeNames
 from bringup_lint.model.node_source import NodeSource
 from bringup_lint.source import Located
 from bringup_lint.source import Source
+from bringup_lint.source import Span
 from bringup_lint.spelling import nearest
 
 if TYPE_CHECKING:
@@ -48,12 +49,18 @@ def watched(robot: Robot) -> Iterator[Watched]:
     for file in robot.params.judged:
         for parameter in file.parameters:
             if LIST.fullmatch(parameter.name.rpartition(".")[2]) and parameter.value.type == "string_array":
-                names = [Located(item.text, item.span) for item in robot.params.items(parameter)]
+                names = [_unquoted(item.text, item.span) for item in robot.params.items(parameter)]
                 if names:
                     yield Watched(names, True, parameter.key)
     for source in robot.of_kind(*SCRIPTS):
         if source.judged and not source.template and "node" in source.text:
             yield from _of_script(source)
+
+
+def _unquoted(text: str, span: Span) -> Located:
+    """A literal without the quotes around it."""
+    at = span.text.find(text)
+    return span.source.located(span.start + at, span.start + at + len(text)) if at >= 0 else Located(text, span)
 
 
 def _of_python(file: NodeSource) -> Iterator[Watched]:
@@ -80,10 +87,7 @@ def _list(file: NodeSource, name: str, value: ast.expr, where: ast.expr) -> Iter
 
 
 def _text(file: NodeSource, item: ast.Constant) -> Located:
-    span = file.span_of(item)
-    inner = span.text.find(item.value)
-    start = span.start + inner if inner >= 0 else span.start
-    return span.source.located(start, start + len(item.value)) if inner >= 0 else Located(item.value, span)
+    return _unquoted(item.value, file.span_of(item))
 
 
 def _of_script(source: Source) -> Iterator[Watched]:
