@@ -262,6 +262,8 @@ def test_focus_leaves_what_a_node_is_tied_to(opened) -> None:
     assert {"enp2s0", "mower.env", "mower.service", "blade.service"} < set(nodes(tab))
     tab.click("#whole")
     assert len(nodes(tab)) == 10
+    tab.locator(".node", has_text="network.target").dblclick()
+    assert "/drive" not in nodes(tab)
 
 
 def test_kinds_of_edges_can_be_hidden(opened) -> None:

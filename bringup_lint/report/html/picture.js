@@ -142,19 +142,21 @@ function boxFor(node, { x, y, width, height }, index) {
   const ranked = node.rank != null && node.kind !== "folded";
   const about = [node.full, node.kind, placeOf(node)].filter(Boolean);
   const told = [...about, counted(node.findings.length, "finding"), node.worst && `worst: ${node.worst}`];
+  const start = ranked ? 12 + SIZE.rank : 12;
+  const label = make("text", { "aria-hidden": true, class: "label", x: start, y: low ? 16 : 29 }, node.label);
+  label.style.setProperty("--aside", `${num(width - start + 6)}px`);
   return make("g", {
     class: `node ${node.worst}`, "data-layer": node.layer, "data-index": index, transform: `translate(${num(x)} ${num(y)})`,
     tabindex: -1, role: "button", "aria-label": told.filter(Boolean).join(", "),
     onclick: () => choose(node.kind === "folded" ? { box: index } : { node: node.members[0] }),
-    ondblclick: () => (node.kind === "folded" ? fold(node.layer) : isolate(node.members[0])),
     onpointerenter: () => light(index), onpointerleave: () => light(),
   },
     make("title", {}, about.join("\n")),
     make("rect", { class: "box", width, height, rx: 4 }),
     make("rect", { class: "hue", width: 4, height, rx: 2 }),
-    low ? null : make("text", { "aria-hidden": true, class: "kind", x: ranked ? 12 + SIZE.rank : 12, y: 14 }, node.kind === "folded" ? "folded" : node.kind),
+    low ? null : make("text", { "aria-hidden": true, class: "kind", x: start, y: 14 }, node.kind === "folded" ? "folded" : node.kind),
     ranked ? make("text", { "aria-hidden": true, class: "rank", x: 10, y: low ? 16 : 29 }, String(node.rank)) : null,
-    make("text", { "aria-hidden": true, class: "label", x: ranked ? 12 + SIZE.rank : 12, y: low ? 16 : 29 }, node.label),
+    label,
     node.worst ? make("g", { transform: `translate(${num(width - 12)} 12)` },
       make("use", { class: `icon ${node.worst}`, href: `#icon-${node.worst}`, x: -7, y: -7, width: 14, height: 14 })) : null);
 }
@@ -207,8 +209,21 @@ function light(pointed) {
     box.classList.toggle("found", Boolean(found?.has(index)));
   });
   drawn.lines.forEach((line, index) => line.classList.toggle("lit", lines.has(index)));
+  if (boxes.size <= FEW) name([...boxes]);
   if (chosen && boxes.size <= FEW) raise([...boxes].map((index) => drawn.boxes[index]));
   return found;
+}
+
+/* Where labels are too small, those of lit boxes stand above them, or beside them below another lit box. */
+function name(indices) {
+  const boxes = drawn.plan.boxes;
+  for (const index of indices) {
+    const close = indices.some((other) => {
+      const apart = boxes[index].y - boxes[other].y;
+      return boxes[index].x === boxes[other].x && apart > 0 && apart < 48;
+    });
+    drawn.boxes[index].classList.toggle("aside", close);
+  }
 }
 
 /* Draws boxes above the others; to move an element takes the keyboard from it. */
