@@ -120,7 +120,7 @@ def test_a_middleware_that_hangs_is_given_up(stub: Path, monkeypatch: pytest.Mon
 
 def test_a_middleware_that_hangs_does_not_outlive_its_limit(stub: Path) -> None:
     stub.write_text("import time\ntime.sleep(600)\n")
-    task = {"domain": 0, "wait": 1, "enclave": None, "states": False, "limit": 1}
+    task = {"domain": 0, "wait": 1, "enclave": None, "limit": 1}
     run = subprocess.run([sys.executable, observe.__file__, json.dumps(task)], timeout=10, check=False)
     assert run.returncode == -signal.SIGALRM
 
@@ -146,6 +146,39 @@ def test_what_was_seen_is_read_again() -> None:
     assert (qos.reliability, qos.durability, qos.deadline) == ("RELIABLE", "VOLATILE", 0.5)
     assert (qos.liveliness, qos.lease) == ("AUTOMATIC", INFINITE)
     assert [(domain, [node.name for node in nodes]) for domain, nodes in living.elsewhere] == [(0, ["/b"])]
+
+
+def test_a_node_that_appears_late_is_not_missing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    node = "Node(package='otter', executable='{0}', name='{0}')"
+    (tmp_path / "otter.launch.py").write_text(LAUNCH.format(f"[{node.format('sea')}, {node.format('land')}]"))
+    looks = iter((["/sea"], ["/land"]))
+    waits = []
+
+    def look(domains, wait, **how):
+        waits.append(wait)
+        return [
+            {**SEEN, "domain": each, "states": {}, "nodes": [[n, "/"] for n in next(looks, [])]} for each in domains
+        ]
+
+    monkeypatch.setattr(live_run, "look", look)
+    run = lint("live", "--domain-id", "3", "--wait", "1", "--output-format", "concise", ".", cwd=tmp_path)
+    assert (run.stdout, run.code) == ("", 0)
+    assert waits == [1, live_run.AGAIN]
+    assert "Looking longer, for what is not there, and at 0 ..." in run.stderr
+
+
+def test_a_second_look_adds_to_the_first() -> None:
+    first = {**SEEN, "nodes": [["/a", "/"], ["/b", "/"]], "states": {"/a": "active", "/b": "no answer"}}
+    second = {
+        **SEEN,
+        "nodes": [["/a", "/"], ["/c", "/"]],
+        "states": {"/a": "no answer", "/c": "inactive"},
+        "endpoints": [],
+    }
+    both = live_run.merged(first, second)
+    assert both["nodes"] == [["/a", "/"], ["/b", "/"], ["/c", "/"]]
+    assert both["states"] == {"/a": "active", "/b": "no answer", "/c": "inactive"}
+    assert both["endpoints"] == []
 
 
 @given(
@@ -244,6 +277,7 @@ def test_the_page_says_how_long_it_takes() -> None:
     assert f"`--wait` seconds ({wait:g}), up to {observe.LONGER:g} more" in page
     assert f"{observe.ANSWER:g} more\nat most" in page
     assert f"`{observe.NAME}`" in page
+    assert f"for {live_run.AGAIN:g} times as long" in page
 
 
 def test_a_graph_that_is_no_file_goes_with_the_sarif_report(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:

@@ -131,12 +131,15 @@ def loaded(path: str) -> Source:
 
 def seen(robot: Robot, options: dict[str, Any]) -> Source:
     """The running graph. Raises LiveError when it cannot be looked at."""
-    from bringup_lint.graph.living.domains import configured
     from bringup_lint.graph.living.domains import mentioned
     from bringup_lint.graph.living.domains import middleware
+    from bringup_lint.graph.living.living import LivingRobot
+    from bringup_lint.live.run import AGAIN
     from bringup_lint.live.run import AT_MOST
     from bringup_lint.live.run import look
+    from bringup_lint.live.run import merged
     from bringup_lint.live.text import graph_text
+    from bringup_lint.parsers.living import parse
     from bringup_lint.source import Source
 
     domain, told = chosen(robot, options["domain_id"])
@@ -144,18 +147,20 @@ def seen(robot: Robot, options: dict[str, Any]) -> Source:
     rmw = str(said) if said else None
     with_rmw = f" with {rmw} ({_at(said)})" if said else ""
     click.echo(f"Looking at domain {domain} ({told}){with_rmw} ...", err=True)
+    how = {"enclave": options["enclave"], "rmw": rmw}
     with ThreadPoolExecutor(1) as pool:
-        looking = pool.submit(look, [domain], options["wait"], enclave=options["enclave"], rmw=rmw, states=True)
-        must = robot.expected.must
+        looking = pool.submit(look, [domain], options["wait"], **how)
+        _ = robot.expected
         (graph,) = looking.result()
-    others = [each for each in mentioned(robot) if each != domain][:AT_MOST]
-    said_domain = configured(robot)
-    elsewhere = []
-    if others and (is_wanting(graph, must) or (said_domain and said_domain.number != domain)):
-        click.echo(f"Looking at domain {', '.join(map(str, others))} too ...", err=True)
-        elsewhere = look(others, options["wait"], enclave=options["enclave"], rmw=rmw, states=False)
     secured = os.environ.get("ROS_SECURITY_ENABLE") == "true"
-    text = graph_text(graph, elsewhere, told, secured)
+    text = graph_text(graph, [], told, secured)
+    living = LivingRobot(robot, parse(Source("", text)))
+    if living.wants or (living.configured and living.configured.number != domain):
+        others = [each for each in mentioned(robot) if each != domain][:AT_MOST]
+        also = f", and at {', '.join(map(str, others))}" if others else ""
+        click.echo(f"Looking longer, for what is not there{also} ...", err=True)
+        again, *elsewhere = look([domain, *others], AGAIN * options["wait"], **how)
+        text = graph_text(merged(graph, again), elsewhere, told, secured)
     if options["save"]:
         write(text, options["save"])
         return Source(str(options["save"]), text, KIND)
@@ -178,14 +183,6 @@ def chosen(robot: Robot, given: int | None) -> tuple[int, str]:
         return number, "ROS_DOMAIN_ID of this shell"
     told = configured(robot)
     return (told.number, _at(told.where)) if told else (0, "the default")
-
-
-def is_wanting(graph: dict[str, Any], must: frozenset[str]) -> bool:
-    """Whether a node of the robot may be on another domain: one that must run is not here, or none is here at all."""
-    from bringup_lint.graph.living.tools import is_tool
-
-    names = {name for name, _ in graph["nodes"] if not is_tool(name)}
-    return bool(must - names) if must else not names
 
 
 def _at(where: Located) -> str:

@@ -25,6 +25,8 @@ LONGER = 2.0
 ANSWER = 2.0
 """Seconds in which lifecycle nodes must answer, all together."""
 GET_STATE = "lifecycle_msgs/srv/GetState"
+NO_ANSWER = "no answer"
+"""The state of a lifecycle node that does not tell it."""
 
 
 def main() -> None:
@@ -33,7 +35,7 @@ def main() -> None:
     try:
         import rclpy  # noqa: F401
 
-        seen = observe(task["domain"], task["wait"], task["enclave"], task["states"])
+        seen = observe(task["domain"], task["wait"], task["enclave"])
     except ImportError as error:
         print(error, file=sys.stderr)
         sys.exit(NO_RCLPY)
@@ -43,7 +45,7 @@ def main() -> None:
     print(f"\n{MARK}{json.dumps(seen)}", flush=True)
 
 
-def observe(domain: int, wait: float, enclave: str | None, states: bool) -> dict[str, object]:
+def observe(domain: int, wait: float, enclave: str | None) -> dict[str, object]:
     """Everything that can be seen on a domain after some seconds."""
     import rclpy
     from rclpy.context import Context
@@ -64,8 +66,8 @@ def observe(domain: int, wait: float, enclave: str | None, states: bool) -> dict
             "domain": context.get_domain_id(),
             "rmw": rclpy.get_rmw_implementation_identifier(),
             "nodes": nodes(node),
-            "endpoints": endpoints(node) if states else [],
-            "states": lifecycle_states(node, executor) if states else {},
+            "endpoints": endpoints(node),
+            "states": lifecycle_states(node, executor),
         }
         executor.shutdown(timeout_sec=1)
         node.destroy_node()
@@ -157,7 +159,7 @@ def seconds(duration) -> float | None:
 
 
 def lifecycle_states(node, executor) -> dict[str, str]:
-    """Full name -> state of every lifecycle node; ``no answer`` when it stays silent."""
+    """Full name -> state of every lifecycle node."""
     try:
         from lifecycle_msgs.srv import GetState
     except ImportError:
@@ -174,7 +176,7 @@ def lifecycle_states(node, executor) -> dict[str, str]:
     states = {}
     for name in clients:
         answer = asked[name].result() if name in asked and asked[name].done() else None
-        states[name.rpartition("/")[0]] = answer.current_state.label if answer else "no answer"
+        states[name.rpartition("/")[0]] = answer.current_state.label if answer else NO_ANSWER
     return states
 
 

@@ -18,6 +18,8 @@ SLACK = 12.0
 """Seconds that a process gets beyond its wait: loading the middleware, asking for states, leaving."""
 AT_MOST = 4
 """Other domains that are looked at."""
+AGAIN = 2.0
+"""How many times as long the second look takes, before anything is called missing."""
 
 
 _FRILLS = re.compile(r"^\[\w+\] \[[\d.]+\] \[[\w.]+\]: |^\w+Error: |[.,]* at /\S+:\d+$")
@@ -32,14 +34,12 @@ class _NoRclpy(LiveError):
     pass
 
 
-def look(
-    domains: Iterable[int], wait: float, *, enclave: str | None, rmw: str | None, states: bool
-) -> list[dict[str, Any]]:
+def look(domains: Iterable[int], wait: float, *, enclave: str | None, rmw: str | None) -> list[dict[str, Any]]:
     """What can be seen on some domains, all looked at side by side. Raises LiveError."""
     environment = dict(os.environ)
     if rmw:
         environment["RMW_IMPLEMENTATION"] = rmw
-    task = {"wait": wait, "enclave": enclave, "states": states, "limit": ceil(wait + observe.LONGER + SLACK) + 1}
+    task = {"wait": wait, "enclave": enclave, "limit": ceil(wait + observe.LONGER + SLACK) + 1}
     tasks = [json.dumps({**task, "domain": each}) for each in domains]
     pythons = _pythons()
     for python in pythons[:-1]:
@@ -48,6 +48,23 @@ def look(
         except _NoRclpy:
             continue
     return _together(pythons[-1], tasks, wait, environment)
+
+
+def merged(first: dict[str, Any], second: dict[str, Any]) -> dict[str, Any]:
+    """Two looks at one domain: the second, with the nodes that only the first has seen."""
+    names = {name for name, _ in second["nodes"]}
+    nodes = [[name, enclave] for name, enclave in first["nodes"] if name not in names]
+    ends = [each for each in first["endpoints"] if each["node"] not in names]
+    return {
+        **second,
+        "nodes": sorted([*second["nodes"], *nodes]),
+        "endpoints": [*second["endpoints"], *ends],
+        "states": {**first["states"], **second["states"], **_told(first), **_told(second)},
+    }
+
+
+def _told(seen: dict[str, Any]) -> dict[str, str]:
+    return {name: state for name, state in seen["states"].items() if state != observe.NO_ANSWER}
 
 
 def _pythons() -> list[str]:

@@ -99,8 +99,12 @@ def tree(folder: Path, domain: int, more: str = "") -> Path:
     return folder
 
 
+TWICE = ("--wait", "2")
+"""Long enough where a second look follows."""
+
+
 def live(folder: Path, *options: str) -> Run:
-    return lint("live", "--wait", "4", "--output-format", "concise", *options, ".", cwd=folder)
+    return lint("live", "--output-format", "concise", *options, ".", cwd=folder)
 
 
 @pytest.fixture(scope="module")
@@ -112,7 +116,7 @@ def bad_robot(tmp_path_factory: pytest.TempPathFactory) -> tuple[int, Run]:
     with pytest.MonkeyPatch.context() as patch:
         set_shell(patch, folder)
         with running(*BAD, environment=on(domain)):
-            return domain, live(tree(folder / "tree", domain, more))
+            return domain, live(tree(folder / "tree", domain, more), *TWICE)
 
 
 @pytest.mark.parametrize("rule", MESSAGES)
@@ -146,7 +150,7 @@ def test_nodes_on_another_domain_than_the_files_say(
     folder = tree(tmp_path / "tree", domain - 100)
     monkeypatch.setenv("ROS_DOMAIN_ID", str(domain))
     with running(*GOOD, environment=on(domain)):
-        run = live(folder, "--select", "live/domain-mismatch")
+        run = live(folder, *TWICE, "--select", "live/domain-mismatch")
     expected = f"ros.env says domain {domain - 100}, where no node of the robot runs; 5 nodes run on domain {domain}"
     assert expected in run.stdout, (run.stdout, run.stderr)
     assert f"Looking at domain {domain} (ROS_DOMAIN_ID of this shell)" in run.stderr
@@ -157,7 +161,7 @@ def test_nodes_are_looked_for_on_the_domains_that_files_mention(tmp_path: Path, 
     (folder / "development").mkdir()
     (folder / "development/ros.env").write_text(f"ROS_DOMAIN_ID={domain}\n")
     with running(*GOOD, environment=on(domain)):
-        run = live(folder)
+        run = live(folder, *TWICE)
     lines = [line for line in run.stdout.splitlines() if line.startswith("ros.env:1:15:")]
     assert len(lines) == 1, (run.stdout, run.stderr)
     assert lines[0].endswith(f"where no node of the robot runs; 5 nodes run on domain {domain}")
@@ -170,7 +174,7 @@ def test_one_node_on_another_domain(tmp_path: Path, domain: int) -> None:
     (folder / "development/ros.env").write_text(f"ROS_DOMAIN_ID={domain - 100}\n")
     others = [node for node in GOOD if node is not SLAM]
     with running(*others, environment=on(domain)), running(SLAM, environment=on(domain - 100)):
-        run = live(folder, "--select", "live/domain-mismatch,live/node-missing")
+        run = live(folder, *TWICE, "--select", "live/domain-mismatch,live/node-missing")
     assert f"/slam runs on domain {domain - 100}, not on {domain} as ros.env says" in run.stdout, (
         run.stdout,
         run.stderr,
@@ -192,7 +196,7 @@ def test_files_that_ask_for_security_and_nodes_without(tmp_path: Path, domain: i
 def test_it_publishes_nothing_and_offers_nothing(tmp_path: Path, domain: int) -> None:
     folder = tree(tmp_path / "tree", domain)
     nodes = [{**node, "lifecycle": node is AMCL} for node in GOOD]
-    with running(*nodes, environment=on(domain)), watching("_bringup_lint", 8, on(domain)) as answers:
+    with running(*nodes, environment=on(domain)), watching("_bringup_lint", 6, on(domain)) as answers:
         run = live(folder)
     assert "/amcl is unconfigured" in run.stdout, run.stderr
     assert answers == [

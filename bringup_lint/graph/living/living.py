@@ -118,6 +118,12 @@ class LivingRobot:
     def _conflict(self, entry: Entry, other: Entry) -> bool:
         return bool(entry.unit and other.unit and self.robot.units.conflict(entry.unit, other.unit))
 
+    @property
+    def wants(self) -> bool:
+        """Whether something was not seen that should be there, and that may only be late."""
+        silent = any(node.state == "no answer" for node in self.nodes)
+        return bool(silent or self.missing or self.meant or not self.nodes)
+
     @cached_property
     def duplicates(self) -> list[list[RunningNode]]:
         """Nodes that share a name, together."""
