@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.dds.selection import Selection
     from bringup_lint.graph.environment.ros import RosProcess
     from bringup_lint.graph.launch.commands import LaunchCommand
-    from bringup_lint.graph.launch.expand import Expansion
+    from bringup_lint.graph.launch.expansion import Expansion
     from bringup_lint.graph.launch.started import Started
     from bringup_lint.graph.params.loads import Load
     from bringup_lint.graph.systemd.process import Process

@@ -14,7 +14,7 @@ from bringup_lint.graph.environment.effective import after_commands
 from bringup_lint.graph.environment.effective import assign_before
 from bringup_lint.graph.environment.effective import process_environment
 from bringup_lint.graph.environment.launched import launched_environment
-from bringup_lint.graph.launch.expand import Expansion
+from bringup_lint.graph.launch.expansion import Expansion
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.systemd.process import SHELLS
 from bringup_lint.graph.systemd.process import Process

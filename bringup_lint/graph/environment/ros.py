@@ -35,7 +35,7 @@ from bringup_lint.templates import has_placeholder
 
 if TYPE_CHECKING:
     from bringup_lint.graph.environment.images import Lacking
-    from bringup_lint.graph.launch.expand import Expansion
+    from bringup_lint.graph.launch.expansion import Expansion
     from bringup_lint.graph.systemd.process import Step
     from bringup_lint.model.compose import Service
     from bringup_lint.robot import Robot

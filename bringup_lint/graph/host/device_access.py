@@ -12,7 +12,7 @@ from bringup_lint.graph.udev.rule import Link
 from bringup_lint.source import Located
 
 if TYPE_CHECKING:
-    from bringup_lint.graph.launch.expand import Expansion
+    from bringup_lint.graph.launch.expansion import Expansion
     from bringup_lint.model.params import ParameterFile
     from bringup_lint.robot import Robot
 

@@ -19,8 +19,8 @@ from bringup_lint.graph.launch.commands import LaunchCommand
 from bringup_lint.graph.launch.commands import launch_commands
 from bringup_lint.graph.launch.edges import launch_edges
 from bringup_lint.graph.launch.expand import Expander
-from bringup_lint.graph.launch.expand import Expansion
-from bringup_lint.graph.launch.expand import Included
+from bringup_lint.graph.launch.expansion import Expansion
+from bringup_lint.graph.launch.expansion import Included
 from bringup_lint.graph.launch.lifecycle import full_name
 from bringup_lint.graph.launch.lifecycle import managers
 from bringup_lint.graph.launch.references import Reference

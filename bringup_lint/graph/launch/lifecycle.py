@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from bringup_lint.facts.node_roles import Role
 from bringup_lint.facts.node_roles import lifecycle_names
-from bringup_lint.graph.launch.expand import Expansion
+from bringup_lint.graph.launch.expansion import Expansion
 from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.resolve import truth
 from bringup_lint.graph.launch.started import Started

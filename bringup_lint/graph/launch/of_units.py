@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.graph.systemd.process import Ros
 
 if TYPE_CHECKING:
-    from bringup_lint.graph.launch.expand import Expansion
+    from bringup_lint.graph.launch.expansion import Expansion
     from bringup_lint.graph.systemd.unit import Unit
     from bringup_lint.robot import Robot
 

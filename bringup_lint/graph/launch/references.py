@@ -6,7 +6,7 @@ from collections.abc import Callable
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from bringup_lint.graph.launch.expand import Expansion
+from bringup_lint.graph.launch.expansion import Expansion
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.workspace import Found
 from bringup_lint.model.launch import LaunchFile

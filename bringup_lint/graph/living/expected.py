@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from bringup_lint.finding import Related
 from bringup_lint.graph.environment.effective import Environment
-from bringup_lint.graph.launch.expand import Expansion
+from bringup_lint.graph.launch.expansion import Expansion
 from bringup_lint.graph.launch.launch import SIMULATION
 from bringup_lint.graph.launch.lifecycle import full_name
 from bringup_lint.graph.launch.started import Started

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from dataclasses import field
 from typing import TYPE_CHECKING
 
-from bringup_lint.graph.launch.expand import Expansion
+from bringup_lint.graph.launch.expansion import Expansion
 from bringup_lint.graph.launch.lifecycle import full_name
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import literal_text

@@ -11,7 +11,7 @@ from bringup_lint.graph.environment.launching import expansion_of
 
 if TYPE_CHECKING:
     from bringup_lint.graph.environment.ros import RosProcess
-    from bringup_lint.graph.launch.expand import Expansion
+    from bringup_lint.graph.launch.expansion import Expansion
     from bringup_lint.robot import Robot
 
 DOMAIN = "ROS_DOMAIN_ID"

@@ -1,0 +1,85 @@
+"""What one entry leads to: nodes, includes, declarations, and what is read without being there."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from dataclasses import field
+from functools import cached_property
+from typing import NamedTuple
+
+from bringup_lint.graph.launch.scope import Binding
+from bringup_lint.graph.launch.started import Started
+from bringup_lint.model.launch import Action
+from bringup_lint.model.launch import DeclareArgument
+from bringup_lint.model.launch import EventHandler
+from bringup_lint.model.launch import Include
+from bringup_lint.model.launch import LaunchFile
+from bringup_lint.model.launch_values import Argument
+from bringup_lint.model.launch_values import Condition
+from bringup_lint.model.launch_values import Value
+from bringup_lint.source import Span
+
+
+class Included(NamedTuple):
+    """An include as it happens: the target is None when the file is not in the tree."""
+
+    action: Include
+    file: Value
+    source: LaunchFile
+    target: LaunchFile | None
+    arguments: dict[str, Value]
+    conditions: tuple[Condition, ...]
+    chain: tuple[Span, ...]
+    known: frozenset[str]
+    """The launch configurations that exist before the include, without those that it passes."""
+
+
+class Declared(NamedTuple):
+    """A declaration as it happens."""
+
+    action: DeclareArgument
+    file: LaunchFile
+    name: str
+    before: Binding | None
+    """The value that the configuration already had, so that the default is not used."""
+    conditions: tuple[Condition, ...]
+    chain: tuple[Span, ...]
+
+
+class Used(NamedTuple):
+    """A launch configuration that does not exist where it is read."""
+
+    argument: Argument
+    file: LaunchFile
+    chain: tuple[Span, ...]
+    conditions: tuple[Condition, ...]
+    certain: bool
+    """Nothing before it could have set the configuration unseen."""
+
+
+@dataclass(eq=False)
+class Expansion:
+    """Everything that one entry leads to."""
+
+    entry: LaunchFile
+    nodes: list[Started] = field(default_factory=list)
+    """Nodes, components and other processes, in the order in which they start."""
+    includes: list[Included] = field(default_factory=list)
+    declared: list[Declared] = field(default_factory=list)
+    unbound: list[Used] = field(default_factory=list)
+    handlers: list[tuple[EventHandler, LaunchFile]] = field(default_factory=list)
+    actions: list[tuple[Action, LaunchFile]] = field(default_factory=list)
+    """Every action that was visited."""
+    cycle: list[Included] = field(default_factory=list)
+    """Includes that come back to a file that is still being read."""
+    open: bool = False
+    """Something is not understood or not in the tree: more may start, and more arguments may be read."""
+    arguments: dict[str, Binding] = field(default_factory=dict)
+    """The launch configurations at the end."""
+
+    @cached_property
+    def files(self) -> list[LaunchFile]:
+        """Every file that is read; ask only when the expansion is done."""
+        found = {id(file): file for _, file in self.actions}
+        found.setdefault(id(self.entry), self.entry)
+        return list(found.values())
