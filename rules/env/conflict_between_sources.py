@@ -102,7 +102,8 @@ def _together(robot: Robot):
     crews = robot.units.companions(units.values()) if units else []
     crew_of = {id(unit): number for number, crew in enumerate(crews) for unit in crew}
     for process in robot.ros.processes:
-        if process.launched and process.launcher is None:
+        by_hand = process.launched and process.launcher is None
+        if by_hand or (process.launched and robot.ros.is_development(process.where)):
             continue
         key = crew_of[id(process.unit)] if process.unit else (process.launcher or process).source.name
         groups.setdefault(key, []).append(process)

@@ -38,6 +38,8 @@ def enclave_not_selected(robot: Robot):
         return
     for group in robot.sros2.without_enclave:
         first = group[0]
+        if not first.own and robot.ros.is_development(first.where):
+            continue
         more = f" and {len(group) - 1} more select" if len(group) > 1 else " selects"
         they = "they use '/' and not their names" if len(group) > 1 else "it uses '/' and not its name"
         yield finding(
