@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.discover.tree import display_name
 from bringup_lint.graph.files import file_node
 from bringup_lint.graph.files import file_place
 from bringup_lint.graph.graph import Edge
@@ -16,7 +17,6 @@ from bringup_lint.source import Span
 if TYPE_CHECKING:
     from bringup_lint.graph.places import Places
     from bringup_lint.robot import Robot
-
 
 _DOCUMENTS = ("sros2-governance", "sros2-permissions")
 
@@ -94,7 +94,5 @@ def _lies_in(source: Source, keystore: Keystore) -> bool:
 
 
 def _inside(robot: Robot, folder: str) -> Iterator[Source]:
-    from bringup_lint.discover.tree import display_name
-
     name = display_name(folder)
     return (source for source in robot.sources if source.name.rpartition("/")[0] == name)

@@ -14,9 +14,8 @@ from bringup_lint.graph.graph import Node
 from bringup_lint.graph.systemd.edges import own_units
 from bringup_lint.graph.systemd.process import unwrapped
 from bringup_lint.source import Located
+from bringup_lint.source import Source
 from bringup_lint.source import Span
-
-_INTERPRETER = re.compile(r"python[0-9.]*|perl|node|ruby")
 
 if TYPE_CHECKING:
     from bringup_lint.graph.launch.launch import Launch
@@ -24,6 +23,9 @@ if TYPE_CHECKING:
     from bringup_lint.graph.systemd.process import Ros
     from bringup_lint.graph.systemd.process import Step
     from bringup_lint.robot import Robot
+
+_INTERPRETER = re.compile(r"python[0-9.]*|perl|node|ruby")
+_SCRIPT = re.compile(r"/.*\.(?:py|pl|js|rb)")
 
 
 def run_edges(robot: Robot) -> Iterator[Edge]:
@@ -40,8 +42,7 @@ def script_places(robot: Robot) -> Iterator[tuple[Node, Span]]:
             for step in process.steps:
                 if step.script is not None:
                     yield file_node("script", step.script), file_place(step.script)
-            program = _program(process)
-            found = robot.tree.find(program) if program.startswith("/") and process.key == "ExecStart" else None
+            found = _script(_program(process), robot) if process.key == "ExecStart" else None
             if found is not None:
                 yield file_node("script", found), file_place(found)
 
@@ -62,7 +63,7 @@ def _of_process(unit: Node, process: Process, robot: Robot) -> Iterator[Edge]:
             followed = True
     program = _program(process)
     if process.key == "ExecStart" and not followed and not process.shell and is_plain(program):
-        found = robot.tree.find(program) if program.startswith("/") else None
+        found = _script(program, robot)
         target = file_node("script", found) if found else Node("program", str(program))
         yield Edge("runs", unit, target, program.span, "ExecStart=")
 
@@ -73,6 +74,11 @@ def _program(process: Process) -> Located:
     if _INTERPRETER.fullmatch(words[0].rpartition("/")[2]) and len(words) > 1 and "/" in words[1]:
         return words[1]
     return words[0]
+
+
+def _script(program: Located, robot: Robot) -> Source | None:
+    """The program in the tree, if it is a script: nothing is learnt from reading others."""
+    return robot.tree.find(program) if _SCRIPT.fullmatch(program) and is_plain(program) else None
 
 
 def _run(unit: Node, process: Process, step: Step, target: Node, where: Span) -> Edge:
