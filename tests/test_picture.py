@@ -103,6 +103,16 @@ def test_output_file(tmp_path: Path) -> None:
     assert (tmp_path / "a.dot").read_text().startswith("digraph robot {")
 
 
+@pytest.mark.parametrize(
+    ("output", "drawing"), [("mermaid", "flowchart LR\n"), ("json", "{"), ("dot", "digraph robot {")]
+)
+def test_empty_tree(tmp_path: Path, output: str, drawing: str) -> None:
+    run = lint("graph", "--format", output, cwd=tmp_path)
+    assert (run.code, run.stderr) == (0, "")
+    assert run.stdout.startswith(drawing)
+    assert "class" not in run.stdout
+
+
 def test_secrets_stay_masked(tmp_path: Path) -> None:
     launch = """\
 <launch><arg name="x" default="a"/>

@@ -62,6 +62,11 @@ def test_odd_labels(modules: str, tmp_path: Path, charts: list[list[str]]) -> No
         assert [shown(text) for *_, text in chart["edges"]] == labels[:-1]
 
 
+def test_nothing_to_draw(modules: str, tmp_path: Path) -> None:
+    chart = lint("graph", "--format", "mermaid", cwd=tmp_path).stdout
+    assert parsed(modules, tmp_path, chart) == [{"nodes": [], "edges": [], "groups": []}]
+
+
 @pytest.mark.parametrize("robot", ["good", "guide"])
 def test_robots(modules: str, tmp_path: Path, robot: str) -> None:
     folder = PROJECT / "fixtures/robots" / robot / "tree"

@@ -87,7 +87,7 @@ def _styles(document: dict[str, Any], names: dict[str, str]) -> Iterator[str]:
         if node["id"] in document["focus"]:
             classes.setdefault("focus", []).append(names[node["id"]])
     for name, style in _CLASSES.items():
-        if name in classes:
+        if classes.get(name):
             yield f"  classDef {name} {style}"
             yield f"  class {','.join(classes[name])} {name}"
 
