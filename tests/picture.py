@@ -33,9 +33,9 @@ def _row(line: str, number: int) -> str:
             codes = part[2:-1].split(";")
             styles = [f"fill:{COLOURS[code]}" if code in COLOURS else STYLES.get(code, "") for code in codes]
             style = ";".join(filter(None, styles))
-        elif part.strip():
-            x = MARGIN + (column + len(part) - len(part.lstrip())) * CELL
-            spans.append(_span(part.strip(" "), x, style))
+        else:
+            words = re.finditer(r"\S+(?: \S+)*", part)
+            spans += [_span(each[0], MARGIN + (column + each.start()) * CELL, style) for each in words]
         column += 0 if part.startswith("\x1b") else len(part)
     return f'<text y="{y}">{"".join(spans)}</text>'
 

@@ -227,6 +227,16 @@ def test_what_was_meant(tmp_path: Path, arguments: tuple[str, ...], hint: str) -
     assert run.code and hint in run.stderr
 
 
+@pytest.mark.parametrize("arguments", [("explain", "lint/encoding"), ("rules", "lint")])
+def test_colour_when_it_is_asked_for(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, arguments: tuple[str, ...]
+) -> None:
+    monkeypatch.delenv("NO_COLOR", raising=False)
+    assert "\x1b[" not in lint(*arguments, cwd=tmp_path).stdout
+    monkeypatch.setenv("FORCE_COLOR", "1")
+    assert "\x1b[" in lint(*arguments, cwd=tmp_path).stdout
+
+
 def test_init_leaves_a_file_alone(tmp_path: Path) -> None:
     assert lint("init", cwd=tmp_path).code == 0
     assert lint("init", cwd=tmp_path).stderr == "bringup-lint: bringup-lint.toml is there already\n"

@@ -44,7 +44,8 @@ def command(ctx: click.Context, what: tuple[str, ...], rule_folders: tuple[Path,
     if len(found) > 1:
         _list(text, found)
     elif found:
-        click.echo(plain(doc_of(found[0]), terminal_width(), wants_colour(None)), nl=False)
+        colour = wants_colour(None)
+        click.echo(plain(doc_of(found[0]), terminal_width(), colour), nl=False, color=colour)
     else:
         click.echo(f"bringup-lint: {_unknown(text, registry)}", err=True)
         ctx.exit(2)

@@ -36,14 +36,16 @@ def command(ctx: click.Context, families: tuple[str, ...], output_format: str, r
         click.echo(json.dumps([_data(rule) for rule in rules], indent=2, ensure_ascii=False))
         return
     titles = {family.name: family.title for family in registry.families}
-    paint = painter(wants_colour(None))
+    colour = wants_colour(None)
+    paint = painter(colour)
     for family, members in groupby(rules, key=lambda rule: rule.family):
         members = list(members)
-        click.echo(paint("strong", f"{titles[family]} ({len(members)})"))
+        width = max(len(rule.id) for rule in members)
+        click.echo(paint("strong", f"{titles[family]} ({len(members)})"), color=colour)
         for rule in members:
             mark = {"safe": "*", "unsafe": "+"}.get(rule.meta.fix, " ")
             severity = paint(str(rule.severity), f"{rule.severity!s:<8}")
-            click.echo(f"  {severity}{mark} {rule.id:<40} {rule.title}")
+            click.echo(f"  {severity}{mark} {rule.id:<{width}}  {rule.title}", color=colour)
         click.echo()
     click.echo(f"{len(rules)} rules. * has a safe fix, + an unsafe one. bringup-lint explain RULE tells more.")
 
