@@ -104,15 +104,9 @@ for (const type of ["pointerup", "pointercancel"]) {
   });
 }
 canvas.addEventListener("click", (event) => {
-  if (moved > 4 || event.detail > 1) event.stopPropagation();
+  if (moved > 4) event.stopPropagation();
   else if (!event.target.closest(".node, .edge")) choose(null);
 }, true);
-
-/* The first click of two may have moved the picture: the second counts for what the first chose. */
-canvas.addEventListener("dblclick", () => {
-  if (state.chosen?.node !== undefined) isolate(state.chosen.node);
-  else if (state.chosen?.box !== undefined) fold(drawn.nodes[state.chosen.box].layer);
-});
 
 /* Keys */
 

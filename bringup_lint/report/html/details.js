@@ -17,6 +17,15 @@ function choose(chosen, jump = true) {
   }
 }
 
+/* One press chooses a box; two, one after the other, unfold it or show only what it is tied to. */
+function press(node, index, time) {
+  const again = state.pressed?.index === index && time - state.pressed.time < 400;
+  state.pressed = again ? null : { index, time };
+  if (again && node.kind === "folded") fold(node.layer);
+  else if (again) isolate(node.members[0]);
+  else choose(node.kind === "folded" ? { box: index } : { node: node.members[0] });
+}
+
 /* Draws nodes that are folded away or left out by the focus. */
 function reveal(nodes) {
   const away = nodes.filter((node) => !drawn.boxOf.has(node));

@@ -10,7 +10,7 @@ const byId = (id) => document.getElementById(id);
 const [body, canvas, scene, panel] = [document.body, byId("canvas"), byId("scene"), byId("details")];
 const pane = byId("picture");
 
-const state = { chosen: null, only: null, folded: new Set(), hidden: new Set(), query: [], at: -1 };
+const state = { chosen: null, only: null, folded: new Set(), hidden: new Set(), query: [], at: -1, pressed: null };
 const camera = { scale: 1, x: 0, y: 0 };
 let drawn = null;
 
@@ -148,8 +148,8 @@ function boxFor(node, { x, y, width, height }, index) {
   return make("g", {
     class: `node ${node.worst}`, "data-layer": node.layer, "data-index": index, transform: `translate(${num(x)} ${num(y)})`,
     tabindex: -1, role: "button", "aria-label": told.filter(Boolean).join(", "),
-    onclick: () => choose(node.kind === "folded" ? { box: index } : { node: node.members[0] }),
-    onpointerenter: () => light(index), onpointerleave: () => light(),
+    onclick: (event) => press(node, index, event.timeStamp),
+    onpointerenter: () => state.chosen || light(index), onpointerleave: () => state.chosen || light(),
   },
     make("title", {}, about.join("\n")),
     make("rect", { class: "box", width, height, rx: 4 }),
