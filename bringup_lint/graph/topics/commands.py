@@ -30,6 +30,8 @@ HARDWARE = re.compile(
     re.I,
 )
 """Words that speak of a stop in hardware."""
+COMPARED = 50
+"""Publishers of one velocity that are held against each other."""
 TOGETHER = ("nav2_", "opennav_")
 """Packages whose servers take turns, as the navigator tells them."""
 
@@ -67,7 +69,7 @@ def rivals(running: Running) -> Iterator[list[Use]]:
             sure = use.node.started.by_default is True and not use.conditional_source and not use.node.started.context
             if use.role == "publisher" and is_velocity(topic, use.type) and sure:
                 found.setdefault(_who(use.node), use)
-        several = list(found.values())
+        several = list(found.values())[:COMPARED]
         apart = not all(together(one.node, other.node) for one, other in combinations(several, 2))
         if len(several) > 1 and not apart and not any(is_gate(use.node) for use in several):
             yield several

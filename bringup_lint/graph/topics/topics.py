@@ -36,6 +36,8 @@ if TYPE_CHECKING:
     from bringup_lint.source import Span
 
 LAUNCH = ("launch-python", "launch-xml", "launch-yaml")
+COMPARED = 100
+"""Publishers and subscriptions of one topic that are held against each other."""
 CPP = (".cpp", ".cc", ".cxx", ".hpp", ".h")
 
 
@@ -171,8 +173,8 @@ class Topics:
         found: dict[tuple, Pair] = {}
         for running in self.runs:
             for uses in running.by_topic().values():
-                publishers = [use for use in uses if use.role == "publisher"]
-                subscriptions = [use for use in uses if use.role == "subscription"]
+                publishers = [use for use in uses if use.role == "publisher"][:COMPARED]
+                subscriptions = [use for use in uses if use.role == "subscription"][:COMPARED]
                 for publisher, subscription in product(publishers, subscriptions):
                     if together(publisher.node, subscription.node):
                         found.setdefault(_places(publisher, subscription), Pair(publisher, subscription))

@@ -27,6 +27,8 @@ BY_HAND = re.compile(
     r"goal|initial_?pose|clicked|command|cmd|joy|teleop|stop|start|trigger|request|enable|reset|mode|feedback|set_|debug|input"
 )
 """Topics to which a person, a tool or another computer publishes."""
+COMPARED = 500
+"""Lonely topics of one robot for which another name is sought."""
 SHORTEST = 4
 """Letters of a word that may be misspelt."""
 _DIGITS = {ord(digit): None for digit in "0123456789"}
@@ -62,7 +64,7 @@ def misspelt(running: Running) -> Iterator[Misspelt]:
     alone = list(lonely(running))
     topics = {use.topic for use in alone}
     seen = set()
-    for use in alone:
+    for use in alone[:COMPARED]:
         others = [each for each in running.uses if each.role != use.role and each.type == use.type and use.type]
         if use.role == "publisher":
             others = [each for each in others if each.topic in topics]
