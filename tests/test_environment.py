@@ -156,3 +156,11 @@ def test_only_the_launched_processes_count_when_all_of_them_are_changed(tmp_path
     assert [each.text for each in of_service.environment.chain("ROS_DOMAIN_ID")] == ["5", "6"]
     assert [each.text for each in of_script.environment.chain("ROS_DOMAIN_ID")] == ["7", "6"]
     assert of_script.environment.defines("ROS_HOME") is None
+
+
+def test_a_node_of_several_launch_files_counts_once(tmp_path, monkeypatch):
+    part = "<launch><node pkg='a' exec='b'><env name='ROS_DOMAIN_ID' value='5'/></node></launch>"
+    entry = "<launch><include file='$(dirname)/part.launch.xml'/></launch>"
+    files = {"part.launch.xml": part, "robot.launch.xml": entry, "test_bench.launch.xml": entry}
+    ros = load(tmp_path, files, monkeypatch).robot.ros
+    assert [process.name for process in ros.processes] == ["b of robot.launch.xml"]

@@ -239,12 +239,16 @@ class RosEnvironment:
         run = {
             id(file) for each in self.launchers for expansion, _ in self._expansions(each) for file in expansion.files
         }
+        seen: set[tuple[Span, tuple]] = set()
         for expansion in self.robot.launch.entries:
             if id(expansion.entry) in run or not expansion.entry.source.judged:
                 continue
             found = (each for each in launched(expansion, UNKNOWN) if any(map(OF_ROS.fullmatch, each.node.env)))
-            for members in alike(found, OF_ROS).values():
-                yield _group(members, None)
+            for sight, members in alike(found, OF_ROS).items():
+                new = [each for each in members if (each.node.span, sight) not in seen]
+                seen |= {(each.node.span, sight) for each in new}
+                if new:
+                    yield _group(new, None)
 
     def _units(self) -> Iterator[RosProcess]:
         for unit in self.robot.units.dds:
