@@ -202,6 +202,16 @@ def test_explain_finds_the_rule_behind_a_log_line(tmp_path: Path) -> None:
     assert lint("explain", line, cwd=tmp_path).stdout.startswith("lint/encoding")
 
 
+def test_the_settings_of_an_image_are_looked_for_in_the_image(tmp_path: Path) -> None:
+    image = tmp_path / "image"
+    (image / "etc").mkdir(parents=True)
+    (image / "etc/robot.service").write_bytes(b"[Service]\nExecStart=/bin/true \xff\n")
+    arguments = ("--select", "lint/encoding", "--root", "image", "/etc")
+    assert lint(*arguments, cwd=tmp_path).code == 1
+    (image / "bringup-lint.toml").write_text('ignore = ["lint/encoding"]\n')
+    assert lint(*arguments, cwd=tmp_path).code == 0
+
+
 def test_explain_of_nothing_known(tmp_path: Path) -> None:
     assert lint("explain", "no such words anywhere", cwd=tmp_path).code == 2
 

@@ -131,7 +131,7 @@ def deliver(
 def configuration(paths: tuple[str, ...], options: dict[str, Any]) -> tuple[Config, list[Path]]:
     """The settings from file and command line, and the folders of further rules. Raises ConfigError."""
     named = options["config_path"]
-    path = named or (None if options["isolated"] else find(_start(paths)))
+    path = named or (None if options["isolated"] else find(_start(paths, options["root"])))
     config = read(path) if path else Config()
     rule_folders = list(options["rule_folders"])
     if config.rules and named:
@@ -151,9 +151,9 @@ def configuration(paths: tuple[str, ...], options: dict[str, Any]) -> tuple[Conf
     return dataclasses.replace(config, **{key: value for key, value in given.items() if value}), rule_folders
 
 
-def _start(paths: tuple[str, ...]) -> Path:
-    """Where the search for a configuration begins: at the first path."""
-    first = Path(paths[0]).absolute()
+def _start(paths: tuple[str, ...], root: str | None) -> Path:
+    """Where the search for a configuration begins: at the first path, which lies in the root when there is one."""
+    first = (Path(root, paths[0].lstrip("/")) if root else Path(paths[0])).absolute()
     return first if first.is_dir() else first.parent
 
 
