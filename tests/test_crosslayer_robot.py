@@ -91,6 +91,7 @@ def test_every_finding_is_a_planted_defect(before: Counter[Found]) -> None:
         ("systemd/notify-ros-launch", "curlew-health.service, health.launch.py, alive.py"),
         ("params/use-sim-time-real-robot", "curlew-survey.service, survey.launch.py, survey.launch.py, survey.yaml"),
         ("node/qos-incompatible", "curlew-watch.service, watch.launch.py, guard.py"),
+        ("node/shutdown-publish-after-context", "curlew-watch.service, watch.launch.py, eye.py"),
     ],
 )
 def test_chains_lead_from_a_unit_to_the_defect(rule: str, steps: str, robot: Path) -> None:
