@@ -145,7 +145,9 @@ class Ending:
         """The ``try`` statements around a spin."""
         found = []
         for node in ast.walk(self.file.tree):
-            if isinstance(node, ast.Try) and (spins := list(self.spins_in(node.body))):
+            if not isinstance(node, ast.Try) or self._in_thread(node):
+                continue
+            if spins := list(self.spins_in(node.body)):
                 found.append((node, spins))
         return found
 
