@@ -24,6 +24,11 @@ _VELOCITIES = frozenset(
     }.items()
     for name in names
 )
+_NUMBERS = frozenset(name for name in _VELOCITIES if name.startswith("std_msgs/"))
+_SPEED = re.compile(
+    r"vel|speed|throttle|thrust|pwm|effort|torque|wheel|motor|drive|brake|winch|propel|rotor|blade|pump|conveyor", re.I
+)
+"""What a bare number must be called to be a velocity: a position is held, not run on with."""
 _COMMAND = re.compile(
     r"(?:^|[/_])(?:cmd_?vel|cmd|commands?|vel|velocity|drive|throttle|pwm|effort|brake)s?(?=$|[/_])", re.I
 )
@@ -39,4 +44,6 @@ def moves(endpoint: Endpoint) -> bool:
         return False
     if endpoint.type is None:
         return endpoint.name.rpartition("/")[2] == "cmd_vel"
+    if endpoint.type in _NUMBERS and (not _SPEED.search(endpoint.name) or "position" in endpoint.name):
+        return False
     return bool(_COMMAND.search(endpoint.name)) and not _REPORT.search(endpoint.name)
