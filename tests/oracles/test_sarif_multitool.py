@@ -52,7 +52,7 @@ def complaints(multitool: Path, file: Path) -> list[str]:
         [multitool, "validate", file, *kinds, "--config", settings],
         capture_output=True,
         text=True,
-        timeout=120,
+        timeout=600,
         check=False,
     )
     assert "Analysis completed successfully." in run.stdout, run.stdout + run.stderr
