@@ -32,6 +32,9 @@ def save_baseline(outcome: Outcome, robot: Robot, path: Path) -> None:
     from bringup_lint.cli.outputs import write
 
     write(written(outcome.findings, root_of(robot), os.getcwd()), path)
+    count = sum(found.suppression is None for found in outcome.findings)
+    findings = f"{count} finding{'s' * (count != 1)}"
+    print(f"{path} holds {findings} now: --baseline {path} reports what is new", file=sys.stderr)
 
 
 def take_known(outcome: Outcome, robot: Robot, config: Config) -> int:
