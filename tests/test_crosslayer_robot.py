@@ -1,4 +1,4 @@
-"""The robot with one defect for each rule that joins layers: mending one removes its finding and changes no other."""
+"""The robots with one defect for each rule that joins layers: mending one removes its finding and changes no other."""
 
 from __future__ import annotations
 
@@ -14,26 +14,33 @@ from tests.conftest import PROJECT
 from tests.lint import lint
 from tests.test_fixtures import set_modes
 
-ROBOT = PROJECT / "fixtures" / "robots" / "crosslayer"
-DEFECTS = read_toml((ROBOT / "defects.toml").read_text("utf-8"))
+ROBOTS = PROJECT / "fixtures" / "robots"
+DEFECTS = {name: read_toml((ROBOTS / name / "defects.toml").read_text("utf-8")) for name in ("crosslayer", "skiff")}
 ARGUMENTS = ("--root", ".", "--min-severity", "info", "--output-format", "json", "/")
 PAGE = PROJECT / "docs" / "cross-layer.md"
 Found = tuple[str, str, str]
-BATCHES = [sorted(DEFECTS)[at::16] for at in range(16)]
+BATCHES = [("crosslayer", sorted(DEFECTS["crosslayer"])[at::16]) for at in range(16)]
+BATCHES += [("skiff", [rule]) for rule in DEFECTS["skiff"]]
 """Rules of different families, whose edits do not meet."""
 
 
 @pytest.fixture(scope="module")
-def robot(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    copy = tmp_path_factory.mktemp("crosslayer")
-    shutil.copytree(ROBOT, copy, symlinks=True, dirs_exist_ok=True)
-    set_modes(copy)
-    return copy / "tree"
+def trees(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
+    copies = {name: tmp_path_factory.mktemp(name) for name in DEFECTS}
+    for name, copy in copies.items():
+        shutil.copytree(ROBOTS / name, copy, symlinks=True, dirs_exist_ok=True)
+        set_modes(copy)
+    return {name: copy / "tree" for name, copy in copies.items()}
 
 
 @pytest.fixture(scope="module")
-def before(robot: Path) -> Counter[Found]:
-    return findings(robot)
+def robot(trees: dict[str, Path]) -> Path:
+    return trees["crosslayer"]
+
+
+@pytest.fixture(scope="module")
+def before(trees: dict[str, Path]) -> dict[str, Counter[Found]]:
+    return {name: findings(tree) for name, tree in trees.items()}
 
 
 def findings(tree: Path) -> Counter[Found]:
@@ -44,21 +51,28 @@ def findings(tree: Path) -> Counter[Found]:
     return Counter((each["rule"], each["location"]["path"], each["message"]) for each in found)
 
 
-@pytest.mark.parametrize("rules", BATCHES, ids=lambda rules: rules[0])
-def test_mending_a_defect_removes_its_finding_alone(rules: list[str], robot: Path, before: Counter[Found]) -> None:
+@pytest.mark.parametrize(("name", "rules"), BATCHES, ids=[rules[0] for _, rules in BATCHES])
+def test_mending_a_defect_removes_its_finding_alone(
+    name: str, rules: list[str], trees: dict[str, Path], before: dict[str, Counter[Found]]
+) -> None:
     """A few at a time; when something else changes than they should, one by one."""
-    if changes(robot, before, rules) != expected(rules):
-        assert {rule: changes(robot, before, [rule]) for rule in rules} == {rule: expected([rule]) for rule in rules}
+    defects = DEFECTS[name]
+
+    def changed(rules: list[str]) -> tuple[set[tuple[str, str]], list[Found]]:
+        return changes(trees[name], before[name], [edit for rule in rules for edit in defects[rule]["edits"]])
+
+    def expected(rules: list[str]) -> tuple[set[tuple[str, str]], list[Found]]:
+        return {(rule, defects[rule]["file"]) for rule in rules}, []
+
+    if changed(rules) != expected(rules):
+        assert {rule: changed([rule]) for rule in rules} == {rule: expected([rule]) for rule in rules}
         raise AssertionError(f"{rules} change something only together")
 
 
-def expected(rules: list[str]) -> tuple[set[tuple[str, str]], list[Found]]:
-    return {(rule, DEFECTS[rule]["file"]) for rule in rules}, []
-
-
-def changes(robot: Path, before: Counter[Found], rules: list[str]) -> tuple[set[tuple[str, str]], list[Found]]:
-    """The findings that go, and those that come, when the defects of some rules are mended."""
-    edits = [edit for rule in rules for edit in DEFECTS[rule]["edits"]]
+def changes(
+    robot: Path, before: Counter[Found], edits: list[tuple[str, str, str]]
+) -> tuple[set[tuple[str, str]], list[Found]]:
+    """The findings that go, and those that come, when some edits are made."""
     kept = {name: (robot / name).read_text("utf-8") for name, _, _ in edits}
     try:
         for name, old, new in edits:
@@ -72,9 +86,11 @@ def changes(robot: Path, before: Counter[Found], rules: list[str]) -> tuple[set[
     return {(found[0], found[1]) for found in before - after}, sorted(after - before)
 
 
-def test_every_finding_is_a_planted_defect(before: Counter[Found]) -> None:
-    assert {(rule, file) for rule, file, _ in before} == {(rule, defect["file"]) for rule, defect in DEFECTS.items()}
-    assert set(before.values()) == {1}
+@pytest.mark.parametrize("name", DEFECTS)
+def test_every_finding_is_a_planted_defect(name: str, before: dict[str, Counter[Found]]) -> None:
+    found, planted = before[name], DEFECTS[name]
+    assert {(rule, file) for rule, file, _ in found} == {(rule, defect["file"]) for rule, defect in planted.items()}
+    assert set(found.values()) == {1}
 
 
 @pytest.mark.parametrize(
@@ -124,7 +140,7 @@ TABLE = "| rule | found at | held against | edges |"
 
 def table() -> str:
     rows = [TABLE, "|---|---|---|---|"]
-    for rule, defect in DEFECTS.items():
+    for rule, defect in (each for defects in DEFECTS.values() for each in defects.items()):
         one, other = defect["between"]
         rows.append(f"| `{rule}` | {one} | {other} | {defect['edges'].replace(' ', ', ')} |")
     return "\n".join(rows) + "\n"
