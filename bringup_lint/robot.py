@@ -58,6 +58,9 @@ if TYPE_CHECKING:
 
 Model = TypeVar("Model")
 
+_CONFIGURES_MIDDLEWARE = re.compile(
+    r"""CYCLONEDDS_URI["']?\s*[:=][^\n]*<|RMW_IMPLEMENTATION["']?\s*[:=]\s*["']?rmw_fastrtps_"""
+)
 _ROS_KINDS = (
     "launch-python",
     "launch-xml",
@@ -134,9 +137,13 @@ class Robot:
 
     @cached_property
     def is_ros(self) -> bool:
-        """Whether the tree has to do with ROS 2: something of it names a distribution, or is a kind that only ROS
-        has."""
-        return self.target.ros_why != "not known" or any(kind.startswith(_ROS_KINDS) for kind in self.kinds)
+        """Whether the tree has to do with ROS 2: something of it names a distribution, configures a middleware in the
+        environment, or is a kind that only ROS has."""
+        return (
+            self.target.ros_why != "not known"
+            or any(kind.startswith(_ROS_KINDS) for kind in self.kinds)
+            or self.mentions(_CONFIGURES_MIDDLEWARE)
+        )
 
     def environment_file(self, robot_path: str) -> EnvFile | None:
         """The environment file at a path on the robot, when the tree holds it."""

@@ -164,3 +164,17 @@ def test_a_node_of_several_launch_files_counts_once(tmp_path, monkeypatch):
     files = {"part.launch.xml": part, "robot.launch.xml": entry, "test_bench.launch.xml": entry}
     ros = load(tmp_path, files, monkeypatch).robot.ros
     assert [process.name for process in ros.processes] == ["b of robot.launch.xml"]
+
+
+@pytest.mark.parametrize(
+    ("variable", "expected"),
+    [
+        ("RMW_IMPLEMENTATION=rmw_fastrtps_cpp", True),
+        ('"CYCLONEDDS_URI=<Domain/>"', True),
+        ("CYCLONEDDS_URI=file:///etc/dds.xml", False),
+        ("SPEED=1", False),
+    ],
+)
+def test_a_middleware_in_the_environment_is_of_ros(tmp_path, monkeypatch, variable, expected):
+    units = load(tmp_path, {"a.service": f"[Service]\nEnvironment={variable}\nExecStart=/opt/drive\n"}, monkeypatch)
+    assert units.robot.is_ros is expected
