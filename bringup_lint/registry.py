@@ -78,13 +78,15 @@ class Family:
 
     def rules_for(self, robot: Robot) -> Iterator[Path]:
         """The rule files that can say something about the robot."""
-        concerned = bool(self.reads & robot.kinds) or not (self.reads or self.mentions)
+        kinds = robot.kinds
+        concerned = bool(self.reads & kinds) or not (self.reads or self.mentions)
         if not concerned and self.mentions:
             concerned = robot.mentions(self.mentions)
-        for path in self.rule_paths():
-            if concerned or self.joins.get(path.stem, frozenset()) & robot.kinds:
+        for path in self.rule_paths:
+            if concerned or self.joins.get(path.stem, frozenset()) & kinds:
                 yield path
 
+    @cached_property
     def rule_paths(self) -> list[Path]:
         return sorted(path for path in self.path.glob("*.py") if not path.name.startswith("_"))
 
@@ -161,7 +163,7 @@ class Registry:
         """Rule id -> file. Raises RuleError when a user's rule takes the id of another."""
         paths: dict[str, Path] = {}
         for family in self.families:
-            for path in family.rule_paths():
+            for path in family.rule_paths:
                 rule_id = family.rule_id(path)
                 if rule_id in paths:
                     raise RuleError(f"{path}: the id {rule_id} is taken by {paths[rule_id]}")
