@@ -178,3 +178,20 @@ def test_a_node_of_several_launch_files_counts_once(tmp_path, monkeypatch):
 def test_a_middleware_in_the_environment_is_of_ros(tmp_path, monkeypatch, variable, expected):
     units = load(tmp_path, {"a.service": f"[Service]\nEnvironment={variable}\nExecStart=/opt/drive\n"}, monkeypatch)
     assert units.robot.is_ros is expected
+
+
+def test_processes_are_counted_once_when_launch_gets_arguments(tmp_path, monkeypatch):
+    units = load(
+        tmp_path,
+        {
+            "a.service": "[Service]\nExecStart=/bin/bash -c 'ros2 launch a.launch.xml speed:=2'\n",
+            "a.launch.xml": "<launch><arg name='speed' default='1'/><node pkg='a' exec='plain'/>"
+            "<node pkg='a' exec='own'><env name='ROS_DOMAIN_ID' value='4'/></node></launch>",
+        },
+        monkeypatch,
+    )
+    ros = units.robot.ros
+    assert [(process.name, ros.started_by(process)) for process in ros.processes] == [
+        ("a.service", 1),
+        ("own of a.service", 1),
+    ]

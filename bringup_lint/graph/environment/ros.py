@@ -101,6 +101,7 @@ class RosEnvironment:
 
     robot: Robot
     _launched: dict[int, list[Launched]] = field(default_factory=dict)
+    _expanded: dict[int, Expansion | None] = field(default_factory=dict)
 
     @staticmethod
     def is_development(place: Located | Span) -> bool:
@@ -192,10 +193,17 @@ class RosEnvironment:
             self._launched[id(launcher)] = [each for processes in found for each in processes]
         return self._launched[id(launcher)]
 
+    def expansion(self, start: Launching) -> Expansion | None:
+        """What a command of a launcher leads to with its arguments, always the same object; None when its launch file
+        is not in the tree."""
+        if id(start) not in self._expanded:
+            self._expanded[id(start)] = expansion_of(start.ros, self.robot)
+        return self._expanded[id(start)]
+
     def _expansions(self, launcher: RosProcess) -> list[tuple[Expansion, Environment]]:
         if not self.robot.of_kind(*LAUNCH):
             return []
-        found = ((expansion_of(start.ros, self.robot), start.environment) for start in launcher.starts)
+        found = ((self.expansion(start), start.environment) for start in launcher.starts)
         return [(expansion, base) for expansion, base in found if expansion is not None]
 
     def started_by(self, process: RosProcess) -> int:

@@ -7,8 +7,6 @@ from collections.abc import Iterator
 from itertools import combinations
 from typing import TYPE_CHECKING
 
-from bringup_lint.graph.environment.launching import expansion_of
-
 if TYPE_CHECKING:
     from bringup_lint.graph.environment.ros import RosProcess
     from bringup_lint.graph.launch.expansion import Expansion
@@ -25,8 +23,7 @@ def systems(robot: Robot) -> Iterator[tuple[str, list[Expansion], bool]]:
     processes = [each for each in robot.ros.launchers if each.unit is not None or each.service is not None]
     alone = len({each.unit is not None for each in processes}) == 1
     for label, members in _groups(robot, processes):
-        starts = [(process, launching) for process in members for launching in process.starts]
-        expansions = [expansion_of(launching.ros, robot) for _, launching in starts]
+        expansions = [robot.ros.expansion(start) for process in members for start in process.starts]
         known = [each for each in expansions if each is not None]
         if known and not _in_different_domains(members):
             whole = alone and len(known) == len(expansions) and all(process.starts for process in members)
