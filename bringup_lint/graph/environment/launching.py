@@ -35,7 +35,8 @@ if TYPE_CHECKING:
     from bringup_lint.robot import Robot
 
 _WORD = re.compile(r'"((?:[^"\\]|\\.)*)"')
-_EXPANDED = re.compile(r"[$`*?]")
+_EXPANDED = re.compile(r"[$`*?%]")
+"""What a shell or systemd puts something in for."""
 
 
 class Launching(NamedTuple):

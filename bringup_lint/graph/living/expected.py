@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 from bringup_lint.finding import Related
 from bringup_lint.graph.environment.effective import Environment
+from bringup_lint.graph.environment.launching import expansion_of
 from bringup_lint.graph.launch.expansion import Expansion
 from bringup_lint.graph.launch.launch import SIMULATION
 from bringup_lint.graph.launch.lifecycle import full_name
@@ -22,20 +23,20 @@ from bringup_lint.graph.living.tools import OPEN_ENDED
 from bringup_lint.graph.living.tools import PASSING
 from bringup_lint.graph.living.tools import is_on_screen
 from bringup_lint.graph.systemd.process import Ros
-from bringup_lint.graph.systemd.process import ros_command
 from bringup_lint.graph.topics.process_arguments import ros_arguments
 from bringup_lint.model.launch import LaunchFile
 from bringup_lint.model.launch import Timer
 from bringup_lint.model.launch_values import Literal
-from bringup_lint.model.launch_values import Unknown
-from bringup_lint.model.launch_values import Value
 from bringup_lint.source import Located
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.environment.ros import RosProcess
     from bringup_lint.graph.systemd.unit import Unit
-    from bringup_lint.model.compose import Service
     from bringup_lint.robot import Robot
+
+PROGRAMS = ("launch", "run", "node")
+"""What starts nodes."""
 
 
 class ExpectedNode(NamedTuple):
@@ -161,57 +162,43 @@ def _programs(robot: Robot, result: Expected) -> Iterator[tuple[Entry, Ros]]:
                 continue
             runs = not unit.is_template and any(True for _ in units.wanted_by(unit))
             for process in units.started(unit):
-                programs = [(step, ros) for step, ros in process.ros if ros.kind in ("launch", "run", "node")]
+                programs = [(step, ros) for step, ros in process.ros if ros.kind in PROGRAMS]
                 for _, ros in programs:
                     environment = units.environment(unit)
                     yield Entry(ros.where.span, unit.name, runs, f"{unit.manager} {unit.place}", unit, environment), ros
                 if process.mentions_ros and (process.opaque or not programs):
                     result.gaps.append((unit.where, f"what {unit.name} starts is not known to the end"))
-    for service in robot.compose.services if robot.of_kind("compose") else ():
-        if service.source.judged and service.is_ros:
-            yield from _of_service(robot, result, service)
+    for process in robot.ros.launchers if robot.of_kind("compose") else ():
+        if process.service is not None:
+            yield from _of_service(result, process)
 
 
-def _of_service(robot: Robot, result: Expected, service: Service) -> Iterator[tuple[Entry, Ros]]:
-    from bringup_lint.model.shell import Command
-    from bringup_lint.parsers.shell import commands
-
-    words = (*service.entrypoint, *service.command)
-    scripts = [word for word in words if "ros2 " in word or " " in word.strip()]
-    found = [ros for script in scripts for command in commands(script) if (ros := ros_command(command))]
-    direct = ros_command(Command(words)) if words and not found else None
-    programs = [ros for ros in (*found, *([direct] if direct else [])) if ros.kind in ("launch", "run", "node")]
-    environment = next((each.environment for each in robot.ros.processes if each.service is service), None)
-    runs = service.get("profiles") is None
+def _of_service(result: Expected, process: RosProcess) -> Iterator[tuple[Entry, Ros]]:
+    service = process.service
+    programs = [start.ros for start in process.starts if start.ros.kind in PROGRAMS]
+    who, runs = f"service '{service.name}'", service.get("profiles") is None
     for ros in programs:
-        group = service.source.name
-        yield Entry(ros.where.span, f"service '{service.name}'", runs, group, environment=environment), ros
+        yield Entry(ros.where.span, who, runs, service.source.name, environment=process.environment), ros
     if not programs:
-        result.gaps.append((service.name.span, f"what service '{service.name}' starts is not known"))
+        result.gaps.append((service.name.span, f"what {who} starts is not known"))
 
 
 def _program(robot: Robot, result: Expected, entry: Entry, ros: Ros) -> None:
     if ros.kind == "launch":
-        file = robot.launch.named(ros.package, ros.target)
-        if file is None:
+        expansion = expansion_of(ros, robot)
+        if expansion is None:
             result.gaps.append((entry.where, "this launch file is not in the tree"))
             return
-        passed = ((word, word.find(":=")) for word in ros.arguments)
-        arguments = {str(word[:at]): _passed(word.part(at + 2, len(word))) for word, at in passed if at > 0}
-        if entry.simulates or robot.launch.simulated(file):
-            _nodes(robot, Expected(result.nodes), replace(entry, runs=False), robot.launch.expand(file, arguments))
+        if entry.simulates or robot.launch.simulated(expansion.entry):
+            _nodes(robot, Expected(result.nodes), replace(entry, runs=False), expansion)
         else:
-            _nodes(robot, result, entry, robot.launch.expand(file, arguments))
+            _nodes(robot, result, entry, expansion)
         return
     name = _run_name(ros.arguments, _own_name(robot, ros))
     if name is None:
         result.gaps.append((entry.where, "the name of this node is not known here"))
     else:
         result.nodes.append(ExpectedNode(name, entry.where, entry.runs and not entry.simulates, entry))
-
-
-def _passed(word: Located) -> Value:
-    return Unknown("a variable", word.span) if "$" in word or "%" in word else Literal(word, word.span)
 
 
 def _own_name(robot: Robot, ros: Ros) -> str | None:
