@@ -14,15 +14,19 @@ import click
 
 from bringup_lint import __version__
 from bringup_lint.cli import COMMANDS
+from bringup_lint.cli.options import baseline_options
+from bringup_lint.cli.options import colour_option
 from bringup_lint.cli.options import configuration_options
+from bringup_lint.cli.options import ignores_option
+from bringup_lint.cli.options import names
 from bringup_lint.cli.options import root_option
 from bringup_lint.cli.options import target_options
+from bringup_lint.cli.options import verdict_options
 from bringup_lint.cli.outputs import Output
 from bringup_lint.cli.outputs import PairedOptions
 from bringup_lint.cli.outputs import file_option
 from bringup_lint.cli.outputs import format_option
 from bringup_lint.cli.outputs import write
-from bringup_lint.config import SEVERITIES
 from bringup_lint.config import Config
 from bringup_lint.config import ConfigError
 from bringup_lint.config import find
@@ -41,32 +45,21 @@ EPILOG = "\n\n".join(
 )
 
 
-def names(ctx: click.Context, param: click.Parameter, value: tuple[str, ...]) -> tuple[str, ...]:
-    """Option values, each of which may hold several names between commas."""
-    return tuple(name.strip() for item in value for name in item.split(",") if name.strip())
-
-
 @click.command(cls=PairedOptions, epilog=EPILOG, context_settings={"help_option_names": ["-h", "--help"]})
 @click.argument("paths", nargs=-1, type=click.Path(), metavar="[PATH]...")
 @root_option
 @format_option
 @file_option
 @click.option("--select", multiple=True, callback=names, help="Run only these rules or families.")
-@click.option("--ignore", multiple=True, callback=names, help="Leave these rules or families out.")
-@click.option("--min-severity", type=click.Choice(SEVERITIES), help="Lowest severity to show. [default: warning]")
-@click.option("--fail-on", type=click.Choice(SEVERITIES), help="Lowest severity that fails. [default: warning]")
-@click.option("--exit-zero", is_flag=True, help="Exit with 0 whatever is found.")
+@verdict_options
 @target_options
-@click.option("--no-ignores", is_flag=True, help="Show what comments in the files suppress.")
+@ignores_option
 @configuration_options
 @click.option("--stdin-filename", help="Check standard input as the file of this name.")
-@click.option("--baseline", type=click.Path(dir_okay=False, path_type=Path), help="Leave out what this file holds.")
-@click.option(
-    "--write-baseline", type=click.Path(dir_okay=False, path_type=Path), help="Write the findings to a baseline."
-)
+@baseline_options
 @click.option("--fix", is_flag=True, help="Apply the safe fixes.")
 @click.option("--unsafe-fixes", is_flag=True, help="With --fix: apply the unsafe fixes too.")
-@click.option("--colour/--no-colour", "--color/--no-color", default=None, help="Force or forbid colour.")
+@colour_option
 @click.version_option(__version__, prog_name="bringup-lint", message="%(prog)s %(version)s")
 @click.pass_context
 def command(ctx: click.Context, paths: tuple[str, ...], **options) -> None:

@@ -14,15 +14,21 @@ import click
 
 from bringup_lint.cli.check import configuration
 from bringup_lint.cli.check import deliver
-from bringup_lint.cli.check import names
 from bringup_lint.cli.check import read_robot
+from bringup_lint.cli.options import baseline_options
+from bringup_lint.cli.options import colour_option
+from bringup_lint.cli.options import configuration_file_options
+from bringup_lint.cli.options import exclude_option
+from bringup_lint.cli.options import ignores_option
+from bringup_lint.cli.options import names
+from bringup_lint.cli.options import root_option
+from bringup_lint.cli.options import ros_option
+from bringup_lint.cli.options import verdict_options
 from bringup_lint.cli.outputs import Output
 from bringup_lint.cli.outputs import PairedOptions
 from bringup_lint.cli.outputs import file_option
 from bringup_lint.cli.outputs import format_option
 from bringup_lint.cli.outputs import write
-from bringup_lint.config import ROS_DISTROS
-from bringup_lint.config import SEVERITIES
 from bringup_lint.config import ConfigError
 
 if TYPE_CHECKING:
@@ -50,22 +56,17 @@ KIND = "living-graph"
 @click.option("--enclave", help="The enclave to join with, when ROS_SECURITY_ENABLE is set.")
 @click.option("--save", type=click.Path(dir_okay=False, path_type=Path), help="Write what was seen to this file.")
 @click.option("--load", type=click.Path(exists=True, dir_okay=False), help="Judge what --save wrote; look at nothing.")
-@click.option("--root", type=click.Path(exists=True, file_okay=False), help="The files lie in this root file system.")
+@root_option
 @format_option
 @file_option
 @click.option("--select", multiple=True, callback=names, help="Run only these rules or families. [default: live]")
-@click.option("--ignore", multiple=True, callback=names, help="Leave these rules or families out.")
-@click.option("--min-severity", type=click.Choice(SEVERITIES), help="Lowest severity to show. [default: warning]")
-@click.option("--fail-on", type=click.Choice(SEVERITIES), help="Lowest severity that fails. [default: warning]")
-@click.option("--exit-zero", is_flag=True, help="Exit with 0 whatever is found.")
-@click.option("--target-ros", type=click.Choice(ROS_DISTROS), help="The ROS distribution that the robot runs.")
-@click.option("--no-ignores", is_flag=True, help="Show what comments in the files suppress.")
-@click.option("--config", "config_path", type=click.Path(dir_okay=False, path_type=Path), help="Configuration file.")
-@click.option("--isolated", is_flag=True, help="Read no configuration file.")
-@click.option("--exclude", multiple=True, help="Skip what matches this gitignore pattern.")
-@click.option("--baseline", type=click.Path(dir_okay=False, path_type=Path), help="Leave out what this file holds.")
-@click.option("--write-baseline", type=click.Path(dir_okay=False, path_type=Path), help="Write a baseline.")
-@click.option("--colour/--no-colour", "--color/--no-color", default=None, help="Force or forbid colour.")
+@verdict_options
+@ros_option
+@ignores_option
+@configuration_file_options
+@exclude_option
+@baseline_options
+@colour_option
 @click.pass_context
 def command(ctx: click.Context, paths: tuple[str, ...], **options) -> None:
     """Hold the running ROS graph against the files.

@@ -9,6 +9,7 @@ from typing import Any
 import click
 
 from bringup_lint.config import ROS_DISTROS
+from bringup_lint.config import SEVERITIES
 
 Command = Callable[..., Any]
 
@@ -35,18 +36,40 @@ def _together(*options: Callable[[Command], Command]) -> Callable[[Command], Com
     return decorate
 
 
+def names(ctx: click.Context, param: click.Parameter, value: tuple[str, ...]) -> tuple[str, ...]:
+    """Option values, each of which may hold several names between commas."""
+    return tuple(name.strip() for item in value for name in item.split(",") if name.strip())
+
+
+ros_option = click.option(
+    "--target-ros", type=click.Choice(ROS_DISTROS), help="The ROS distribution that the robot runs."
+)
 target_options = _together(
-    click.option("--target-ros", type=click.Choice(ROS_DISTROS), help="The ROS distribution that the robot runs."),
+    ros_option,
     click.option("--target-systemd", type=click.IntRange(245), help="The systemd version that the robot runs."),
     click.option(
         "--now", type=click.DateTime(["%Y-%m-%d"]), help="Judge validity dates as on this day. [default: today]"
     ),
 )
-configuration_options = _together(
+configuration_file_options = _together(
     click.option(
         "--config", "config_path", type=click.Path(dir_okay=False, path_type=Path), help="Configuration file."
     ),
     click.option("--isolated", is_flag=True, help="Read no configuration file."),
-    rules_option,
-    click.option("--exclude", multiple=True, help="Skip what matches this gitignore pattern."),
 )
+exclude_option = click.option("--exclude", multiple=True, help="Skip what matches this gitignore pattern.")
+configuration_options = _together(configuration_file_options, rules_option, exclude_option)
+verdict_options = _together(
+    click.option("--ignore", multiple=True, callback=names, help="Leave these rules or families out."),
+    click.option("--min-severity", type=click.Choice(SEVERITIES), help="Lowest severity to show. [default: warning]"),
+    click.option("--fail-on", type=click.Choice(SEVERITIES), help="Lowest severity that fails. [default: warning]"),
+    click.option("--exit-zero", is_flag=True, help="Exit with 0 whatever is found."),
+)
+ignores_option = click.option("--no-ignores", is_flag=True, help="Show what comments in the files suppress.")
+baseline_options = _together(
+    click.option("--baseline", type=click.Path(dir_okay=False, path_type=Path), help="Leave out what this file holds."),
+    click.option(
+        "--write-baseline", type=click.Path(dir_okay=False, path_type=Path), help="Write the findings to a baseline."
+    ),
+)
+colour_option = click.option("--colour/--no-colour", "--color/--no-color", default=None, help="Force or forbid colour.")

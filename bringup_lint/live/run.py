@@ -21,7 +21,6 @@ AT_MOST = 4
 AGAIN = 2.0
 """How many times as long the second look takes, before anything is called missing."""
 
-
 _FRILLS = re.compile(r"^\[\w+\] \[[\d.]+\] \[[\w.]+\]: |^\w+Error: |[.,]* at /\S+:\d+$")
 """Log prefixes, exception names, and the place in the library's sources."""
 
@@ -70,7 +69,7 @@ def _told(seen: dict[str, Any]) -> dict[str, str]:
 def _pythons() -> list[str]:
     """This Python, and that of a sourced ROS where this program is installed apart from it."""
     other = shutil.which("python3")
-    return [*([other] if other and other != sys.executable else []), sys.executable][::-1]
+    return [sys.executable, *([other] if other and other != sys.executable else [])]
 
 
 def _together(python: str, tasks: list[str], wait: float, environment: dict[str, str]) -> list[dict[str, Any]]:
