@@ -33,6 +33,14 @@ def nearest(word: str, known: Iterable[str], farthest: int = 2) -> list[str]:
     return best
 
 
+def numbered(one: str, other: str) -> bool:
+    """Whether two names differ in their digits only: ``camera_1`` and ``camera_2`` are two names, not one misspelt."""
+    return one != other and one.translate(_NO_DIGITS) == other.translate(_NO_DIGITS)
+
+
+_NO_DIGITS = dict.fromkeys(map(ord, "0123456789"))
+
+
 def edits(one: str, other: str, limit: int) -> int:
     """The edit distance with swaps of neighbours, or ``limit + 1`` when it is more."""
     if abs(len(one) - len(other)) > limit:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.graph.graph import Graph
 from bringup_lint.graph.places import Places
 
@@ -12,7 +13,6 @@ if TYPE_CHECKING:
     from bringup_lint.robot import Robot
 
 UNITS = ("systemd-unit", "systemd-dropin")
-LAUNCH = ("launch-python", "launch-xml", "launch-yaml")
 
 
 def joined_graph(robot: Robot) -> Graph:

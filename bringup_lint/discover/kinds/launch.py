@@ -7,6 +7,9 @@ import re
 from bringup_lint.discover.kinds import Head
 from bringup_lint.discover.kinds import Kind
 
+LAUNCH = ("launch-python", "launch-xml", "launch-yaml")
+"""The launch files of ROS 2."""
+
 _PYTHON = re.compile(r"(?:[._-]launch\.py|/launch/(?:[^/]+/)*[^/]+\.py)$")
 _XML = re.compile(r"[._-]launch\.xml$|/launch/[^/]+\.xml$")
 _YAML = re.compile(r"[._-]launch\.ya?ml$|/launch/[^/]+\.ya?ml$")

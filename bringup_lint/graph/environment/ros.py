@@ -10,6 +10,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 
+from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.discover.tree import display_name
 from bringup_lint.graph.environment.effective import Environment
 from bringup_lint.graph.environment.effective import Variable
@@ -43,7 +44,6 @@ if TYPE_CHECKING:
 OF_ROS = re.compile(r"(?:ROS|RMW|CYCLONEDDS|FASTRTPS|FASTDDS|RCUTILS|ZENOH)_\w+")
 """Names of variables that ROS 2 or its middleware reads."""
 
-LAUNCH = ("launch-python", "launch-xml", "launch-yaml")
 _LOGIN_NAMES = (".bashrc", ".bash_profile", ".profile", ".zshrc", "bash.bashrc")
 _LOGIN = re.compile(r"/(?:\.bashrc|\.(?:bash_)?profile|\.zshrc|bash\.bashrc)$|/profile\.d/[^/]+$|/etc/environment$")
 _ROS2 = re.compile(r"\bros2[ \t]+(?:launch|run)\b")

@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.facts import launch_api
 from bringup_lint.facts.node_roles import HARDWARE
 from bringup_lint.facts.node_roles import Role
@@ -50,7 +51,6 @@ from bringup_lint.source import Source
 if TYPE_CHECKING:
     from bringup_lint.robot import Robot
 
-KINDS = ("launch-python", "launch-xml", "launch-yaml")
 SIMULATION = re.compile(
     r"(?:^|[/_.-])(?:sim|simulation|simulator|simulated|gazebo|gz|ign|ignition|webots|isaac\w*|mujoco|loopback|tests?|demos?"
     r"|examples?|tutorials?|display|view\w*|rviz\w*|rosbag\w*|replay|mock|fake)(?:$|[/_.-])"
@@ -386,7 +386,7 @@ def _substitutes(file: LaunchFile) -> bool:
 
 
 def load_launch(robot: Robot) -> Launch:
-    return Launch(robot, list(_files(robot, robot.of_kind(*KINDS))))
+    return Launch(robot, list(_files(robot, robot.of_kind(*LAUNCH))))
 
 
 def _files(robot: Robot, sources: Iterable[Source]) -> Iterator[LaunchFile]:

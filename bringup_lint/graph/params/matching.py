@@ -16,6 +16,7 @@ from bringup_lint.model.params import Block
 from bringup_lint.model.params import ParameterFile
 from bringup_lint.model.params import matches
 from bringup_lint.spelling import nearest
+from bringup_lint.spelling import numbered
 
 if TYPE_CHECKING:
     from bringup_lint.graph.params.params import Params
@@ -103,17 +104,9 @@ def _meant(block: Block, name: str) -> bool | None:
     if tail == own:
         return False
     same_space = not space.strip("/") or space.strip("/") == own_space.strip("/")
-    if same_space and nearest(tail, [own]) and not _numbered(tail, own):
+    if same_space and nearest(tail, [own]) and not numbered(tail, own):
         return True
     return None
-
-
-def _numbered(one: str, other: str) -> bool:
-    """``camera_1`` and ``camera_2`` are two names, not one misspelt."""
-    return one.translate(_NO_DIGITS) == other.translate(_NO_DIGITS)
-
-
-_NO_DIGITS = {ord(digit): None for digit in "0123456789"}
 
 
 def _read_elsewhere(params: Params, file: ParameterFile, loads: list[Load]) -> bool:

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 
+from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.source import Located
 from bringup_lint.source import Span
 
@@ -15,7 +16,6 @@ if TYPE_CHECKING:
     from bringup_lint.model.params import Parameter
     from bringup_lint.robot import Robot
 
-LAUNCH = ("launch-python", "launch-xml", "launch-yaml")
 USERS = ("user", "username", "user_name", "login")
 
 

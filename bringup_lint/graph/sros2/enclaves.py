@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import literal_text
@@ -16,13 +17,12 @@ from bringup_lint.source import Located
 if TYPE_CHECKING:
     from bringup_lint.robot import Robot
 
-LAUNCH_KINDS = ("launch-python", "launch-xml", "launch-yaml")
 OPTION = "--enclave"
 
 
 def nodes(robot: Robot) -> list[Started]:
     """Every process that the launch files start, each once."""
-    if not robot.of_kind(*LAUNCH_KINDS):
+    if not robot.of_kind(*LAUNCH):
         return []
     found = {}
     for node in robot.launch.nodes:

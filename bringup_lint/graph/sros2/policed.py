@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.graph.launch.started import Started
-from bringup_lint.graph.sros2.enclaves import LAUNCH_KINDS
 from bringup_lint.graph.sros2.enclaves import of_node
 from bringup_lint.model.launch import ComposableNode
 from bringup_lint.model.sros2_policy import Policy
@@ -40,7 +40,7 @@ def policed_nodes(robot: Robot, policies: list[Policy]) -> Iterator[tuple[Starte
 
 def _started(robot: Robot) -> Iterator[Started]:
     """The nodes that start when nothing else is asked for, each once, as their units or entries start them."""
-    if not robot.of_kind(*LAUNCH_KINDS):
+    if not robot.of_kind(*LAUNCH):
         return
     seen = set()
     launched = [each for launcher in robot.ros.launchers for each in robot.ros.launched_by(launcher)]

@@ -10,6 +10,7 @@ from fnmatch import fnmatchcase
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.sros2 import enclaves as sros2_enclaves
 from bringup_lint.graph.sros2 import keystore as sros2_keystore
@@ -116,7 +117,7 @@ class Sros2:
 
     def in_launch(self, word: str) -> bool:
         """Whether a launch file mentions a word, in whatever way."""
-        return any(word in source.text for source in self.robot.of_kind(*sros2_enclaves.LAUNCH_KINDS))
+        return any(word in source.text for source in self.robot.of_kind(*LAUNCH))
 
     @cached_property
     def certificates(self) -> list[tuple[Source, Certificate]]:

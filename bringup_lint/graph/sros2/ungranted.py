@@ -7,7 +7,7 @@ from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 
-from bringup_lint.graph.sros2.enclaves import LAUNCH_KINDS
+from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.graph.sros2.enclaves import of_node
 from bringup_lint.model.sros2 import Governance
 from bringup_lint.model.sros2 import Grant
@@ -32,7 +32,7 @@ class Ungranted(NamedTuple):
 
 def ungranted(robot: Robot) -> Iterator[Ungranted]:
     """Only for topics whose full names are known, and where every document for the enclave denies them."""
-    if not robot.of_kind(*LAUNCH_KINDS):
+    if not robot.of_kind(*LAUNCH):
         return
     grants: dict[str, list[Grant]] = {}
     unchecked: set[int] = set()

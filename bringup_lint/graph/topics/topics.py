@@ -8,6 +8,7 @@ from functools import cached_property
 from itertools import product
 from typing import TYPE_CHECKING
 
+from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.graph.launch.expansion import Expansion
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import literal_text
@@ -35,7 +36,6 @@ if TYPE_CHECKING:
     from bringup_lint.source import Source
     from bringup_lint.source import Span
 
-LAUNCH = ("launch-python", "launch-xml", "launch-yaml")
 COMPARED = 100
 """Publishers and subscriptions of one topic that are held against each other."""
 CPP = (".cpp", ".cc", ".cxx", ".hpp", ".h")

@@ -11,6 +11,7 @@ from bringup_lint.graph.topics.use import Running
 from bringup_lint.graph.topics.use import Use
 from bringup_lint.source import Located
 from bringup_lint.spelling import nearest
+from bringup_lint.spelling import numbered
 
 EVERYWHERE = (
     "/rosout",
@@ -31,7 +32,6 @@ COMPARED = 500
 """Lonely topics of one robot for which another name is sought."""
 SHORTEST = 4
 """Letters of a word that may be misspelt."""
-_DIGITS = {ord(digit): None for digit in "0123456789"}
 
 
 class Misspelt(NamedTuple):
@@ -84,7 +84,7 @@ def _is_fixed(use: Use) -> bool:
 def _meant(use: Use, others: Iterable[Use], alone: set[str]) -> Use | None:
     """The one name that is nearly the same: one part an edit or two away, or the same name in another namespace that is
     alone as well."""
-    by_name = {each.topic: each for each in others if not _numbered(each.topic, use.topic)}
+    by_name = {each.topic: each for each in others if not numbered(each.topic, use.topic)}
     near = [name for name in by_name if alike(name, use.topic)]
     if not near:
         near = [name for name in by_name if name in alone and _nested(name, use.topic)]
@@ -95,7 +95,7 @@ def alike(one: str, other: str) -> bool:
     """Whether two names differ in one part only, and there by a slip in one word, or in underscores. Numbers are other
     names, and a few letters are another word: ``/arm_l/state`` and ``/arm_r/state``."""
     ours, theirs = one.split("/"), other.split("/")
-    if len(ours) != len(theirs) or _numbered(one, other):
+    if len(ours) != len(theirs) or numbered(one, other):
         return False
     apart = [(own, their) for own, their in zip(ours, theirs, strict=True) if own != their]
     return len(apart) == 1 and min(map(len, apart[0])) >= SHORTEST and _slipped(*apart[0])
@@ -112,10 +112,6 @@ def _slipped(one: str, other: str) -> bool:
 def _nested(one: str, other: str) -> bool:
     """Whether a name is the other one in a namespace: ``/scan`` and ``/front/scan``."""
     return one.endswith(other) or other.endswith(one)
-
-
-def _numbered(one: str, other: str) -> bool:
-    return one != other and one.translate(_DIGITS) == other.translate(_DIGITS)
 
 
 def corrected(use: Use, name: str) -> tuple[Located, str] | None:
