@@ -55,8 +55,8 @@ def bashrc_only(robot: Robot):
             yield finding(
                 interactive[0] if interactive else word,
                 _message(unit, word, interactive),
-                advice="source /opt/ros/<distro>/setup.bash and the workspace in "
-                "ExecStart=, and keep variables in an EnvironmentFile=",
+                advice="source /opt/ros/<distro>/setup.bash and the workspace in ExecStart=, and keep variables in an "
+                "EnvironmentFile=",
                 related=[
                     *(note(process.program, f"{unit.name} starts it here") for _ in [0] if step.script),
                     *(note(ros.where, "needs the ROS environment") for _, ros in process.ros[:1]),
@@ -72,7 +72,7 @@ def _message(unit, word, interactive):
         )
     if word.startswith("-"):
         return (
-            f"{unit.name} has no ROS environment: a login shell reads .profile, and "
-            ".bashrc returns at once in a shell that is not interactive"
+            f"{unit.name} has no ROS environment: a login shell reads .profile, and .bashrc returns at once in a shell "
+            "that is not interactive"
         )
     return f"{unit.name} gets no ROS environment from {word}: it returns at once in a shell that is not interactive"

@@ -48,8 +48,8 @@ def shm_across_users(robot: Robot):
             for user, (unit, where) in others:
                 yield finding(
                     where,
-                    f"{unit.name} runs as {user}, {one.name} as {first}: "
-                    "their topics are listed, and data never arrives",
+                    f"{unit.name} runs as {user}, {one.name} as {first}: their topics are listed, and data never "
+                    "arrives",
                     advice="run both as one user, or give both a UDP-only profile",
                     related=[note(place, f"{one.name} runs as {first}")],
                 )

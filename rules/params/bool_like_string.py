@@ -43,8 +43,7 @@ def bool_like_string(robot: Robot):
             yield finding(
                 parameter.span,
                 f"'{parameter.name}: {parameter.text}' is the boolean {str(value.data).lower()}, the node expects a "
-                "string: it ends "
-                "with InvalidParameterTypeException",
+                "string: it ends with InvalidParameterTypeException",
                 advice=f"write {text}",
                 related=[note(declared.place, "declared as a string here")],
                 fix=fix("Put it in quotes", (parameter.span, text)),

@@ -40,8 +40,7 @@ def wildcard_overrides_specific(robot: Robot):
             yield finding(
                 general.key,
                 f"'{general.block.name}' comes last and sets '{general.name}' of {specific.block.name} to "
-                f"{general.text} "
-                f"instead of {specific.text}",
+                f"{general.text} instead of {specific.text}",
                 advice=f"move the block '{general.block.name}' to the top of the file",
                 related=[note(specific.key, "the value that is lost")],
             )

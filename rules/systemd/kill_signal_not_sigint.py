@@ -54,8 +54,7 @@ def kill_signal_not_sigint(robot: Robot):
         yield finding(
             signal.at or unit.where,
             f"{unit.name} is stopped with {signal.value}, at which ros2 launch exits without stopping "
-            "its nodes, "
-            f"{THEN.get(service.kill_mode.value, THEN['control-group'])}",
+            f"its nodes, {THEN.get(service.kill_mode.value, THEN['control-group'])}",
             advice="set KillSignal=SIGINT",
             related=[note(found.where, "ros2 launch is started here") for found in launches],
             fix=fix("stop it with SIGINT", change) if unit.editable else None,

@@ -46,8 +46,8 @@ def network_online_no_wants(robot: Robot):
                 continue
             yield finding(
                 word,
-                f"Nothing pulls {ONLINE} in, so this After= has no effect: {unit.name} "
-                "starts without waiting for the network",
+                f"Nothing pulls {ONLINE} in, so this After= has no effect: {unit.name} starts without waiting for the "
+                "network",
                 advice=f"add Wants={ONLINE}",
                 fix=fix(f"add Wants={ONLINE}", (line.end, f"\nWants={ONLINE}")),
             )

@@ -74,8 +74,7 @@ def network_target(robot: Robot):
         yield finding(
             word,
             f"{word} does not mean that any interface has an address: {unit.name} can start "
-            "before the network is up, "
-            "and DDS looks at the interfaces only once",
+            "before the network is up, and DDS looks at the interfaces only once",
             advice=f"order after {ONLINE} and pull it in: Wants={ONLINE} and After={ONLINE}",
             related=[
                 *(note(other, "pulled in here, but nothing waits for it") for _, other in unit.naming("Wants", ONLINE)),

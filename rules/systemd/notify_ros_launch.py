@@ -59,8 +59,7 @@ def notify_ros_launch(robot: Robot):
         yield finding(
             service.type.at,
             f"systemd accepts READY=1 from the {service.access.value} process only, which is {main}: a "
-            "node's is refused, "
-            f"the start of {unit.name} times out{when}",
+            f"node's is refused, the start of {unit.name} times out{when}",
             advice="set NotifyAccess=all if a node sends READY=1, else Type=exec",
             related=[
                 note(service.main.where, f"{main} is the main process"),

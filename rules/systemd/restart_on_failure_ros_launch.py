@@ -56,8 +56,7 @@ def restart_on_failure_ros_launch(robot: Robot):
         yield finding(
             policy.restart_at,
             "ros2 launch keeps running when a node dies, and ends with status 0 after Shutdown(): "
-            f"Restart={policy.restart} does not "
-            f"start {unit.name} again",
+            f"Restart={policy.restart} does not start {unit.name} again",
             advice="set Restart=always, and let launch end with a vital node or respawn the nodes itself",
             related=[note(programs[-1].where, "what is launched")],
             fix=fix("restart it whenever it ends", (policy.restart_at, "always"), safe=False)

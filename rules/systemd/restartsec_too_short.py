@@ -47,8 +47,7 @@ def restartsec_too_short(robot: Robot):
         yield finding(
             policy.delay_at or policy.restart_at,
             f"{unit.name} restarts after {duration(policy.delay)}{unset}: its device or port may not be "
-            "free again, "
-            f"and {policy.burst} failures in {duration(policy.interval)} leave it down",
+            f"free again, and {policy.burst} failures in {duration(policy.interval)} leave it down",
             advice="set RestartSec=2 or more",
             related=[note(policy.restart_at, "restarts")] if policy.delay_at else (),
         )

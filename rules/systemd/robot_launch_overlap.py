@@ -81,8 +81,8 @@ def robot_launch_overlap(robot: Robot):
 
 
 def _umbrella(robot, stack, started):
-    """A service for the whole robot beside services for its layers, told by the names of "
-    "launch files of one package."""
+    """A service for the whole robot beside services for its layers, told by the names of launch files of one
+    package."""
     units = robot.units
     for unit, ros in started:
         if not ros.package or not WHOLE.match(ros.where) or robot.launch.named(ros.package, ros.target):

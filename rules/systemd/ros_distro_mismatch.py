@@ -73,8 +73,7 @@ def _finding(unit, process, step, word, distro, chosen, named):
 
 
 def paths(process):
-    """Programs and sourced files below /opt/ros, in order; those inside `if` and the like "
-    "are alternatives."""
+    """Programs and sourced files below /opt/ros, in order; those inside `if` and the like are alternatives."""
     for step in process.steps:
         words = step.command.words
         words = words[1:2] if words and words[0] in ("source", ".", "exec") else words[:1]

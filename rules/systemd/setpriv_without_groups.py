@@ -45,8 +45,8 @@ def setpriv_without_groups(robot: Robot):
                     continue
                 yield finding(
                     user[0],
-                    "The process gets the user but not the user's groups: devices of "
-                    "dialout, video or input stay closed",
+                    "The process gets the user but not the user's groups: devices of dialout, video or input stay "
+                    "closed",
                     advice="use User= in the unit, or add --init-groups",
                     related=[note(process.program, f"{unit.name} starts it here")] if step.script else (),
                 )

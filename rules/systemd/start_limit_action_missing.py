@@ -45,8 +45,7 @@ def start_limit_action_missing(robot: Robot):
         yield finding(
             policy.burst_at or policy.interval_at or policy.restart_at,
             f"After {policy.burst} starts in {duration(policy.interval)} {unit.name} stays down until "
-            "somebody runs "
-            "systemctl reset-failed, and nothing is told",
+            "somebody runs systemctl reset-failed, and nothing is told",
             advice="name a handler with OnFailure= in [Unit], or an action with StartLimitAction=",
             related=[note(policy.restart_at, "restarts")],
         )

@@ -60,8 +60,7 @@ def timeout_start_short(robot: Robot):
             yield finding(
                 limit.at or process.program,
                 f"{process.name} may wait {sum_}{duration(wait.seconds)}, TimeoutStartSec= is "
-                f"{duration(limit.value)}{default}: "
-                "systemd kills it before it can say what is missing",
+                f"{duration(limit.value)}{default}: systemd kills it before it can say what is missing",
                 advice=f"set TimeoutStartSec= above {duration(wait.seconds)}",
                 related=[
                     *([note(process.program, "the command that waits")] if limit.at else ()),

@@ -48,8 +48,7 @@ def watchdog_no_restart(robot: Robot):
         yield finding(
             service.watchdog.at,
             f"After a watchdog timeout of {duration(service.watchdog.value)} {unit.name} stays dead: "
-            f"Restart={policy.restart} "
-            "does not start it again",
+            f"Restart={policy.restart} does not start it again",
             advice="set Restart=on-failure or on-watchdog",
             related=[note(policy.restart_at, "does not restart after a watchdog timeout")] if policy.restart_at else (),
         )

@@ -20,8 +20,7 @@ _FILES = 3000
 
 
 def file_capabilities(robot: Robot) -> dict[str, list[tuple[str, Span]]]:
-    """Name of a program -> the capabilities (``CAP_NET_RAW``) that it is given, each with the place "
-    "that says so."""
+    """Name of a program -> the capabilities (``CAP_NET_RAW``) that it is given, each with the place that says so."""
     found: dict[str, list[tuple[str, Span]]] = {}
     paths = [path for path in robot.tree.paths if _SCRIPTS.search(path)]
     for path in paths[:_FILES]:

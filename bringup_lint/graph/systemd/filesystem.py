@@ -58,8 +58,7 @@ def is_made(path: str, unit: Unit, robot: Robot) -> bool | None:
 
 
 def is_there(path: str, robot: Robot) -> bool | None:
-    """What a root file system says of a path; None when it is not whole there, or the path lies on "
-    "another mount."""
+    """What a root file system says of a path; None when it is not whole there, or the path lies on another mount."""
     if any(path.startswith(f"{mount}/") for mount in _mounts(robot)):
         return None
     if resolve_inside(robot.tree.root, path) is not None:

@@ -17,8 +17,7 @@ LIMIT_OF = {"rtprio": "LimitRTPRIO", "memlock": "LimitMEMLOCK", "nice": "LimitNI
 
 
 def granted_limits(unit: Unit, robot: Robot) -> Iterator[tuple[str, Grant]]:
-    """The real-time items that the limits files grant to the user of a service, with the line that says "
-    "so."""
+    """The real-time items that the limits files grant to the user of a service, with the line that says so."""
     user = unit.get("User")
     if not user or user in ("root", "0"):
         return

@@ -69,13 +69,12 @@ class RestartPolicy:
 
     @property
     def own_limit(self) -> bool:
-        """Whether the unit sets a start limit of its own, at the right place or not, rather than none "
-        "or an empty one."""
+        """Whether the unit sets a start limit of its own, at the right place or not, rather than none or an empty
+        one."""
         return bool(self.misplaced or self.interval_at or self.burst_at) and (self.limited or bool(self.misplaced))
 
     def next_delay(self, restart: int) -> float:
-        """The delay before the n-th restart, counted from 1 (``service_restart_usec_next()`` of systemd "
-        "254)."""
+        """The delay before the n-th restart, counted from 1 (``service_restart_usec_next()`` of systemd 254)."""
         if restart <= 1 or not self.steps or not self.delay or math.isinf(self.longest) or self.longest <= self.delay:
             return self.delay
         if restart > self.steps:
@@ -83,8 +82,7 @@ class RestartPolicy:
         return self.delay * (self.longest / self.delay) ** ((restart - 1) / self.steps)
 
     def loop(self, fail: float = 0.0) -> float:
-        """Seconds from the first start to the one that would trip the limit, when every start fails "
-        "after ``fail``."""
+        """Seconds from the first start to the one that would trip the limit, when every start fails after ``fail``."""
         counted = min(self.burst, BURSTS_COUNTED)
         total = sum(self.next_delay(number) for number in range(1, counted + 1))
         return total + (self.burst - counted) * self.longest + self.burst * fail
@@ -96,8 +94,7 @@ class RestartPolicy:
 
     @property
     def leaves_no_time(self) -> bool:
-        """The limit trips only in theory: the delays alone fill the interval, and every start takes "
-        "some time."""
+        """The limit trips only in theory: the delays alone fill the interval, and every start takes some time."""
         return self.known and self.restarts and self.limited and self.loop() == self.interval
 
 

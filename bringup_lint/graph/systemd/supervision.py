@@ -82,8 +82,7 @@ class Supervision:
 
     @cached_property
     def access(self) -> Setting:
-        """NotifyAccess=, with what systemd makes of ``none`` when it needs the socket "
-        "(``service_add_extras()``)."""
+        """NotifyAccess=, with what systemd makes of ``none`` when it needs the socket (``service_add_extras()``)."""
         found = word(self.unit, "NotifyAccess", ACCESS)
         if found.unknown or found.value in ("main", "exec", "all"):
             return found

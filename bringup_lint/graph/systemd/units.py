@@ -7,7 +7,6 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from dataclasses import field
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 from bringup_lint.facts.directives import NEWEST
 from bringup_lint.graph.environment.effective import Environment
@@ -38,9 +37,6 @@ from bringup_lint.graph.systemd.unit_lines import lines
 from bringup_lint.graph.systemd.waits import Wait
 from bringup_lint.graph.systemd.waits import longest_wait
 from bringup_lint.model.unit import UnitFile
-
-if TYPE_CHECKING:
-    pass
 
 _STARTING = frozenset({"requires", "binds-to", "wants", "upholds", "triggers", "on-failure", "on-success"})
 _DDS_VARIABLE = re.compile(r"(?:ROS|RMW|CYCLONEDDS|FASTRTPS|FASTDDS|ZENOH)_(?!VERSION$|PYTHON_VERSION$)")
