@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from bringup_lint.registry import Registry
-from tests import guides
 from tests.conftest import PROJECT
+from tests.docs import guides
 
 ENTRIES = {f"{guide}/{key}": entry for guide, entries in guides.answers().items() for key, entry in entries.items()}
 RULES = {rule.id for rule in Registry.of().all()}

@@ -58,7 +58,7 @@ Some of the guides' own examples do not do what they say; there the rules tell w
 `fixtures/robots/guide` is a robot that follows all four, and its
 [traps.toml](../fixtures/robots/guide/traps.toml) lists the examples that fail.
 
-This page is drawn from [guides.toml](guides.toml) by `pytest tests/test_guides.py --update-expected`.
+This page is drawn from [guides.toml](guides.toml) by `pytest tests/docs/test_guides.py --update-expected`.
 """
 
 TABLE = "| | what | rules | what files cannot show |\n|---|---|---|---|"

@@ -7,7 +7,7 @@ import pytest
 from bringup_lint.toml import read_toml
 from tests.conftest import PROJECT
 from tests.lint import lint
-from tests.test_fixtures import set_modes
+from tests.rules.test_fixtures import set_modes
 
 ROBOTS = PROJECT / "fixtures" / "robots"
 ARGUMENTS = ("--root", ".", "--min-severity", "info", "--output-format", "concise", "/")

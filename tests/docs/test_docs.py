@@ -18,8 +18,8 @@ from pathlib import Path
 import pytest
 
 from tests.conftest import PROJECT
+from tests.docs.picture import picture
 from tests.lint import lint
-from tests.picture import picture
 
 PAGES = [*PROJECT.glob("*.md"), *(PROJECT / "docs").rglob("*.md")]
 EXAMPLE = re.compile(

@@ -12,7 +12,7 @@ import pytest
 from bringup_lint.toml import read_toml
 from tests.conftest import PROJECT
 from tests.lint import lint
-from tests.test_fixtures import set_modes
+from tests.rules.test_fixtures import set_modes
 
 ROBOTS = PROJECT / "fixtures" / "robots"
 DEFECTS = {name: read_toml((ROBOTS / name / "defects.toml").read_text("utf-8")) for name in ("crosslayer", "skiff")}

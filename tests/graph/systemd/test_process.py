@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from tests.test_units import load
-from tests.test_units import only
+from tests.graph.systemd.test_units import load
+from tests.graph.systemd.test_units import only
 
 
 def process(tmp_path, monkeypatch, line, files=()):

@@ -17,7 +17,7 @@ from tests.lint import lint
 
 pytestmark = pytest.mark.corpus
 
-EXCEPTIONS = read_toml((PROJECT / "tests" / "labels_exceptions.toml").read_text("utf-8"))["exception"]
+EXCEPTIONS = read_toml((PROJECT / "tests/rules/labels_exceptions.toml").read_text("utf-8"))["exception"]
 """Labels that bringup-lint does not follow, each with its reason."""
 
 

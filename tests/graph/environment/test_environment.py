@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 from bringup_lint.graph.environment.effective import process_environment
 from bringup_lint.parsers.env_file import parse
 from bringup_lint.source import Source
-from tests.test_units import load
-from tests.test_units import only
+from tests.graph.systemd.test_units import load
+from tests.graph.systemd.test_units import only
 
 
 def entries(text: str) -> dict[str, str]:

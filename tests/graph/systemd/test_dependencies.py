@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from bringup_lint.graph.systemd.units import Units
-from tests.test_units import load
-from tests.test_units import only
+from tests.graph.systemd.test_units import load
+from tests.graph.systemd.test_units import only
 
 
 def service(unit: str = "", install: str = "", own: str = "") -> str:

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from tests.lint import lint
-from tests.test_crosslayer_robot import DEFECTS
+from tests.scenarios.test_crosslayer_robot import DEFECTS
 
 HERON = {
     "etc/robot/ros.env": """\

@@ -27,8 +27,9 @@ from bringup_lint.parsers import cpp_node
 from bringup_lint.parsers import rviz
 from bringup_lint.robot import Robot
 from bringup_lint.source import Source
+from tests.conftest import PROJECT
 
-FIXTURES = Path(__file__).parent.parent / "fixtures"
+FIXTURES = PROJECT / "fixtures"
 
 
 @pytest.mark.parametrize(

@@ -27,7 +27,7 @@ from bringup_lint.parsers import launch_yaml
 from bringup_lint.parsers.launch_frontend.substitutions import read
 from bringup_lint.source import Located
 from bringup_lint.source import Source
-from tests.test_launch_python import check_spans
+from tests.parsers.test_launch_python import check_spans
 
 
 def value(text: str):
