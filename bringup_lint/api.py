@@ -26,14 +26,15 @@ __all__ = ["Edit", "Finding", "Located", "Robot", "Source", "Span", "finding", "
 
 _WORDS = {
     "all_respawn": "bringup_lint.graph.launch.of_units",
-    "at_least": "bringup_lint.graph.ros_distros",
+    "at_least": "bringup_lint.facts.ros.distros",
     "commands_of": "bringup_lint.parsers.dockerfile",
     "daemon_rules": "bringup_lint.daemon_rules",
     "daemons": "bringup_lint.graph.host.daemons",
     "delete_lines": "bringup_lint.graph.systemd.unit_edits",
     "devices_of": "bringup_lint.graph.launch.of_units",
-    "directives": "bringup_lint.facts.directives",
-    "distro_end": "bringup_lint.graph.ros_distros",
+    "directives": "bringup_lint.facts.systemd.directives",
+    "distro_end": "bringup_lint.facts.ros.distros",
+    "distros_since": "bringup_lint.facts.ros.distros",
     "duration": "bringup_lint.graph.systemd.settings",
     "file_capabilities": "bringup_lint.graph.systemd.capabilities",
     "first_key": "bringup_lint.graph.yaml_edits",

@@ -12,12 +12,13 @@ from pathlib import Path
 from typing import Any
 from typing import NamedTuple
 
+from bringup_lint.facts.ros import distros
 from bringup_lint.spelling import meant
 from bringup_lint.toml import read_toml
 
 FILE_NAME = "bringup-lint.toml"
 SEVERITIES = ("info", "warning", "error")
-ROS_DISTROS = ("foxy", "galactic", "humble", "iron", "jazzy", "kilted", "lyrical", "rolling")
+ROS_DISTROS = distros.supported()
 
 
 class ConfigError(Exception):

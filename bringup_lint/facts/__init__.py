@@ -1,4 +1,4 @@
-"""Tables of facts: data files beside this module, each with its source in its header, read when first asked for."""
+"""Tables of facts: data files by subject, each with its source in its header, read when first asked for."""
 
 from __future__ import annotations
 
@@ -10,7 +10,8 @@ _FOLDER = Path(__file__).parent
 
 @cache
 def rows(name: str) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
-    """Column names and rows of ``NAME.tsv``: tab-separated, no quoting, comments only above the column names."""
+    """Column names and rows of ``NAME.tsv``, such as ``systemd/units``: tab-separated, no quoting, comments only at the
+    top."""
     lines = _FOLDER.joinpath(f"{name}.tsv").read_text(encoding="utf-8").split("\n")
     at = 0
     while lines[at].startswith("#"):

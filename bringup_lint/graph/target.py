@@ -6,20 +6,9 @@ import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from bringup_lint.facts.directives import NEWEST
+from bringup_lint.facts.ros import distros
+from bringup_lint.facts.systemd.directives import NEWEST
 from bringup_lint.source import Source
-
-SYSTEMD_OF_ROS = {
-    "foxy": 245,
-    "galactic": 245,
-    "humble": 249,
-    "iron": 249,
-    "jazzy": 255,
-    "kilted": 255,
-    "lyrical": 257,
-    "rolling": 257,
-}
-"""The systemd of the Ubuntu release that each distribution is built for (REP 2000)."""
 
 SYSTEMD_OF_OS = {
     ("ubuntu", "20.04"): 245,
@@ -32,7 +21,7 @@ SYSTEMD_OF_OS = {
 
 DEFAULT_SYSTEMD = 249
 
-_DISTRO = "|".join(SYSTEMD_OF_ROS)
+_DISTRO = "|".join(distros.supported())
 _MENTIONS = re.compile(
     rf"/opt/ros/({_DISTRO})\b|\bROS_DISTRO[=:]\s*[\"']?({_DISTRO})\b|\bros:({_DISTRO})\b|\bros-({_DISTRO})-"
 )
@@ -74,7 +63,7 @@ def find_target(sources: Iterable[Source], ros: str | None, systemd: int | None)
     if release:
         return Target(ros, ros_why, *release, True)
     if ros:
-        return Target(ros, ros_why, SYSTEMD_OF_ROS[ros], f"the systemd of ROS {ros}'s Ubuntu", True)
+        return Target(ros, ros_why, distros.systemd_of(ros), f"the systemd of ROS {ros}'s Ubuntu", True)
     return Target(None, ros_why, DEFAULT_SYSTEMD, "assumed: Ubuntu 22.04", False)
 
 

@@ -35,7 +35,7 @@ class Key(NamedTuple):
 def tables() -> dict[str, dict[str, Key]]:
     """The keys of every mapping, by the name of its table: ``network``, ``ethernets``, ``route``, ..."""
     found: dict[str, dict[str, Key]] = {}
-    for row in facts.table("netplan_keys"):
+    for row in facts.table("network/netplan"):
         for name in row["tables"].split(","):
             for table in _GROUP.get(name, [name]):
                 found.setdefault(table, {})[row["key"]] = Key(row["key"], row["value"], row["since"])

@@ -39,7 +39,7 @@ class Schema:
 @lru_cache
 def schema(version: str) -> Schema:
     items: dict[str, Item] = {}
-    for row in table("cyclonedds"):
+    for row in table("dds/cyclonedds"):
         status = row[version]
         if status != "no":
             items[row["path"]] = _item(row, status, version)
@@ -53,7 +53,7 @@ def schema(version: str) -> Schema:
 @lru_cache
 def versions_with(path: str) -> tuple[str, ...]:
     """The versions that accept a path."""
-    for row in table("cyclonedds"):
+    for row in table("dds/cyclonedds"):
         if row["path"] == path:
             return tuple(version for version in VERSIONS if row[version] != "no")
     return ()

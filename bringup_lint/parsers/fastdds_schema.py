@@ -36,7 +36,7 @@ class Item:
 def schema(version: str) -> dict[str, Item]:
     """Path -> item; a structure that several places share stands under its name in braces."""
     items: dict[str, Item] = {}
-    for row in table("fastdds"):
+    for row in table("dds/fastdds"):
         if row[version] != "no":
             items[row["path"]] = _item(row, row[version])
     roots = {path.partition("/")[0].partition("@")[0] for path in items if path.startswith("{")}

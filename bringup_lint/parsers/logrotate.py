@@ -32,7 +32,7 @@ _COMMENT_LINE = re.compile(r"^[ \t]*#[^\n]*", re.M)
 @cache
 def directives() -> dict[str, str]:
     """Name to kind of value."""
-    return {name: kind for name, kind, _ in facts.rows("logrotate_directives")[1]}
+    return {name: kind for name, kind, _ in facts.rows("host/logrotate_directives")[1]}
 
 
 def parse(source: Source) -> LogrotateFile:

@@ -1,4 +1,4 @@
-"""The structure of security documents: elements, their order and their values, by the table ``sros2_elements``."""
+"""The structure of security documents: elements, their order and their values, by the table ``dds/sros2.tsv``."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class Item(NamedTuple):
 def schema(file: str) -> Item:
     """The root element of ``governance``, ``permissions`` or ``policy``."""
     items: dict[str, Item] = {}
-    for row in table("sros2_elements"):
+    for row in table("dds/sros2"):
         if row["file"] != file:
             continue
         path, required = row["path"], row["required"] == "yes"

@@ -34,7 +34,7 @@ def keywords() -> dict[str, Keyword]:
     """Keyword in small letters to what it is."""
     return {
         name.lower(): Keyword(name, kind, scope == "match", alias, since)
-        for name, kind, scope, alias, since in facts.rows("sshd_options")[1]
+        for name, kind, scope, alias, since in facts.rows("host/sshd_options")[1]
     }
 
 

@@ -73,7 +73,7 @@ Verdict = tuple[int, str]
 @cache
 def algorithms(kind: str) -> dict[str, bool]:
     """The known names of ``cipher``, ``mac``, ``kex`` or ``keys``, and whether each is weak."""
-    return {name: bool(weak) for group, name, weak in facts.rows("ssh_algorithms")[1] if group == kind}
+    return {name: bool(weak) for group, name, weak in facts.rows("host/ssh_algorithms")[1] if group == kind}
 
 
 def judge(kind: str, words: Words) -> Verdict:

@@ -61,4 +61,4 @@ def read_command(token: Token) -> Command:
 
 @cache
 def _system_commands() -> frozenset[str]:
-    return frozenset(row["name"] for row in facts.table("system_commands"))
+    return frozenset(row["name"] for row in facts.table("host/system_commands"))

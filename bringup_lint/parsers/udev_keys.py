@@ -62,14 +62,14 @@ def keys() -> dict[str, Key]:
             tuple(row["substitutions"].split()),
             row["replacement"],
         )
-        for row in facts.table("udev_keys")
+        for row in facts.table("udev/keys")
     }
 
 
 @cache
 def words(kind: str) -> dict[str, str]:
     """The names of a closed list, each with its note."""
-    return {row["name"]: row["note"] for row in facts.table("udev_words") if row["kind"] == kind}
+    return {row["name"]: row["note"] for row in facts.table("udev/words") if row["kind"] == kind}
 
 
 def token_problems(token: Token) -> Iterator[Problem]:

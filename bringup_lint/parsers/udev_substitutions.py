@@ -26,7 +26,7 @@ class Substitution(NamedTuple):
 def _known() -> tuple[Substitution, ...]:
     return tuple(
         Substitution(row["name"], row["letter"], row["note"])
-        for row in facts.table("udev_words")
+        for row in facts.table("udev/words")
         if row["kind"] == "substitution"
     )
 

@@ -28,11 +28,13 @@ import re
 
 from bringup_lint.api import Robot
 from bringup_lint.api import commands_of
+from bringup_lint.api import distros_since
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 UBUNTU_24 = re.compile(
-    r"(?:^|/)(?:ubuntu:(?:2[3-9]\.|noble|questing|plucky|latest)|(?:osrf/)?ros:(?:jazzy|kilted|lyrical|rolling)\b|ubuntu$)"
+    r"(?:^|/)(?:ubuntu:(?:2[3-9]\.|noble|questing|plucky|resolute|latest)|ubuntu$"
+    rf"|(?:osrf/)?ros:(?:{'|'.join(distros_since('jazzy'))})\b)"
 )
 OPTIONS = {
     "useradd": ("-u", "--uid", "UID"),

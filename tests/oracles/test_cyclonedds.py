@@ -159,7 +159,7 @@ def setting(path: str, value: str) -> str:
 def test_every_setting(tmp_path: Path) -> None:
     texts = [
         setting(row["path"], value)
-        for row in table("cyclonedds")
+        for row in table("dds/cyclonedds")
         if row["type"] != "ignored" and not row["path"].endswith(FILES_ARE_WRITTEN)
         for value in (VALUES if row["type"] not in ("group", "moved", "string") else ["x", "", "1"])
     ]

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import pytest
 
-from bringup_lint.facts import directives
+from bringup_lint.facts.systemd import directives
 from bringup_lint.parsers.systemd_values import nowhere
 from bringup_lint.parsers.systemd_values import parse_timespan
 from bringup_lint.parsers.systemd_values.calendar import is_calendar

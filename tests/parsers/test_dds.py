@@ -19,8 +19,8 @@ from bringup_lint.parsers.cyclonedds_schema import schema
 from bringup_lint.source import Source
 from tests.lint import lint
 
-NAMES = sorted({row["path"].replace("@", "/").rpartition("/")[2] for row in table("cyclonedds")})
-PROFILE_NAMES = sorted({row["path"].replace("@", "/").rpartition("/")[2] for row in table("fastdds")})
+NAMES = sorted({row["path"].replace("@", "/").rpartition("/")[2] for row in table("dds/cyclonedds")})
+PROFILE_NAMES = sorted({row["path"].replace("@", "/").rpartition("/")[2] for row in table("dds/fastdds")})
 VALUES = st.sampled_from(
     ["true", "no", "10MB", "5 s", "${X:-1}", "${", "eth0", "", " x ", "é", "1" * 40, "0x10", "-1", "inf"]
 )

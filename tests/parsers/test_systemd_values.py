@@ -10,7 +10,7 @@ from hypothesis import settings
 from hypothesis import strategies as st
 
 from bringup_lint import facts
-from bringup_lint.facts import directives
+from bringup_lint.facts.systemd import directives
 from bringup_lint.parsers import systemd_values as values
 from bringup_lint.parsers.systemd_values import nowhere
 from bringup_lint.parsers.systemd_values.grammars import grammar
@@ -25,7 +25,7 @@ def test_every_type_of_the_table_has_a_grammar():
 
 
 def test_legacy_names_are_directives():
-    for row in facts.table("systemd_legacy"):
+    for row in facts.table("systemd/legacy"):
         assert directives.directive(row["section"], row["key"])
 
 

@@ -10,7 +10,8 @@ from functools import cached_property
 from functools import partial
 from typing import TYPE_CHECKING
 
-from bringup_lint.facts import table
+from bringup_lint.facts.ros import distros
+from bringup_lint.facts.ros.distros import at_least
 from bringup_lint.graph.dds import cyclonedds_discovery
 from bringup_lint.graph.dds import cyclonedds_names
 from bringup_lint.graph.dds import fastdds_names
@@ -23,7 +24,6 @@ from bringup_lint.graph.dds.selection import sharing_memory
 from bringup_lint.graph.dds.selection import together
 from bringup_lint.graph.dds.selection import user_of
 from bringup_lint.graph.environment.effective import stays_local
-from bringup_lint.graph.ros_distros import at_least
 from bringup_lint.model.cyclonedds import Configuration
 from bringup_lint.model.cyclonedds import Domain
 from bringup_lint.model.cyclonedds import Remark
@@ -276,7 +276,8 @@ def fastdds_of(distro: str | None) -> Library:
 
 
 def _library(name: str, column: str, distro: str | None, default: str) -> Library:
-    for row in table("dds_versions"):
-        if row["distro"] == distro:
-            return Library(name, row[column], True, f"ROS {distro}")
+    known = distros.every().get(distro or "")
+    version = getattr(known, column) if known else ""
+    if version:
+        return Library(name, version, True, f"ROS {distro}")
     return Library(name, default, False, "no ROS distribution is known")

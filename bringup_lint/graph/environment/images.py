@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 
+from bringup_lint.facts.ros import distros
 from bringup_lint.graph.environment.effective import Variable
 from bringup_lint.graph.environment.ros import image_variables
 from bringup_lint.source import Located
@@ -25,10 +26,13 @@ PACKAGES = {
 }
 """Middlewares that no official image brings, with the end of their package's name."""
 
+_RELEASES = [distros.every()[name] for name in distros.distros_since("humble") if name != "rolling"]
+_DISTROS = "|".join(each.name for each in _RELEASES)
+_CODENAMES = "|".join(dict.fromkeys(each.codename for each in _RELEASES))
 _OFFICIAL = re.compile(
     r"(?:docker\.io/)?(?:(?:library|arm64v8|amd64|arm32v7)/)?"
-    r"(?:ros:(?P<distro>humble|iron|jazzy|kilted)(?:-ros-core|-ros-base|-perception)?"
-    r"|osrf/ros:(?P<desktop>humble|iron|jazzy|kilted)-desktop(?:-full)?)(?:-(?:jammy|noble))?"
+    rf"(?:ros:(?P<distro>{_DISTROS})(?:-ros-core|-ros-base|-perception)?"
+    rf"|osrf/ros:(?P<desktop>{_DISTROS})-desktop(?:-full)?)(?:-(?:{_CODENAMES}))?"
 )
 _OPAQUE = re.compile(
     r"rosdep|\$\(|`|xargs|ansible|\b(?:curl|wget|git|vcs|colcon|cmake|make|pip3?|conda|mamba|dpkg|tar|cp|source)\b|\.sh\b"

@@ -88,7 +88,7 @@ class Accounts:
 
     @cached_property
     def _usual(self) -> frozenset[str]:
-        return frozenset(row["name"] for row in facts.table("known_accounts"))
+        return frozenset(row["name"] for row in facts.table("host/accounts"))
 
     @cached_property
     def _created(self) -> frozenset[str]:

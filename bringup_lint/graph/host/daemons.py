@@ -17,9 +17,9 @@ from typing import TYPE_CHECKING
 from typing import NamedTuple
 from typing import TypeVar
 
-from bringup_lint.facts.daemon_settings import SECTIONS
-from bringup_lint.facts.daemon_settings import DaemonSetting
-from bringup_lint.facts.daemon_settings import daemon_settings
+from bringup_lint.facts.systemd.daemon_settings import SECTIONS
+from bringup_lint.facts.systemd.daemon_settings import DaemonSetting
+from bringup_lint.facts.systemd.daemon_settings import daemon_settings
 from bringup_lint.model.unit import Assignment
 from bringup_lint.model.unit import Section
 from bringup_lint.model.unit import UnitFile

@@ -33,7 +33,7 @@ class NeededPath(NamedTuple):
 
 def mount_options(filesystem: str) -> list[str]:
     """The options of a file system with those that hold for every one; empty when it is not in the table."""
-    rows = {row["filesystem"]: row["options"].split() for row in table("mount_options")}
+    rows = {row["filesystem"]: row["options"].split() for row in table("host/mount_options")}
     return [*rows["*"], *rows[filesystem]] if filesystem in rows and filesystem != "*" else []
 
 

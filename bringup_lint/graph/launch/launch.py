@@ -10,11 +10,11 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from bringup_lint.discover.kinds.launch import LAUNCH
-from bringup_lint.facts import launch_api
-from bringup_lint.facts.node_roles import HARDWARE
-from bringup_lint.facts.node_roles import Role
-from bringup_lint.facts.node_roles import packages
-from bringup_lint.facts.node_roles import role_of
+from bringup_lint.facts.ros import launch_api
+from bringup_lint.facts.ros.node_roles import HARDWARE
+from bringup_lint.facts.ros.node_roles import Role
+from bringup_lint.facts.ros.node_roles import packages
+from bringup_lint.facts.ros.node_roles import role_of
 from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.launch.commands import LaunchCommand
 from bringup_lint.graph.launch.commands import launch_commands

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
-from bringup_lint.facts.node_roles import Role
-from bringup_lint.facts.node_roles import lifecycle_names
+from bringup_lint.facts.ros.node_roles import Role
+from bringup_lint.facts.ros.node_roles import lifecycle_names
 from bringup_lint.graph.launch.expansion import Expansion
 from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.resolve import truth

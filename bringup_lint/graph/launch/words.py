@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from bringup_lint.facts.node_roles import lifecycle_names
+from bringup_lint.facts.ros.node_roles import lifecycle_names
 from bringup_lint.graph.launch.lifecycle import Manager
 from bringup_lint.graph.launch.lifecycle import full_name
 from bringup_lint.graph.launch.lifecycle import managers

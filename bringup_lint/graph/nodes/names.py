@@ -29,7 +29,7 @@ def undefined(syntax: Syntax) -> Iterator[Undefined]:
     file = syntax.file
     if file.stars or _DYNAMIC.search(file.source.text):
         return
-    names = {row["name"]: row["module"] for row in table("ros_names")}
+    names = {row["name"]: row["module"] for row in table("ros/names")}
     wanted = {name for name in names if name in file.source.text} - file.imports.keys()
     if not wanted:
         return

@@ -22,7 +22,7 @@ RELEASES = (249, 252, 255)
 def names() -> frozenset[str]:
     from bringup_lint.facts import table
 
-    return frozenset(row["unit"] for row in table("systemd_units"))
+    return frozenset(row["unit"] for row in table("systemd/units"))
 
 
 @lru_cache
@@ -30,7 +30,7 @@ def aliases() -> dict[str, str]:
     """Other names of units, such as ``default.target``."""
     from bringup_lint.facts import table
 
-    return {row["unit"]: row["alias_of"] for row in table("systemd_units") if row["alias_of"] not in ("", "masked")}
+    return {row["unit"]: row["alias_of"] for row in table("systemd/units") if row["alias_of"] not in ("", "masked")}
 
 
 def distribution_edges(units: Units) -> Iterator[Edge]:
@@ -48,12 +48,12 @@ def distribution_edges(units: Units) -> Iterator[Edge]:
         for name in (unit.name, *unit.aliases)
     }
     defaults, optional = {}, set()
-    for row in table("systemd_units"):
+    for row in table("systemd/units"):
         if _ships(row, version) and not row["alias_of"]:
             defaults[row["unit"]] = row["default_dependencies"] == "yes"
             if row["package"] != "systemd":
                 optional.add(row["unit"])
-    for row in table("systemd_unit_edges"):
+    for row in table("systemd/unit_edges"):
         name, relation = row["unit"], row["relation"]
         if name not in defaults or name in own or not _ships(row, version):
             continue

@@ -90,7 +90,7 @@ def _related(name: str, other: str) -> bool:
 
 
 def _made(unit: Unit, robot: Robot) -> Iterator[str]:
-    yield from (row["path"] for row in table("base_directories"))
+    yield from (row["path"] for row in table("host/base_directories"))
     for other in robot.units.all:
         yield from directories(other)
         if other.type == "mount" and (where := other.get("Where")):

@@ -182,7 +182,7 @@ def after_members(graph: Graph, units: Units) -> Iterator[Edge]:
         own = {unit.name for unit in units.all if unit.manager == "system"}
         without |= {
             Node("unit", row["unit"])
-            for row in table("systemd_units")
+            for row in table("systemd/units")
             if row["default_dependencies"] == "no" and row["unit"] not in own
         }
     for target, edges in list(graph.out.items()):

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from functools import cache
 
 from bringup_lint import facts
-from bringup_lint.facts.directives import Directive
-from bringup_lint.facts.directives import directive
-from bringup_lint.facts.directives import sections_of_type
+from bringup_lint.facts.systemd.directives import Directive
+from bringup_lint.facts.systemd.directives import directive
+from bringup_lint.facts.systemd.directives import sections_of_type
 from bringup_lint.model.unit import Assignment
 from bringup_lint.model.unit import UnitFile
 from bringup_lint.parsers.systemd_values import Command
@@ -131,7 +131,7 @@ def _variable(value: Located, kind: str) -> Located | None:
 
 @cache
 def _defaults() -> dict[str, str]:
-    return dict(facts.rows("systemd_defaults")[1])
+    return dict(facts.rows("systemd/defaults")[1])
 
 
 def default_of(key: str) -> str:

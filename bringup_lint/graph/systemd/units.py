@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from dataclasses import field
 from functools import cached_property
 
-from bringup_lint.facts.directives import NEWEST
+from bringup_lint.facts.systemd.directives import NEWEST
 from bringup_lint.graph.environment.effective import Environment
 from bringup_lint.graph.environment.effective import EnvironmentFile
 from bringup_lint.graph.environment.effective import environment_files

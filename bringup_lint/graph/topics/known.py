@@ -33,7 +33,7 @@ class KnownNode(NamedTuple):
 @cache
 def _rows() -> dict[tuple[str, str], list[dict[str, str]]]:
     rows: dict[tuple[str, str], list[dict[str, str]]] = {}
-    for row in table("known_node_topics"):
+    for row in table("ros/node_topics"):
         for program in (row["executable"], row["plugin"]):
             if program:
                 rows.setdefault((row["package"], program), []).append(row)

@@ -29,7 +29,7 @@ _INTERFACE_GLOB = re.compile(r"[\d*?\[\]-]+[\d.*?\[\]-]*:\d[\d.*?\[\]]*\Z")
 
 @cache
 def _owners() -> dict[tuple[str, str], frozenset[str]]:
-    return {(row["key"], row["name"]): frozenset(row["device"].split()) for row in facts.table("udev_owners")}
+    return {(row["key"], row["name"]): frozenset(row["device"].split()) for row in facts.table("udev/owners")}
 
 
 def levels(token: Token) -> frozenset[str] | None:
@@ -63,7 +63,7 @@ def _levels_of_name(pattern: str) -> frozenset[str] | None:
 
 @cache
 def _kernel_names() -> dict[str, tuple[str, bool]]:
-    return {row["name"]: (row["subsystem"], row["order"] == "yes") for row in facts.table("udev_kernel_names")}
+    return {row["name"]: (row["subsystem"], row["order"] == "yes") for row in facts.table("udev/kernel_names")}
 
 
 def subsystem_of_name(pattern: str) -> str | None:
@@ -83,7 +83,7 @@ def is_numbered_by_discovery(name: str) -> bool:
 def is_tagged_by_systemd(subsystem: str, kernels: Iterable[str], systemd: int) -> bool:
     """Whether 99-systemd.rules of that release makes a device unit of such a device, for sure or perhaps."""
     names = tuple(kernels)
-    for row in facts.table("systemd_tagged"):
+    for row in facts.table("systemd/tagged"):
         if row["subsystem"] != subsystem or (row["since"] and systemd < int(row["since"])):
             continue
         tagged = row["kernel"].split("|")
@@ -94,10 +94,10 @@ def is_tagged_by_systemd(subsystem: str, kernels: Iterable[str], systemd: int) -
 
 def is_open_by_design(name: str) -> bool:
     """Whether a node such as ``/dev/fuse`` is meant to be writable for everybody."""
-    return any(matches(row["name"], name) for row in facts.table("udev_open_nodes"))
+    return any(matches(row["name"], name) for row in facts.table("udev/open_nodes"))
 
 
 @cache
 def usb_ids() -> dict[str, dict[str, str]]:
     """Known USB devices by ``vendor:product`` in lower case."""
-    return {row["id"]: row for row in facts.table("usb_serial_ids")}
+    return {row["id"]: row for row in facts.table("udev/usb_serial_ids")}

@@ -24,7 +24,7 @@ class TooEarly(NamedTuple):
 @cache
 def packaged_files() -> dict[str, str]:
     """Rules files of the distribution with their packages."""
-    return {row["file"]: row["package"] for row in facts.table("udev_packaged_files")}
+    return {row["file"]: row["package"] for row in facts.table("udev/packaged_files")}
 
 
 def properties_not_set_yet(rule: UdevRule) -> Iterator[TooEarly]:
@@ -46,7 +46,7 @@ def assignments_overruled(rule: UdevRule) -> Iterator[TooEarly]:
 
 
 def _first(rule: UdevRule, kind: str, name: str) -> dict[str, str] | None:
-    for row in facts.table("udev_order"):
+    for row in facts.table("udev/order"):
         later = rule.source.basename < row["file"]
         if row["kind"] == kind and later and rule.is_for(row["subsystem"]) and matches(row["name"], name):
             return row

@@ -164,7 +164,7 @@ class Udev:
     @staticmethod
     def is_factory_serial(serial: str) -> bool:
         """Whether many adapters have this serial number."""
-        return any(row["serial"] == serial for row in table("factory_serials"))
+        return any(row["serial"] == serial for row in table("udev/factory_serials"))
 
     def brltty_claim(self, rule: UdevRule, usb_id: str) -> Rule | None:
         """The line of brltty's rules that takes every device of this id."""

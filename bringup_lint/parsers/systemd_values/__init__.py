@@ -1,6 +1,6 @@
 """The values of systemd unit files: what systemd accepts, what it makes of them, what is wrong with them.
 
-``check(type, value, version)`` judges a value of a type of ``facts/systemd_directives.tsv``; the other functions
+``check(type, value, version)`` judges a value of a type of ``facts/systemd/directives.tsv``; the other functions
 read values for those who want to know what a unit does. All are pure, none raises on any text.
 """
 

@@ -21,7 +21,7 @@ _ANY_CASE = ("socket-protocol",)
 def enumerations() -> dict[str, dict[str, int]]:
     """Name to word to the first release that knows it; ``<bool>`` stands for the words of a boolean."""
     found: dict[str, dict[str, int]] = {}
-    for name, word, since in facts.rows("systemd_enumerations")[1]:
+    for name, word, since in facts.rows("systemd/enumerations")[1]:
         found.setdefault(name, {})[word] = int(since)
     return found
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from bringup_lint.facts.directives import SECTION_OF_TYPE
+from bringup_lint.facts.systemd.directives import SECTION_OF_TYPE
 from bringup_lint.parsers.systemd_values.enumerations import closest
 from bringup_lint.parsers.systemd_values.enumerations import enumerations
 from bringup_lint.parsers.systemd_values.numbers import parse_integer

@@ -25,7 +25,7 @@ class Specifier(NamedTuple):
 def specifiers() -> dict[str, Specifier]:
     return {
         letter: Specifier(letter, expands, int(since), in_names == "yes")
-        for letter, expands, since, in_names, _ in facts.rows("systemd_specifiers")[1]
+        for letter, expands, since, in_names, _ in facts.rows("systemd/specifiers")[1]
     }
 
 

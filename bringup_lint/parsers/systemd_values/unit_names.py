@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import NamedTuple
 
-from bringup_lint.facts.directives import SECTION_OF_TYPE
+from bringup_lint.facts.systemd.directives import SECTION_OF_TYPE
 
 _CHARACTERS = re.compile(r"[A-Za-z0-9:_.\\@-]+")
 _PLAIN = frozenset("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789:_.")

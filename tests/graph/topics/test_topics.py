@@ -75,7 +75,7 @@ def test_an_unknown_target_makes_the_name_unknown() -> None:
 
 
 def test_each_known_node_is_whole() -> None:
-    for row in table("known_node_topics"):
+    for row in table("ros/node_topics"):
         assert row["role"] in ("pub", "sub", "more", "none", "node")
         assert row["role"] not in ("pub", "sub") or row["name"] or row["parameter"]
         assert len(row["qos"].split()) in (0, 2, 3)

@@ -52,7 +52,7 @@ class Legacy(NamedTuple):
 def sections() -> dict[str, dict[str, Directive]]:
     """Section to key to directive. ``Target`` and ``Device`` exist but have no keys."""
     found: dict[str, dict[str, Directive]] = {name: {} for name in ("Unit", "Install", *SECTION_OF_TYPE.values())}
-    for section, key, kind, since in facts.rows("systemd_directives")[1]:
+    for section, key, kind, since in facts.rows("systemd/directives")[1]:
         found[section][key] = Directive(section, key, kind, int(since))
     return found
 
@@ -75,5 +75,5 @@ def sections_with(key: str) -> list[str]:
 @cache
 def legacy() -> dict[tuple[str, str, str], Legacy]:
     """(section, key, value or empty) to what replaces it."""
-    found = (Legacy(*row) for row in facts.rows("systemd_legacy")[1])
+    found = (Legacy(*row) for row in facts.rows("systemd/legacy")[1])
     return {(row.section, row.key, row.value): row for row in found}

@@ -6,8 +6,8 @@ from functools import cache
 from typing import NamedTuple
 
 from bringup_lint.facts import table
+from bringup_lint.facts.ros.distros import at_least
 
-RANK = ("foxy", "galactic", "humble", "iron", "jazzy", "kilted", "lyrical", "rolling")
 ABSOLUTE = frozenset(("tf", "tf_static"))
 """tf2 publishes these by absolute names, whatever the table says."""
 HARDWARE = ("driver", "hardware")
@@ -25,7 +25,7 @@ class Role(NamedTuple):
 @cache
 def _rows() -> dict[tuple[str, str], dict[str, str]]:
     rows = {}
-    for row in table("lifecycle_nodes"):
+    for row in table("ros/lifecycle_nodes"):
         for program in (row["executable"], row["plugin"]):
             if program:
                 rows[row["package"], program] = row
@@ -35,7 +35,7 @@ def _rows() -> dict[tuple[str, str], dict[str, str]]:
 @cache
 def packages() -> frozenset[str]:
     """The packages that the table knows."""
-    return frozenset(row["package"] for row in table("lifecycle_nodes"))
+    return frozenset(row["package"] for row in table("ros/lifecycle_nodes"))
 
 
 def role_of(package: str | None, program: str | None, distribution: str | None) -> Role:
@@ -44,8 +44,8 @@ def role_of(package: str | None, program: str | None, distribution: str | None) 
     if row is None:
         return Role("", None)
     managed: bool | None = {"yes": True, "no": False}.get(row["managed"])
-    if row["managed"].startswith("yes from ") and distribution in RANK:
-        managed = RANK.index(distribution) >= RANK.index(row["managed"].split()[2].rstrip(","))
+    if row["managed"].startswith("yes from "):
+        managed = at_least(distribution, row["managed"].split()[2].rstrip(","))
     words = (entry.split() for entry in row["topics_qos"].split(";"))
     topics = frozenset(
         word[1] for word in words if len(word) > 1 and word[0] in ("pub", "sub") and word[1][0] not in "/~"
@@ -56,5 +56,7 @@ def role_of(package: str | None, program: str | None, distribution: str | None) 
 @cache
 def lifecycle_names() -> frozenset[str]:
     """Executables of nav2's lifecycle nodes whose node is called like the executable."""
-    rows = (row for row in table("lifecycle_nodes") if row["package"].startswith("nav2_") and row["managed"] == "yes")
+    rows = (
+        row for row in table("ros/lifecycle_nodes") if row["package"].startswith("nav2_") and row["managed"] == "yes"
+    )
     return frozenset(row["executable"] for row in rows) - {"map_saver_server", "nav2_costmap_2d"}

@@ -22,7 +22,7 @@ def daemon_settings(name: str) -> dict[str, DaemonSetting]:
     """Key to setting, for ``journald``, ``system`` or ``logind``."""
     return {
         key: DaemonSetting(section, key, kind, int(since))
-        for file, section, key, kind, since in facts.rows("daemon_settings")[1]
+        for file, section, key, kind, since in facts.rows("systemd/daemon_settings")[1]
         if file == name
     }
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from functools import cache
 
 from bringup_lint.facts import table
+from bringup_lint.facts.ros import distros
 
-DISTRIBUTIONS = ("foxy", "galactic", "humble", "iron", "jazzy", "kilted", "rolling")
 MODULES = frozenset(
     "launch.actions launch.substitutions launch.conditions launch.event_handlers launch.descriptions"
     " launch.launch_description_sources launch_ros.actions launch_ros.substitutions launch_ros.descriptions"
@@ -18,7 +18,7 @@ MODULES = frozenset(
 @cache
 def _rows() -> dict[str, list[tuple[str, str, str]]]:
     rows: dict[str, list[tuple[str, str, str]]] = {}
-    for row in table("launch_api"):
+    for row in table("ros/launch_api"):
         rows.setdefault(row["import_from"], []).append((row["name"], row["since_distro"], row["last_seen"]))
     return rows
 
@@ -28,9 +28,10 @@ def names(module: str, distribution: str | None) -> frozenset[str] | None:
     """The names that can be imported from a module; of every distribution when it is not known which one runs."""
     if module not in MODULES:
         return None
-    at = DISTRIBUTIONS.index(distribution) if distribution in DISTRIBUTIONS else None
+    order = distros.supported()
+    at = order.index(distribution) if distribution in order else None
     found = set()
     for name, since, last in _rows().get(module, ()):
-        if at is None or DISTRIBUTIONS.index(since) <= at <= DISTRIBUTIONS.index(last):
+        if at is None or order.index(since) <= at <= order.index(last):
             found.add(name)
     return frozenset(found)

@@ -1,0 +1,67 @@
+"""The ROS 2 distributions: their order, their end, what they are built for and which middleware they package."""
+
+from __future__ import annotations
+
+from datetime import date
+from functools import cache
+from typing import NamedTuple
+
+from bringup_lint.facts import table
+
+
+class Distro(NamedTuple):
+    name: str
+    end: date | None
+    """The last day with updates; None for rolling."""
+    codename: str
+    """Of the Ubuntu release that it is built for."""
+    systemd: int | None
+    """The systemd of that release; None for distributions older than the tables."""
+    cyclonedds: str
+    fastdds: str
+    """The series of the packaged libraries; empty when it is not known."""
+
+
+@cache
+def every() -> dict[str, Distro]:
+    """Name to distribution, oldest first."""
+    return {
+        row["name"]: Distro(
+            row["name"],
+            date.fromisoformat(row["end"]) if row["end"] else None,
+            row["codename"],
+            int(row["systemd"]) if row["systemd"] else None,
+            row["cyclonedds"],
+            row["fastdds"],
+        )
+        for row in table("ros/distros")
+    }
+
+
+@cache
+def supported() -> tuple[str, ...]:
+    """The distributions that can be a target, oldest first."""
+    return tuple(distro.name for distro in every().values() if distro.systemd is not None)
+
+
+def distros_since(first: str) -> tuple[str, ...]:
+    """``first`` and what is newer, oldest first."""
+    return supported()[supported().index(first) :]
+
+
+def systemd_of(distro: str) -> int:
+    """The systemd of the Ubuntu release that a supported distribution is built for."""
+    systemd = every()[distro].systemd
+    assert systemd is not None, distro
+    return systemd
+
+
+def at_least(distro: str | None, first: str) -> bool | None:
+    """Whether a distribution is ``first`` or newer; None when it is not a supported one."""
+    return distro in distros_since(first) if distro in supported() else None
+
+
+def distro_end(distro: str | None) -> date | None:
+    """The last day on which a distribution gets updates; None when it has no end or is not known."""
+    found = every().get(distro or "")
+    return found.end if found else None
