@@ -142,17 +142,18 @@ def finding(
     chain: Iterable[Related] = (),
     fix: Fix | None = None,
     severity: str | None = None,
-    confidence: str = "high",
+    confidence: str | None = None,
     hidden: Iterable[Place] = (),
     secrets: Iterable[Place] = (),
 ) -> Finding:
-    """One defect at one place. ``message`` says what happens on the robot, ``advice`` what to write instead;
+    """One defect at one place. ``message`` says what happens on the robot, ``advice`` what to write instead.
+    ``severity`` and ``confidence`` are the rule's where they are not given, and evidence can only lower the confidence;
     ``secrets`` are the values (passwords, keys) that no report may show."""
     return Finding(
         message=message,
         span=span_of(where),
-        severity=None if severity is None else Severity[severity.upper()],
-        confidence=Confidence[confidence.upper()],
+        own_severity=None if severity is None else Severity[severity.upper()],
+        own_confidence=None if confidence is None else Confidence[confidence.upper()],
         advice=advice,
         related=tuple(related),
         chain=tuple(chain),

@@ -11,6 +11,7 @@ from dataclasses import replace
 
 from bringup_lint.config import Config
 from bringup_lint.config import ConfigError
+from bringup_lint.finding import Confidence
 from bringup_lint.finding import Finding
 from bringup_lint.finding import Severity
 from bringup_lint.registry import Registry
@@ -118,7 +119,6 @@ def _internal(outcome: Outcome, source: Source, what: str, error: Exception) -> 
         message,
         source.whole,
         rule=INTERNAL_ERROR,
-        severity=Severity.ERROR,
         advice="this is a bug in bringup-lint; everything else was still checked",
     )
 
@@ -126,7 +126,12 @@ def _internal(outcome: Outcome, source: Source, what: str, error: Exception) -> 
 def _graded(found: Finding, outcome: Outcome, severities: dict[str, Severity]) -> Finding:
     rule = outcome.rules.get(found.rule)
     own = rule.severity if rule else Severity.ERROR
-    return replace(found, severity=severities.get(found.rule) or found.severity or own)
+    highest = rule.meta.confidence if rule else Confidence.HIGH
+    return replace(
+        found,
+        severity=severities.get(found.rule) or found.own_severity or own,
+        confidence=min(found.own_confidence or highest, highest),
+    )
 
 
 def _means(name: str, rule: Rule | None, rule_id: str) -> bool:

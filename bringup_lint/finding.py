@@ -76,12 +76,12 @@ class Suppression(NamedTuple):
 
 @dataclass(frozen=True)
 class Finding:
-    """One defect. Rules make it with ``api.finding``; the engine fills in ``rule``."""
+    """One defect. Rules make it with ``api.finding``; the engine fills in ``rule``, ``severity`` and ``confidence``."""
 
     message: str
     span: Span
     rule: str = ""
-    severity: Severity | None = None
+    severity: Severity = Severity.WARNING
     confidence: Confidence = Confidence.HIGH
     advice: str = ""
     related: tuple[Related, ...] = ()
@@ -93,6 +93,10 @@ class Finding:
     suppression: Suppression | None = None
     secrets: tuple[Span, ...] = ()
     """Stretches that no output may show: passwords, keys, tokens."""
+    own_severity: Severity | None = None
+    """What the rule says of this one finding; None where it is as severe as the rule."""
+    own_confidence: Confidence | None = None
+    """The same for the confidence, which can only be lower than the rule's."""
 
     @property
     def source(self) -> Source:

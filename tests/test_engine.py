@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import textwrap
 from pathlib import Path
 
@@ -70,6 +71,25 @@ def run_own(tree: Path, *arguments: str):
 def test_a_rule_is_one_file(tree: Path) -> None:
     own_rule(tree)
     assert run_own(tree).stdout == "robot.service:3:16: warning[site/no-legacy] legacy is gone\n"
+
+
+@pytest.mark.parametrize(
+    ("rule", "finding", "reported"),
+    [
+        ("high", "", "high"),
+        ("medium", "", "medium"),
+        ("high", ', confidence="medium"', "medium"),
+        ("medium", ', confidence="high"', "medium"),
+    ],
+)
+def test_confidence_is_the_rules_and_a_finding_can_only_lower_it(
+    tree: Path, rule: str, finding: str, reported: str
+) -> None:
+    folder = own_rule(tree, body=f'yield finding(word, "legacy is gone"{finding})')
+    path = folder / "site/no_legacy.py"
+    path.write_text(path.read_text().replace('fix="safe")', f'confidence="{rule}")'))
+    run = lint("--rules", "own", "--select", "site", "--output-format", "json", "robot.service", cwd=tree)
+    assert [found["confidence"] for found in json.loads(run.stdout)["findings"]] == [reported]
 
 
 def test_failing_rule_is_reported_and_the_others_run(tree: Path) -> None:

@@ -52,7 +52,6 @@ def domain_id_partial(robot: Robot):
                     f"Service '{service.name}' has no {name}, '{first.name}' uses {value}",
                     advice="give all of them one env_file, or a common anchor",
                     related=[note(value, f"set for '{first.name}'")],
-                    confidence="medium",
                 )
 
 

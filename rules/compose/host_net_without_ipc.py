@@ -54,7 +54,6 @@ def host_net_without_ipc(robot: Robot):
                 f"'{service.name}' shares the network with '{other.name}', but no memory: no data arrives",
                 advice="give all of them ipc: host and one user, or use a profile without shared memory",
                 related=[note(other.key("network_mode"), f"'{other.name}' is on the host network too")],
-                confidence="medium",
             )
 
 

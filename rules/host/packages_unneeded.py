@@ -48,5 +48,4 @@ def packages_unneeded(robot: Robot):
                     word,
                     f"Nothing in this tree uses {word}: one more service that listens on the robot",
                     advice=f"leave it out, or purge it: apt-get purge -y {word}",
-                    confidence="medium",
                 )

@@ -48,5 +48,4 @@ def node_unexpected(robot: Robot):
             f"{node.name} runs on domain {living.seen.domain}, and no file starts it",
             advice="find out who started it; if it belongs to the robot, start it from a launch file",
             related=[note(each.where, f"this one is {each.name}") for each in same[:1]],
-            confidence="medium",
         )

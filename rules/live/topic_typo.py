@@ -52,5 +52,4 @@ def topic_typo(robot: Robot):
                 if place
                 not in (living.named_at(subscription), *((living.named_at(publisher),) if said == "published" else ()))
             ],
-            confidence="medium",
         )

@@ -44,5 +44,4 @@ def eth0_name(robot: Robot):
                 interface.name,
                 f"{interface.name} exists only where predictable names are off; a PC has names like enp3s0",
                 advice="match by MAC address and set a name with set-name",
-                confidence="medium",
             )

@@ -44,5 +44,4 @@ def flat_network(robot: Robot):
             wifi[0].name,
             "Control, data and management share one network: no VLAN, and the Wi-Fi is part of it",
             advice="separate control, data and management with VLANs",
-            confidence="medium",
         )

@@ -47,5 +47,4 @@ def wifi_control_plane(robot: Robot):
                     f"Control traffic over Wi-Fi: {interface.name} " + (f"runs on {below[0]}" if below else "is Wi-Fi"),
                     advice="put the control network on a wired interface",
                     related=related,
-                    confidence="medium",
                 )

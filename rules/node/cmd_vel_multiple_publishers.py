@@ -56,5 +56,4 @@ def cmd_vel_multiple_publishers(robot: Robot):
                     *(note(use.where, f"{use.node.label()} publishes it too") for use in others),
                     *(note(use.node.started.span, f"{use.node.label()} is started here") for use in rivals),
                 ],
-                confidence="medium",
             )

@@ -47,5 +47,4 @@ def cmd_vel_no_gate(robot: Robot):
                     "nothing limits it or stops it",
                     advice="put a gate with limits and a timeout between them",
                     related=[note(subscription.where, f"{subscription.node.label()} obeys it here")],
-                    confidence="medium",
                 )

@@ -40,5 +40,4 @@ def estop_software_only(robot: Robot):
             f"The only emergency stop to be seen is the topic {stops[0].name}: it fails together with the network, the "
             "computer or the node",
             advice="let a wired circuit cut the drive power; when there is one, ignore this rule in the configuration",
-            confidence="medium",
         )

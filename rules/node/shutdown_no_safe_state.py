@@ -79,5 +79,4 @@ def shutdown_no_safe_state(robot: Robot):
             ],
             chain=robot.nodes.way(file, note(place, "no stop command")),
             severity="info" if calm else nodes.lowered(robot.nodes.purpose(file.source), "warning"),
-            confidence="medium",
         )

@@ -45,5 +45,4 @@ def topic_absolute_under_namespace(robot: Robot):
                 advice=f"write '{first.written.lstrip('/')}', so that the namespace counts",
                 related=[note(use.node.started.span, f"{use.node.label()} is started here") for use in uses],
                 fix=fix("make the name relative", (first.written, first.written.lstrip("/")), safe=False),
-                confidence="medium",
             )

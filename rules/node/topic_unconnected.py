@@ -41,5 +41,4 @@ def topic_unconnected(robot: Robot):
                     f"Nobody publishes {use.topic}: {use.node.label()} waits for it in vain",
                     advice="start what publishes it, or look at the remappings of both sides",
                     related=[note(use.node.started.span, f"{use.node.label()} is started here")],
-                    confidence="medium",
                 )

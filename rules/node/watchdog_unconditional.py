@@ -38,5 +38,4 @@ def watchdog_unconditional(robot: Robot):
                 file.span_of(call),
                 f"{callback}() feeds the watchdog even when the robot is stuck",
                 advice="send WATCHDOG=1 only while the messages of what it watches are young and its diagnostics good",
-                confidence="medium",
             )

@@ -62,5 +62,4 @@ def notify_nobody_notifies(robot: Robot):
                 *(note(found.where, "what is started") for found in programs),
                 *(note(source, "would notify, but is not started") for source in idle[:3]),
             ],
-            confidence="medium",
         )

@@ -42,7 +42,7 @@ _PLACE = {
 _INTERFACE = re.compile(r"(\d+-[\d.]+):\d+\.\d+")
 
 
-@rule("error", fix="safe", confidence="high")
+@rule("error", fix="safe")
 def attrs_different_parents(robot: Robot):
     for line in robot.udev.judged:
         if line.impossible_parents is None:

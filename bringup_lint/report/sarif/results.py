@@ -9,7 +9,6 @@ from typing import Any
 from bringup_lint.finding import Finding
 from bringup_lint.finding import Fix
 from bringup_lint.finding import Related
-from bringup_lint.finding import Severity
 from bringup_lint.report.sarif.places import Places
 from bringup_lint.report.sarif.places import exact_region
 from bringup_lint.report.sarif.rules import LEVELS
@@ -20,7 +19,7 @@ def result(finding: Finding, fingerprint: str, index: int, places: Places, silen
     made: dict[str, Any] = {
         "ruleId": finding.rule,
         "ruleIndex": index,
-        "level": LEVELS[finding.severity or Severity.WARNING],
+        "level": LEVELS[finding.severity],
         "message": {"text": message(finding)},
         "locations": [{"physicalLocation": places.physical(finding.span)}],
         "partialFingerprints": {"bringupLint/v1": fingerprint},

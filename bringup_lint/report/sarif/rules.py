@@ -25,7 +25,7 @@ def documented(report: Report) -> list[RuleDoc]:
     for finding in report.findings:
         if finding.rule not in rules:
             title = finding.rule.rpartition("/")[2].replace("-", " ").capitalize()
-            rules[finding.rule] = RuleDoc(finding.rule, title, finding.severity or Severity.WARNING)
+            rules[finding.rule] = RuleDoc(finding.rule, title, finding.severity)
     return [rules[rule_id] for rule_id in sorted(rules)]
 
 
