@@ -1,14 +1,19 @@
-"""A link or tag disappears at the next change event.
+"""A link, tag or property disappears at the next change event.
 
 ## What it finds
-A rule that fires for `ACTION=="add"` but not for `change`, and makes a link, gives the tag `systemd` to a
-device that 99-systemd.rules does not tag, or sets a property that a daemon reads at every event
-(`ID_MM_DEVICE_IGNORE`, `NM_UNMANAGED`). Owner, group and mode stay, and `SYSTEMD_WANTS` has done its work.
+A rule that fires for `ACTION=="add"` but not for `change`, and does one of these:
+- It makes a link.
+- It gives the tag `systemd` to a device that 99-systemd.rules does not tag.
+- It sets a property that a daemon reads at every event (`ID_MM_DEVICE_IGNORE`, `ID_MM_PORT_IGNORE`,
+  `NM_UNMANAGED`).
+
+Owner, group and mode survive a change event. A tag that only accompanies `SYSTEMD_WANTS` has served its
+purpose and is not reported.
 
 ## Why it matters on a robot
-Links, tags and properties are made anew at every event. `udevadm trigger`, which every installer runs, sends
-`change`: the rule does not fire, the link is gone and the running driver cannot reopen its device, or systemd
-stops what is bound to the device.
+udev computes links, tags and properties again at every event. `udevadm trigger`, which every package
+installation runs, sends `change`: the rule does not fire and the link is gone. The running driver cannot
+reopen its device, or systemd stops the units that are bound to the device.
 
 ## Bad
 ```udev
@@ -19,6 +24,10 @@ ACTION=="add", SUBSYSTEM=="tty", ATTRS{serial}=="A5XK3RJT", SYMLINK+="robot/imu"
 ```udev
 ACTION!="remove", SUBSYSTEM=="tty", ATTRS{serial}=="A5XK3RJT", SYMLINK+="robot/imu"
 ```
+
+## When to ignore it
+If the link or tag is needed only once, at the moment when the device is plugged in, and nothing uses it
+later.
 
 ## References
 - udev(7), ACTION
@@ -48,7 +57,7 @@ def action_add_only_symlink(robot: Robot):
                 yield _finding(line, token.span, "makes systemd stop what is bound to the device", "the tag")
         for token in line.line.assignments("ENV"):
             if token.attribute in _READ_AT_EVERY_EVENT and token.value:
-                yield _finding(line, token.span, f"takes {token.attribute} away", "the property")
+                yield _finding(line, token.span, f"removes {token.attribute}", "the property")
 
 
 def _is_for_device_unit(line, systemd: int) -> bool:
@@ -60,11 +69,11 @@ def _is_for_device_unit(line, systemd: int) -> bool:
 def _finding(line, lost, what: str, name: str):
     *others, action = line.on("ACTION")
     own = not action.inherited
-    change = fix("fire at every event but the last", (action.token.span, 'ACTION!="remove"'))
+    change = fix("fire at every event except remove", (action.token.span, 'ACTION!="remove"'))
     return finding(
         action.token.span if own else lost,
         f"The next change event (udevadm trigger) {what}",
         advice='write ACTION!="remove"',
-        related=[note(lost, name) if own else note(action.token.span, "the jump over this rule")],
+        related=[note(lost, name) if own else note(action.token.span, "this jump skips the rule")],
         fix=change if own and not others else None,
     )

@@ -1,10 +1,10 @@
 """A match key is written with a single equals sign.
 
 ## What it finds
-`SUBSYSTEM=`, `KERNEL=`, `ATTRS{...}=` and the other keys that only match, with an assignment operator.
+An assignment operator after `SUBSYSTEM`, `KERNEL`, `ATTRS{...}` or another key that can only be matched.
 
 ## Why it matters on a robot
-udev reports an invalid operator in the journal and drops the whole line: no link, no permissions.
+udev logs an invalid operator in the journal and drops the whole line: no link, no permissions.
 
 ## Bad
 ```udev
@@ -15,6 +15,9 @@ SUBSYSTEM="tty", ATTRS{idVendor}="0403", SYMLINK+="robot/imu"
 ```udev
 SUBSYSTEM=="tty", ATTRS{idVendor}=="0403", SYMLINK+="robot/imu"
 ```
+
+## When to ignore it
+Never: udev rejects the whole line, so it has no effect as it is.
 
 ## References
 - udev(7), "Operators" and "Matches"

@@ -1,11 +1,11 @@
-"""An attribute of the USB device is looked for on the port.
+"""A rule looks for an attribute of the USB device on the port itself.
 
 ## What it finds
-`ATTR{idVendor}`, `ATTR{idProduct}`, `ATTR{serial}` and other attributes of a USB device in a rule for tty,
+`ATTR{idVendor}`, `ATTR{idProduct}`, `ATTR{serial}` or another attribute of a USB device in a rule for tty,
 video4linux, input or hidraw devices.
 
 ## Why it matters on a robot
-`ATTR` looks at the matched device only; its USB parent has the attribute. The rule never fires.
+`ATTR` looks only at the matched device, but the attribute belongs to its USB parent. The rule never fires.
 
 ## Bad
 ```udev
@@ -16,6 +16,10 @@ SUBSYSTEM=="tty", ATTR{idVendor}=="0403", ATTR{idProduct}=="6001", SYMLINK+="rob
 ```udev
 SUBSYSTEM=="tty", ATTRS{idVendor}=="0403", ATTRS{idProduct}=="6001", SYMLINK+="robot/imu"
 ```
+
+## When to ignore it
+Only if a driver of your own adds an attribute of this name to the port itself; `udevadm info
+--attribute-walk` then lists it in the first block.
 
 ## References
 - udev(7), ATTR and ATTRS
@@ -47,7 +51,7 @@ def attr_vs_attrs(robot: Robot):
                 subsystem = "/".join(sorted(line.subsystems))
                 yield finding(
                     token.key,
-                    f"A {subsystem} device has no {token.attribute}, its parent has: the rule never fires",
+                    f"A {subsystem} device has no {token.attribute}, only its USB parent has one: the rule never fires",
                     advice=f"write ATTRS{{{token.attribute}}}",
                     fix=fix("look at the parents", (token.key, "ATTRS")),
                 )

@@ -1,11 +1,11 @@
 """A match on a device attribute is written as an assignment.
 
 ## What it finds
-`ATTR{idVendor}=`, `ATTR{serial}=`, `ATTR{index}=` and other attributes that identify a device and cannot be
-written, with a single equals sign.
+An assignment to `ATTR{idVendor}`, `ATTR{serial}`, `ATTR{index}` or another attribute that identifies a device
+and cannot be written.
 
 ## Why it matters on a robot
-udev takes it for a write to sysfs. The match is lost, so the rule fires for every device: any adapter gets
+udev treats it as a write to sysfs. The match is lost, so the rule fires for every device: any adapter gets
 the link, and the last one keeps it. `udevadm verify` accepts the line.
 
 ## Bad
@@ -17,6 +17,9 @@ SUBSYSTEM=="usb", ATTR{idVendor}="0403", MODE="0660"
 ```udev
 SUBSYSTEM=="usb", ATTR{idVendor}=="0403", MODE="0660"
 ```
+
+## When to ignore it
+If the driver of the matched device has a writable attribute with this name and the rule is meant to write it.
 
 ## References
 - udev(7), ATTR
@@ -47,7 +50,7 @@ def attr_write_suspect(robot: Robot):
             if token.attribute in _IDENTITY:
                 yield finding(
                     token.operator,
-                    f"{token.name}{token.operator} writes to sysfs and matches nothing: any device will do",
+                    f"{token.name}{token.operator} writes to sysfs instead of matching: the rule fires for any device",
                     advice="write == to match",
                     fix=fix("write ==", (token.operator, "==")),
                 )

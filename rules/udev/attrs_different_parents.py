@@ -1,13 +1,15 @@
-r"""Parent keys of one rule stand for different devices.
+r"""The parent keys of one rule refer to different devices.
 
 ## What it finds
-`KERNELS`, `SUBSYSTEMS`, `DRIVERS` and `ATTRS` of one rule must hold on one and the same device of the chain.
-Vendor, product and serial belong to the USB device (`1-1.2`); `1-1.2:1.0`, the drivers uvcvideo or ftdi_sio
-and the interface number belong to its interface; a tty or a video node is yet another device.
+`KERNELS`, `SUBSYSTEMS`, `DRIVERS` and `ATTRS` keys of one rule that belong to different devices of the chain.
+All of them must match one and the same device:
+- The USB device (`1-1.2`) has vendor, product and serial number.
+- Its interface (`1-1.2:1.0`) has the interface number and a driver such as uvcvideo or ftdi_sio.
+- The tty or video node is another device again.
 
 ## Why it matters on a robot
-The rule never fires: no link, no permissions. `udevadm verify` finds nothing wrong, since each key is valid
-for itself.
+The rule never fires: no link, no permissions. `udevadm verify` finds nothing wrong, because each key is valid
+on its own.
 
 ## Bad
 ```udev
@@ -20,6 +22,9 @@ SUBSYSTEM=="video4linux", ATTRS{idVendor}=="0c45", ATTRS{idProduct}=="6366", KER
 SUBSYSTEM=="video4linux", ATTRS{idVendor}=="0c45", ATTRS{idProduct}=="6366", KERNELS=="1-1.2", \
   ATTR{index}=="0", SYMLINK+="robot/camera_front"
 ```
+
+## When to ignore it
+Never: udev compares all parent keys of a line with one device at a time, so this combination cannot match.
 
 ## References
 - udev(7), KERNELS and ATTRS: "all have to match at the same device"
@@ -77,7 +82,7 @@ def _advice(interface) -> str:
     if interface is not None:
         device = _INTERFACE.sub(_device, interface.value)
         return f'write KERNELS=="{device}", or match the port with ENV{{ID_PATH}}'
-    return "keep the parent keys of one device, and match the others with ENV{ID_...} or with ATTR or KERNEL"
+    return "keep the parent keys of one device, and match the others with ENV{ID_...}, ATTR or KERNEL"
 
 
 def _device(found) -> str:

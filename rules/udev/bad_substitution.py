@@ -1,13 +1,14 @@
-"""A value holds a substitution that udev does not know.
+"""A value contains a substitution that udev does not know.
 
 ## What it finds
-`$name` or `%letter` in an assigned value that udev(7) does not list, `$attr` or `$env` without braces. A `$`
-or `%` that is meant itself is written `$$` or `%%`.
+`$name` or `%letter` in an assigned value that udev(7) does not list, or `$attr` or `$env` without braces. A
+literal `$` or `%` is written `$$` or `%%`. In commands (`RUN`, `PROGRAM`, `IMPORT`) the finding is only
+information.
 
 ## Why it matters on a robot
-udev complains in the journal and keeps the text as it stands (`%s` without braces becomes empty), so the link
-gets another name than the driver opens. In commands for a shell the text reaches the shell unchanged; there
-it is a matter of clean logs.
+udev logs an error and keeps the text unchanged (`%s` without braces becomes empty), so the link gets a name
+that the driver does not open. In a command the text reaches the program unchanged, so a shell may still
+expand it, but each event logs the error.
 
 ## Bad
 ```udev
@@ -18,6 +19,10 @@ SUBSYSTEM=="tty", SYMLINK+="robot/imu-$serial"
 ```udev
 SUBSYSTEM=="tty", SYMLINK+="robot/imu-$attr{serial}"
 ```
+
+## When to ignore it
+In a command for a shell that expands the variable itself, such as `$HOME`, if you accept a log message at
+every event.
 
 ## References
 - udev(7), "Substitutions"
@@ -35,10 +40,10 @@ _COMMANDS = ("RUN", "PROGRAM", "IMPORT")
 def bad_substitution(robot: Robot):
     for problem, line in robot.udev.problems("bad-substitution"):
         token = next(token for token in line.tokens if token.span.start <= problem.where.span.start < token.span.end)
-        what = "lacks its {...}" if problem.detail == "argument missing" else "is unknown to udev"
+        what = "has no {...}" if problem.detail == "argument missing" else "is unknown to udev"
         yield finding(
             problem.where,
-            f"The substitution '{problem.where}' {what}: {token.key} does not get what was meant",
-            advice=f"write a substitution of udev(7), or {problem.where[0] * 2} for the character itself",
+            f"The substitution '{problem.where}' {what}: {token.key} gets another value than intended",
+            advice=f"write a substitution of udev(7), or {problem.where[0] * 2} for a literal {problem.where[0]}",
             severity="info" if token.key in _COMMANDS else None,
         )

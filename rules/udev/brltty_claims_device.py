@@ -1,11 +1,12 @@
-"""The driver for braille displays takes a robot's adapter.
+"""The driver for braille displays claims a robot's USB adapter.
 
 ## What it finds
-A rule for a USB serial adapter whose id the brltty rules of the tree claim without further conditions; in a
-repository for Ubuntu 22.04, the ids that its brltty claims, for information.
+A rule for a USB serial adapter that brltty also claims:
+- **error**: the brltty rules of the tree claim the id without further conditions.
+- **info**: the repository targets Ubuntu 22.04, whose brltty claims the id.
 
 ## Why it matters on a robot
-brltty sees a braille display in every CH340 adapter: ttyUSB0 appears and vanishes a moment later, and the
+brltty takes every CH340 adapter for a braille display: ttyUSB0 appears and vanishes a moment later, and the
 motor controller is gone.
 
 ## Bad
@@ -18,6 +19,10 @@ SUBSYSTEM=="tty", ATTRS{idVendor}=="1a86", ATTRS{idProduct}=="7523", KERNELS=="1
 # /etc/udev/rules.d/85-brltty.rules is a link to /dev/null
 SUBSYSTEM=="tty", ATTRS{idVendor}=="1a86", ATTRS{idProduct}=="7523", KERNELS=="1-1.4", SYMLINK+="robot/base"
 ```
+
+## When to ignore it
+If brltty is removed from the image by a step that the linter does not see, such as an installation script run
+by hand.
 
 ## References
 - https://github.com/huggingface/lerobot/issues/497

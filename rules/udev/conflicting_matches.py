@@ -1,11 +1,11 @@
-"""A rule asks for two things that exclude each other.
+"""Two matches of a rule exclude each other.
 
 ## What it finds
-Two matches of one key on a line that no device fulfils both, or a match that a jump above the rule never lets
-through.
+Two matches on one line that no device satisfies at once, or a match for devices that an earlier jump skips.
 
 ## Why it matters on a robot
-The rule never fires and nothing says so: no link, no permissions, and the driver waits for its device.
+The rule never fires, and udevd does not report it: no link, no permissions, and the driver waits for its
+device.
 
 ## Bad
 ```udev
@@ -16,6 +16,9 @@ KERNEL=="ttyUSB*", KERNEL=="ttyACM*", SYMLINK+="robot/base"
 ```udev
 KERNEL=="ttyUSB*|ttyACM*", SYMLINK+="robot/base"
 ```
+
+## When to ignore it
+Never: no device can satisfy both matches. To disable a rule on purpose, comment it out.
 
 ## References
 - udev(7), "Rules Files"

@@ -1,10 +1,10 @@
-"""A rule asks for the same thing twice.
+"""A rule contains the same match twice.
 
 ## What it finds
-The same key, operator and value two times on one line.
+The same key, operator and value twice on one line.
 
 ## Why it matters on a robot
-One of the two was mostly meant to be another attribute, so the rule matches more devices than it should.
+One of the two was probably meant to be another attribute, so the rule matches more devices than it should.
 
 ## Bad
 ```udev
@@ -15,6 +15,9 @@ ATTRS{idVendor}=="0403", ATTRS{idVendor}=="0403", SYMLINK+="robot/imu"
 ```udev
 ATTRS{idVendor}=="0403", ATTRS{idProduct}=="6001", SYMLINK+="robot/imu"
 ```
+
+## When to ignore it
+If a generator writes the rules and the repeated match is known to be harmless: udev only compares it twice.
 
 ## References
 - `udevadm verify`: duplicate expressions
@@ -36,8 +39,8 @@ def duplicate_match(robot: Robot):
             if token.is_match and token.key not in ("PROGRAM", "IMPORT") and said in seen:
                 yield finding(
                     token.span,
-                    f'{token.name}{token.operator}"{token.value}" stands on this line twice',
-                    advice="delete it, or write the attribute that was meant",
+                    f'{token.name}{token.operator}"{token.value}" appears twice on this line',
+                    advice="delete it, or write the attribute that you meant",
                     related=[note(seen[said].span, "the first one")],
                     fix=fix("delete the second one", *rule_line.without(token)),
                 )

@@ -1,9 +1,9 @@
-"""Two rules give the same link to devices that can both be there.
+"""Two rules give the same link to devices that can be connected together.
 
 ## What it finds
 One link name in two rules whose matches do not exclude each other. Rules for different vendors, products,
-serial numbers, ports or indexes are alternatives and pass; so do rules that a `GOTO` keeps apart, and those
-with `link_priority`.
+serial numbers, ports or indexes are alternatives and are not reported. Nor are rules that a `GOTO` separates,
+or rules with `link_priority`.
 
 ## Why it matters on a robot
 Which device gets the link depends on the order in which they are found: after a reboot the driver talks to
@@ -20,6 +20,10 @@ SUBSYSTEM=="tty", KERNELS=="1-1.2", SYMLINK+="robot/imu"
 SUBSYSTEM=="tty", ATTRS{serial}=="A5XK3RJT", SYMLINK+="robot/imu"
 SUBSYSTEM=="tty", ATTRS{serial}=="FTHK9L2M", SYMLINK+="robot/base"
 ```
+
+## When to ignore it
+If the two rules describe alternative hardware, of which a robot never carries both, and the rules cannot
+express that.
 
 ## References
 - udev(7), SYMLINK and OPTIONS "link_priority="
@@ -40,7 +44,7 @@ def duplicate_symlink(robot: Robot):
                 seen.add(second)
                 yield finding(
                     second.name,
-                    f"Two rules make {second.path} and can match two devices: chance decides who gets it",
+                    f"Two rules make {second.path} and can match two devices: the order of discovery decides which one",
                     advice='tell the devices apart, or give one rule OPTIONS+="link_priority="',
                     related=[note(first.name, "the other rule")],
                 )

@@ -1,11 +1,11 @@
-"""A rule sets a property that udev does not let rules set.
+"""A rule sets a property that rules cannot set.
 
 ## What it finds
-`ENV{DEVNAME}=`, `ENV{SUBSYSTEM}=`, `ENV{ACTION}=` and the other properties that belong to the kernel or to
-udev itself.
+An assignment to `ENV{DEVNAME}`, `ENV{SUBSYSTEM}`, `ENV{ACTION}` or another property that belongs to the
+kernel or to udev itself.
 
 ## Why it matters on a robot
-udev drops the whole line, with the link and the permissions on it.
+udev drops the whole line, including the link and the permissions on it.
 
 ## Bad
 ```udev
@@ -16,6 +16,9 @@ SUBSYSTEM=="tty", ATTRS{serial}=="A5XK3RJT", ENV{DEVNAME}="/dev/imu"
 ```udev
 SUBSYSTEM=="tty", ATTRS{serial}=="A5XK3RJT", SYMLINK+="imu"
 ```
+
+## When to ignore it
+Never: udev rejects the assignment and drops everything else on the line with it.
 
 ## References
 - udev(7), ENV

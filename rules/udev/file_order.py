@@ -1,13 +1,14 @@
 """A rules file sorts before the packaged file that it needs.
 
 ## What it finds
-A match on a property such as `ENV{ID_PATH}` or `ENV{ID_SERIAL_SHORT}` in a file that is read before the
-packaged file which imports it, and `GROUP` or `MODE` in a file that is read before the one which sets it
-anew. Files are read in the order of their names, whatever folder they lie in.
+Two mistakes in the order of files, which udev reads in the order of their names, whatever folder they are in:
+- A match on a property such as `ENV{ID_PATH}` or `ENV{ID_SERIAL_SHORT}` in a file that is read before the
+  packaged file that imports the property.
+- `GROUP` or `MODE` in a file that is read before the packaged file that sets it to another value.
 
 ## Why it matters on a robot
-The property is still empty, so the rule never fires; the permission is set and then overwritten, so the
-driver gets 'permission denied'.
+In the first case the property is still empty, so the rule never fires. In the second case the packaged file
+overwrites the permission, so the driver gets 'permission denied'.
 
 ## Bad
 ```udev
@@ -20,6 +21,10 @@ SUBSYSTEM=="tty", ENV{ID_PATH}=="pci-*-usb-0:1.2:1.0", SYMLINK+="robot/imu"
 # 99-robot.rules
 SUBSYSTEM=="tty", ENV{ID_PATH}=="pci-*-usb-0:1.2:1.0", SYMLINK+="robot/imu"
 ```
+
+## When to ignore it
+If the packaged file is masked or removed on the robot, or a rule that the linter does not see imports the
+property earlier.
 
 ## References
 - udev(7), "Rules Files"
@@ -36,8 +41,8 @@ def file_order(robot: Robot):
     for line, early in robot.udev.too_early:
         name = line.source.basename
         if early.value:
-            message = f"{early.file} is read after {name} and sets {early.token.key} to {early.value} again"
+            message = f"{early.file} is read after {name} and overwrites {early.token.key} with {early.value}"
         else:
-            message = f"{early.token.attribute} is still empty in {name}, {early.file} sets it: this never fires"
+            message = f"{early.token.attribute} is empty in {name}, {early.file} sets it later: the rule never fires"
         advice = f"rename the file so that it sorts after {early.file}, such as 99-robot.rules"
         yield finding(early.token.span, message, advice=advice)

@@ -1,11 +1,11 @@
-"""A file in rules.d is not read for its name.
+"""A file in rules.d is not read because of its name.
 
 ## What it finds
-A file with udev rules below `udev/rules.d` whose name does not end in `.rules`. Leftovers of editors and
-package managers are for information.
+A file with udev rules below `udev/rules.d` whose name does not end in `.rules`. Backups and leftovers of
+editors and package managers (`.bak`, `~`, `.dpkg-old`) are reported as information.
 
 ## Why it matters on a robot
-udev reads `*.rules` only: none of the links and permissions in it exist.
+udev reads `*.rules` only: none of the links and permissions in the file exist.
 
 ## Bad
 ```udev
@@ -16,6 +16,9 @@ udev reads `*.rules` only: none of the links and permissions in it exist.
 ```udev
 /etc/udev/rules.d/99-robot.rules
 ```
+
+## When to ignore it
+If the file is a template or a deliberately disabled variant that a script renames on the robot.
 
 ## References
 - udev(7), "Rules Files"
@@ -36,6 +39,6 @@ def file_suffix(robot: Robot):
         yield finding(
             source,
             f"udev does not read {source.basename}: its name does not end in .rules",
-            advice="rename it, or remove it if it is a leftover",
+            advice="rename it, or delete it if it is a leftover",
             severity="info" if _LEFTOVER.search(source.basename) else None,
         )

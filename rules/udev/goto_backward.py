@@ -1,10 +1,10 @@
 """A jump goes to a label above it.
 
 ## What it finds
-`GOTO` to a `LABEL` that stands in an earlier line of the file.
+`GOTO` to a `LABEL` on an earlier line of the file.
 
 ## Why it matters on a robot
-udev jumps forward only: it ignores the jump and runs the lines it was to skip.
+udev only jumps forward. It ignores the jump and runs the lines that it should skip.
 
 ## Bad
 ```udev
@@ -17,6 +17,9 @@ SUBSYSTEM!="tty", GOTO="robot"
 SUBSYSTEM!="tty", GOTO="robot_end"
 LABEL="robot_end"
 ```
+
+## When to ignore it
+Never: udev ignores a backward jump, so the line does nothing.
 
 ## References
 - udev(7), GOTO
@@ -33,6 +36,6 @@ def goto_backward(robot: Robot):
     for problem, _ in robot.udev.problems("goto-backward"):
         yield finding(
             problem.where,
-            f"The label '{problem.where}' stands above the jump: udev ignores the jump",
+            f"The label '{problem.where}' is above the jump: udev ignores the jump and runs the lines it should skip",
             advice="move the label below the jump",
         )

@@ -4,7 +4,7 @@
 `GOTO` without a `LABEL` of that name in the same file.
 
 ## Why it matters on a robot
-udev ignores the jump and runs the lines it was to skip, so that a rule for one device applies to all.
+udev ignores the jump and runs the lines that it should skip, so a rule for one device applies to all devices.
 
 ## Bad
 ```udev
@@ -18,6 +18,9 @@ SUBSYSTEM!="tty", GOTO="robot_end"
 ATTRS{serial}=="A5XK3RJT", SYMLINK+="robot/imu"
 LABEL="robot_end"
 ```
+
+## When to ignore it
+Never: a jump cannot leave its file, so a label in another file does not help.
 
 ## References
 - udev(7), GOTO

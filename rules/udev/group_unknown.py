@@ -1,11 +1,11 @@
 """A rule names a group or user that nothing creates.
 
 ## What it finds
-`GROUP` or `OWNER` with a name that no Debian or Ubuntu system has by itself and that no sysusers.d file,
-script or document of the tree creates. In a root file system /etc/group and /etc/passwd decide.
+`GROUP` or `OWNER` with a name that Debian and Ubuntu systems do not have by default, and that no sysusers.d
+file, script or document of the tree creates. In a root file system, /etc/group and /etc/passwd decide.
 
 ## Why it matters on a robot
-udev says 'Unknown group, ignoring', and the node stays with root: the driver gets 'permission denied'.
+udev logs 'Unknown group, ignoring', and the device node stays with root: the driver gets 'permission denied'.
 
 ## Bad
 ```udev
@@ -16,6 +16,10 @@ SUBSYSTEM=="tty", ATTRS{serial}=="A5XK3RJT", GROUP="robots", MODE="0660"
 ```udev
 SUBSYSTEM=="tty", ATTRS{serial}=="A5XK3RJT", GROUP="dialout", MODE="0660"
 ```
+
+## When to ignore it
+If the group or user is created outside the linted tree, for example by the image build or the fleet
+management, and as a local system account: udev resolves names before a directory service is up.
 
 ## References
 - udev(7), OWNER and GROUP
@@ -45,6 +49,6 @@ def _is_name(token) -> bool:
 def _finding(token, what: str, instead: str):
     return finding(
         token.value,
-        f"Nothing creates the {what} '{token.value}': udev ignores it, and the node stays with root",
+        f"Nothing creates the {what} '{token.value}': udev ignores it, and the device node stays with root",
         advice=f"use {instead}",
     )

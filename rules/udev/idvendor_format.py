@@ -1,11 +1,11 @@
-"""A USB vendor or product number is not written as sysfs has it.
+"""A USB vendor or product id is not written as in sysfs.
 
 ## What it finds
 `idVendor` or `idProduct` (also `ID_VENDOR_ID`, `ID_MODEL_ID`) that is not exactly four lower-case hexadecimal
 digits.
 
 ## Why it matters on a robot
-udev compares text: `10C4`, `0x10c4` and `403` never match `10c4` and `0403`. The rule never fires.
+udev compares text: `10C4`, `0x10c4` and `403` do not match `10c4` and `0403`. The rule never fires.
 
 ## Bad
 ```udev
@@ -16,6 +16,9 @@ SUBSYSTEM=="tty", ATTRS{idVendor}=="10C4", ATTRS{idProduct}=="0xea60", SYMLINK+=
 ```udev
 SUBSYSTEM=="tty", ATTRS{idVendor}=="10c4", ATTRS{idProduct}=="ea60", SYMLINK+="robot/lidar"
 ```
+
+## When to ignore it
+Never: sysfs always shows four lower-case digits, and udev compares them as text.
 
 ## References
 - udev(7), ATTRS

@@ -1,7 +1,7 @@
-"""A key is written with an operator that it does not take.
+"""A key is used with an operator that it does not accept.
 
 ## What it finds
-Operators that udev refuses for a key that can be assigned: `GROUP==`, `MODE==`, `RUN-=`, `PROGRAM-=`,
+An operator that udev refuses for a key that can be assigned: `GROUP==`, `MODE==`, `RUN-=`, `PROGRAM-=`,
 `LABEL+=` and others.
 
 ## Why it matters on a robot
@@ -16,6 +16,9 @@ KERNEL=="ttyACM*", GROUP=="dialout"
 ```udev
 KERNEL=="ttyACM*", GROUP="dialout"
 ```
+
+## When to ignore it
+Never: udev drops the whole line.
 
 ## References
 - udev(7), "Operators"
@@ -32,6 +35,6 @@ def invalid_operator(robot: Robot):
     for problem, _ in robot.udev.problems("invalid-operator"):
         yield finding(
             problem.where,
-            f"{problem.detail} does not take {problem.where}: udev drops the whole line",
+            f"{problem.detail} does not accept {problem.where}: udev drops the whole line",
             advice="write = or +=" if problem.detail == "RUN" else "write =",
         )

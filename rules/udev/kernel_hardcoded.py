@@ -1,12 +1,12 @@
-"""A rule knows its device by a number that changes.
+"""A rule identifies its device by a number that can change.
 
 ## What it finds
 `KERNEL=="ttyUSB0"`, `KERNELS=="ttyACM1"` or `KERNEL=="video2"` in a rule that makes a link, sets a property
 or starts something.
 
 ## Why it matters on a robot
-The number follows the order in which devices are found. After a reboot or a reconnection the rule speaks of
-another device, or of none.
+The number follows the order in which devices are found. After a reboot or a reconnection the rule applies to
+another device, or to none.
 
 ## Bad
 ```udev
@@ -17,6 +17,9 @@ KERNEL=="ttyUSB0", SYMLINK+="robot/imu"
 ```udev
 SUBSYSTEM=="tty", ATTRS{idVendor}=="0403", ATTRS{serial}=="A5XK3RJT", SYMLINK+="robot/imu"
 ```
+
+## When to ignore it
+If the robot can have only one device of this kind, now and later, so that the number is always the same.
 
 ## References
 - udev(7), ATTRS
@@ -41,6 +44,6 @@ def kernel_hardcoded(robot: Robot):
             if token.operator == "==" and _NUMBERED.fullmatch(token.value):
                 yield finding(
                     token.value,
-                    f"{token.value} is a number by order of discovery: after a reboot it is another device",
-                    advice="match the device with ATTRS{serial} and the like, or its port with KERNELS",
+                    f"The number in {token.value} follows the order of discovery: a reboot can swap devices",
+                    advice="match the device by ATTRS{serial}, or its USB port by KERNELS",
                 )

@@ -1,10 +1,11 @@
-"""A label is the goal of no jump.
+"""No jump leads to a label.
 
 ## What it finds
-A `LABEL` that no `GOTO` of the file names.
+A `LABEL` that no `GOTO` of the same file names.
 
 ## Why it matters on a robot
-Often the jump that should lead there is gone or misspelled, and the lines between run for every device.
+The jump that should lead there may be missing or misspelled. The lines that it should skip then run for every
+device.
 
 ## Bad
 ```udev
@@ -16,6 +17,9 @@ LABEL="robot_end"
 ```udev
 SUBSYSTEM=="tty", ATTRS{serial}=="A5XK3RJT", SYMLINK+="robot/imu"
 ```
+
+## When to ignore it
+If the label only marks the end of the file by convention and no jump is missing.
 
 ## References
 - `udevadm verify`: LABEL is unused

@@ -1,12 +1,13 @@
-"""A link is given to every device of a kind.
+"""A rule gives one link to every device of a kind.
 
 ## What it finds
-A rule that makes a link and asks for nothing that tells one device from another: only `SUBSYSTEM`, `ACTION`
-or a kernel name such as `ttyUSB*`.
+A rule that makes a link and matches nothing that distinguishes one device from another: only `SUBSYSTEM`,
+`ACTION` or a kernel name such as `ttyUSB*`. With a kernel name the finding is a warning, because one port of
+that kind may be all the robot has.
 
 ## Why it matters on a robot
-Each device that appears takes the link from the one before. The driver opens whichever came last: the base
-instead of the LiDAR.
+Each device that appears takes the link from the one before. The driver opens whichever device came last: the
+base instead of the LiDAR.
 
 ## Bad
 ```udev
@@ -17,6 +18,10 @@ SUBSYSTEM=="tty", SYMLINK+="robot/imu"
 ```udev
 SUBSYSTEM=="tty", ATTRS{idVendor}=="0403", ATTRS{serial}=="A5XK3RJT", SYMLINK+="robot/imu"
 ```
+
+## When to ignore it
+If the computer will never have more than one device of this kind, and the link is only a friendlier name for
+it.
 
 ## References
 - udev(7), SYMLINK and "link_priority="

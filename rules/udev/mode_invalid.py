@@ -1,11 +1,11 @@
-"""MODE is no octal number.
+"""MODE is not an octal number.
 
 ## What it finds
-A `MODE` that is not octal digits up to 7777: `rw-rw----`, `0888`.
+A `MODE` that is not an octal number up to 7777, such as `rw-rw----` or `0888`.
 
 ## Why it matters on a robot
-udev accepts the line, then fails to parse the mode when the device appears: the node keeps the mode it had,
-and the driver gets 'permission denied'. `udevadm verify` finds nothing wrong.
+udev accepts the line, then fails to parse the mode when the device appears: the device node keeps its
+previous mode, and the driver gets 'permission denied'. `udevadm verify` finds nothing wrong.
 
 ## Bad
 ```udev
@@ -16,6 +16,9 @@ KERNEL=="ttyACM*", MODE="rw-rw----"
 ```udev
 KERNEL=="ttyACM*", MODE="0660"
 ```
+
+## When to ignore it
+Never: udev ignores the mode, so the line does not set the permissions that it shows.
 
 ## References
 - udev(7), MODE
@@ -35,7 +38,7 @@ def mode_invalid(robot: Robot):
             if token.value and not token.has_substitution and not _is_mode(token.value):
                 yield finding(
                     token.value,
-                    f"'{token.value}' is no octal mode: udev fails to parse it and does not set the mode",
+                    f"'{token.value}' is not an octal mode: udev cannot parse it and does not set the mode",
                     advice="write octal digits, such as 0660",
                 )
 

@@ -1,10 +1,10 @@
 """MODE is written without its leading zero.
 
 ## What it finds
-`MODE="660"`.
+A `MODE` of three octal digits, such as `MODE="660"`.
 
 ## Why it matters on a robot
-udev reads it as octal all the same; people may not.
+udev reads the value as octal in any case, but a reader may not expect that.
 
 ## Bad
 ```udev
@@ -15,6 +15,9 @@ KERNEL=="ttyACM*", MODE="660"
 ```udev
 KERNEL=="ttyACM*", MODE="0660"
 ```
+
+## When to ignore it
+If your rules consistently use three digits: the mode is the same.
 
 ## References
 - udev(7), MODE
@@ -35,7 +38,7 @@ def mode_no_leading_zero(robot: Robot):
             if re.fullmatch(r"[1-7][0-7]{2}", token.value):
                 yield finding(
                     token.value,
-                    f"{token.value} is read as octal; with a leading zero everybody sees that",
+                    f"{token.value} is read as octal; a leading zero makes that visible",
                     advice=f"write 0{token.value}",
                     fix=fix("add the zero", (token.value, f"0{token.value}")),
                 )

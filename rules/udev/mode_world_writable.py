@@ -1,12 +1,12 @@
-"""A device node may be written by everybody.
+"""Every user can write to a device node.
 
 ## What it finds
-`MODE` with write permission for others, such as `0666` or `0777`. Nodes that are so by design (null, fuse,
-kvm, graphics) pass.
+`MODE` with write permission for others, such as `0666` or `0777`. Device nodes that are open by design (null,
+fuse, kvm, graphics) are not reported.
 
 ## Why it matters on a robot
-Any process of any user, a compromised web service included, can drive the motor controller. `GROUP=` beside
-it has no effect.
+Any process of any user, including a compromised web service, can drive the motor controller. `GROUP=` on the
+same line does not restrict that.
 
 ## Bad
 ```udev
@@ -17,6 +17,10 @@ SUBSYSTEM=="tty", ATTRS{serial}=="A5XK3RJT", MODE="0666", GROUP="dialout"
 ```udev
 SUBSYSTEM=="tty", ATTRS{serial}=="A5XK3RJT", MODE="0660", GROUP="dialout"
 ```
+
+## When to ignore it
+If every process on the computer may use the device, for example a game pad of a demonstration robot with a
+single user and no network services.
 
 ## References
 - udev(7), MODE
@@ -41,8 +45,8 @@ def mode_world_writable(robot: Robot):
             grouped = line.line.first("GROUP") is not None
             yield finding(
                 token.value,
-                f"With mode {token.value} every user and service may write to the device"
-                + ", so GROUP means nothing" * grouped,
+                f"With mode {token.value} every user and service can write to the device"
+                + ", so GROUP has no effect" * grouped,
                 advice="write 0660" if grouped else "write 0660 and name the group that needs the device with GROUP=",
-                fix=fix("let only owner and group write", (token.value, "0660"), safe=grouped),
+                fix=fix("let only the owner and the group write", (token.value, "0660"), safe=grouped),
             )

@@ -1,13 +1,14 @@
 r"""ModemManager talks to a robot's serial port.
 
 ## What it finds
-A rule for a USB serial device that ModemManager probes (STM32, Arduino, flight controllers and others)
-without `ENV{ID_MM_DEVICE_IGNORE}="1"`: a warning in a root file system with ModemManager, for information in
-a repository.
+A rule that makes a link for a USB serial device that ModemManager probes (STM32, Arduino, flight controllers
+and others), without `ENV{ID_MM_DEVICE_IGNORE}="1"`:
+- **warning**: the tree has a ModemManager.service that is not masked.
+- **info**: the tree is a repository without ModemManager.service, so the robot may have it.
 
 ## Why it matters on a robot
-ModemManager sends AT commands to every new ttyACM. For the first seconds the firmware reads garbage, and some
-boards go into their boot loader.
+ModemManager sends AT commands to every new ttyACM. The firmware reads garbage for the first seconds, and some
+boards enter their boot loader.
 
 ## Bad
 ```udev
@@ -19,6 +20,10 @@ SUBSYSTEM=="tty", ATTRS{idVendor}=="0483", ATTRS{idProduct}=="5740", KERNELS=="1
 SUBSYSTEM=="tty", ATTRS{idVendor}=="0483", ATTRS{idProduct}=="5740", KERNELS=="1-1.2", \
   SYMLINK+="robot/base", ENV{ID_MM_DEVICE_IGNORE}="1"
 ```
+
+## When to ignore it
+If ModemManager is not installed on the robot, or runs with the strict filter policy and the device is known
+to be skipped.
 
 ## References
 - https://github.com/rusefi/rusefi/issues/4359
@@ -44,7 +49,7 @@ def modemmanager_not_ignored(robot: Robot):
             continue
         yield finding(
             line.usb_number,
-            f"ModemManager sends AT commands to the {device['product']} when it appears",
+            f"ModemManager sends AT commands to the {device['product']} when it is connected",
             advice='add ENV{ID_MM_DEVICE_IGNORE}="1"',
             severity=None if running else "info",
             fix=fix("keep ModemManager away", line.after('ENV{ID_MM_DEVICE_IGNORE}="1"')),

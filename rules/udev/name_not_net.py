@@ -1,10 +1,10 @@
-"""NAME= is used for something else than a network interface.
+"""NAME= is used for a device that is not a network interface.
 
 ## What it finds
-`NAME=` in a rule for tty, video, USB or other devices that are no network interfaces.
+`NAME=` in a rule for tty, video, USB or other devices that are not network interfaces.
 
 ## Why it matters on a robot
-Only network interfaces can be renamed: udev ignores the key, and /dev has no such name.
+udev can rename network interfaces only: it ignores the key, and the name does not appear in /dev.
 
 ## Bad
 ```udev
@@ -15,6 +15,9 @@ SUBSYSTEM=="tty", ATTRS{serial}=="A5XK3RJT", NAME="robot/imu"
 ```udev
 SUBSYSTEM=="tty", ATTRS{serial}=="A5XK3RJT", SYMLINK+="robot/imu"
 ```
+
+## When to ignore it
+Never: current versions of udev ignore the key for every other device.
 
 ## References
 - udev(7), NAME

@@ -1,13 +1,12 @@
 """A negated match on a USB parent is always true.
 
 ## What it finds
-`ATTRS{idVendor}!=`, `ATTRS{idProduct}!=` or `ATTRS{serial}!=` in a rule without another parent key. `ATTRS`
-looks for any device of the chain that fulfils it, and the root hub (vendor 1d6b) is a parent of every USB
-device.
+`ATTRS{idVendor}!=`, `ATTRS{idProduct}!=` or `ATTRS{serial}!=` in a rule without other parent keys. `ATTRS` is
+satisfied by any device of the chain, and the root hub (vendor 1d6b) is a parent of every USB device.
 
 ## Why it matters on a robot
-As a guard with `GOTO` it jumps for every USB device, the wanted one included: none of the rules below it ever
-fires.
+In a guard with `GOTO`, the rule jumps for every USB device, including the wanted one: none of the rules that
+it skips ever fires.
 
 ## Bad
 ```udev
@@ -22,6 +21,10 @@ SUBSYSTEM!="tty", GOTO="robot_end"
 SUBSYSTEM=="tty", ATTRS{idVendor}=="0403", ATTRS{serial}=="A5XK3RJT", SYMLINK+="robot/imu"
 LABEL="robot_end"
 ```
+
+## When to ignore it
+Never as a guard, because the comparison does not exclude anything. If the line is meant for every USB device,
+delete the match instead.
 
 ## References
 - udev(7), ATTRS: "Search the devpath upwards for a device with matching sysfs attribute values"
@@ -44,6 +47,6 @@ def negated_parent_match(robot: Robot):
             for one in parents[:1]:
                 yield finding(
                     one.token.span,
-                    f"Every USB device fulfils {one.text}: the root hub is a parent of each",
-                    advice="match with == what is wanted, or negate a property such as ENV{ID_VENDOR_ID}",
+                    f"{one.text} is true for every USB device, because the root hub is a parent of each",
+                    advice="match the wanted device with ==, or negate a property such as ENV{ID_VENDOR_ID}",
                 )

@@ -1,11 +1,12 @@
-r"""A rule matches and does nothing.
+r"""A rule matches but does nothing.
 
 ## What it finds
-A line with matches only: no assignment, no jump, no label, no program.
+A line with matches only: no assignment, no jump, no label, no program. A line with `SYMLINK==` is reported by
+udev/symlink-match.
 
 ## Why it matters on a robot
-udev drops the line. Mostly an assignment was lost, or a continuing backslash is missing and the next line has
-become a rule of its own that fires for every device.
+udev drops the line. Usually an assignment was lost, or a backslash is missing at the end of the line and the
+next line has become a rule of its own that fires for every device.
 
 ## Bad
 ```udev
@@ -18,6 +19,9 @@ SUBSYSTEM=="tty", ATTRS{serial}=="A5XK3RJT",
 SUBSYSTEM=="tty", ATTRS{serial}=="A5XK3RJT", \
   SYMLINK+="robot/imu"
 ```
+
+## When to ignore it
+If the line is a placeholder and you accept the message that udev logs each time it loads the rules.
 
 ## References
 - udev(7), "Rules Files"

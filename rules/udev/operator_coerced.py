@@ -1,12 +1,12 @@
-"""udev reads an operator as another one.
+"""udev reads an operator as a different one.
 
 ## What it finds
-`MODE+=`, `GROUP+=`, `ATTR{...}:=`, `ENV{...}:=`, `TAG:=` and the like, which udev takes for `=` with a
-warning.
+`MODE+=`, `GROUP+=`, `ATTR{...}:=`, `ENV{...}:=`, `TAG:=` and similar combinations, which udev reads as `=`
+with a warning.
 
 ## Why it matters on a robot
-`:=` was meant to make the value final, and a later file still changes it; `TAG:=` drops the tags set before,
-`systemd` and `uaccess` among them.
+With `:=` the value was meant to be final, but a later file can still change it. `TAG:=` removes the tags set
+before, including `systemd` and `uaccess`.
 
 ## Bad
 ```udev
@@ -17,6 +17,10 @@ KERNEL=="ttyACM*", MODE+="0660"
 ```udev
 KERNEL=="ttyACM*", MODE="0660"
 ```
+
+## When to ignore it
+If `=` is what you want and the file must stay identical to that of a vendor: only the warning in the journal
+remains.
 
 ## References
 - udev(7), "Operators"
@@ -34,7 +38,7 @@ def operator_coerced(robot: Robot):
     for problem, _ in robot.udev.problems("coerced-operator"):
         yield finding(
             problem.where,
-            f"udev takes {problem.detail}{problem.where} for {problem.detail}=",
-            advice="write = if that is meant",
+            f"udev reads {problem.detail}{problem.where} as {problem.detail}=",
+            advice="write = if this is intended",
             fix=fix("write what udev does", (problem.where, "=")),
         )

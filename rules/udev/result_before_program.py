@@ -1,11 +1,10 @@
-"""A rule uses the output of a program that did not run.
+"""A rule uses the output of a program that has not run.
 
 ## What it finds
-`RESULT`, `%c` or `$result` where neither the line nor an earlier one has a `PROGRAM`.
+`RESULT`, `%c` or `$result` where neither the same line nor an earlier one has a `PROGRAM`.
 
 ## Why it matters on a robot
-The result is empty: the match fails, or the link is named without its last part, and several devices share
-it.
+The result is empty: the match fails, or the link lacks its last part and several devices share it.
 
 ## Bad
 ```udev
@@ -16,6 +15,10 @@ KERNEL=="ttyUSB*", SYMLINK+="robot/%c"
 ```udev
 KERNEL=="ttyUSB*", PROGRAM="/usr/local/bin/role-of %k", SYMLINK+="robot/%c"
 ```
+
+## When to ignore it
+If a rules file that is not in the tree runs the program earlier, for example one that a vendor package
+installs.
 
 ## References
 - udev(7), PROGRAM and RESULT
@@ -41,6 +44,6 @@ def result_before_program(robot: Robot):
                 if token.key == "RESULT" or used:
                     yield finding(
                         token.value.part(*used.span()) if used else token.span,
-                        "No PROGRAM ran before this line: the result is empty",
-                        advice="add PROGRAM= to this line or to one before it",
+                        "No PROGRAM runs before this line: the result is empty",
+                        advice="add PROGRAM= to this line or to an earlier one",
                     )

@@ -1,10 +1,10 @@
-"""RUN= clears the programs of other rules.
+"""RUN= removes the programs of other rules.
 
 ## What it finds
 `RUN=` with a plain equals sign.
 
 ## Why it matters on a robot
-All programs that rules before it added for the device are gone, those of the distribution included.
+The list of programs that earlier rules added for the device is cleared, including those of the distribution.
 
 ## Bad
 ```udev
@@ -15,6 +15,9 @@ KERNEL=="ttyACM*", RUN="/usr/local/bin/announce"
 ```udev
 KERNEL=="ttyACM*", RUN+="/usr/local/bin/announce"
 ```
+
+## When to ignore it
+If the rule is meant to replace the programs of earlier rules, for example to disable a vendor's hook.
 
 ## References
 - udev(7), RUN
@@ -33,7 +36,7 @@ def run_assign(robot: Robot):
             if token.operator == "=":
                 yield finding(
                     token.operator,
-                    "RUN= removes the programs that rules before it added for the device",
+                    "RUN= removes the programs that earlier rules added for the device",
                     advice="write +=",
                     fix=fix("add the program", (token.operator, "+=")),
                 )

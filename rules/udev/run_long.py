@@ -1,12 +1,13 @@
-"""A rule starts something that lasts.
+"""A rule starts a long-running program.
 
 ## What it finds
-`RUN` or `PROGRAM` with `ros2`, `roslaunch`, a launch file, a long `sleep`, `nohup`, a shell that goes to the
-background, or `systemd-run --scope`.
+`RUN` or `PROGRAM` with `ros2 launch`, `ros2 run`, `roslaunch`, a launch file, a `sleep` of 6 s or more,
+`nohup`, `setsid`, a background process, or `systemd-run --scope`. Commands that hand the work to systemd
+(`systemd-run` without `--scope`, `systemctl --no-block`) are not reported.
 
 ## Why it matters on a robot
-udev kills everything that an event started when the event ends, at the latest after 180 s, background
-processes included. The driver dies seconds after the device appears.
+When an event ends, at the latest after 180 s, udev kills everything that the event started, including
+background processes. The driver dies seconds after the device appears.
 
 ## Bad
 ```udev
@@ -17,6 +18,10 @@ SUBSYSTEM=="tty", ATTRS{serial}=="A5XK3RJT", RUN+="/usr/local/bin/start.sh &"
 ```udev
 SUBSYSTEM=="tty", ATTRS{serial}=="A5XK3RJT", TAG+="systemd", ENV{SYSTEMD_WANTS}+="imu.service"
 ```
+
+## When to ignore it
+If the `sleep` waits for slow hardware to settle, stays well below 180 s and holds up nothing else: other
+events of the device wait for it.
 
 ## References
 - udev(7), RUN: "only be used for very short-running foreground tasks"
@@ -34,10 +39,10 @@ _LASTING = (
         re.compile(r"\bros2\s+(?:launch|run)\b|\broslaunch\b|\brosrun\b|\S+\.launch(?:\.py|\.xml|\.yaml)?\b"),
         "a ROS program",
     ),
-    (re.compile(r"\bnohup\b|\bsetsid\b|\bdisown\b"), "a process that is to outlive it"),
+    (re.compile(r"\bnohup\b|\bsetsid\b|\bdisown\b"), "a detached process"),
     (re.compile(r"(?<!&)&\s*(?:['\"]?\s*)\Z"), "a background process"),
-    (re.compile(r"\bsleep\s+(?:[1-9]\d+|[6-9])\b"), "a long wait"),
-    (re.compile(r"\bsystemd-run\b(?=.*--scope)"), "a scope inside the event"),
+    (re.compile(r"\bsleep\s+(?:[1-9]\d+|[6-9])\b"), "a long sleep"),
+    (re.compile(r"\bsystemd-run\b(?=.*--scope)"), "a systemd-run --scope command"),
 )
 _HANDED_OVER = re.compile(
     r"\bsystemd-run\b(?!.*--scope)|\bsystemctl\b.*--no-block|--no-block\b.*\bsystemctl\b|\bat\s+now\b"
@@ -55,7 +60,7 @@ def run_long(robot: Robot):
                 if found:
                     yield finding(
                         command.text.part(*found.span()),
-                        f"udev kills {what} with the event that started it, at the latest after 180 s",
+                        f"udev kills {what} when the event that started it ends, at the latest after 180 s",
                         advice='start a unit instead: TAG+="systemd", ENV{SYSTEMD_WANTS}+="name.service"',
                     )
                     break

@@ -1,12 +1,12 @@
-"""A program is named without its path.
+"""A program is given without its path.
 
 ## What it finds
-`RUN`, `PROGRAM` or `IMPORT{program}` with a bare name of an ordinary command, such as `chmod`, `sh` or
+`RUN`, `PROGRAM` or `IMPORT{program}` with the bare name of a common command, such as `chmod`, `sh` or
 `systemctl`.
 
 ## Why it matters on a robot
-udev looks up bare names in /usr/lib/udev only, not in PATH: the program is not found, and only the journal
-says so.
+udev looks for bare names in /usr/lib/udev only, not in PATH. It does not find the program and reports that
+only in the journal.
 
 ## Bad
 ```udev
@@ -17,6 +17,9 @@ KERNEL=="ttyACM*", RUN+="sh -c 'echo 1 > /sys$devpath/device/enable'"
 ```udev
 KERNEL=="ttyACM*", RUN+="/bin/sh -c 'echo 1 > /sys$devpath/device/enable'"
 ```
+
+## When to ignore it
+If you install a program of this name in /usr/lib/udev yourself.
 
 ## References
 - udev(7), RUN: "If no absolute path is given, the program is expected to live in /usr/lib/udev"
@@ -34,6 +37,6 @@ def run_relative(robot: Robot):
             if command.is_looked_up_in_vain:
                 yield finding(
                     command.program,
-                    f"udev looks for /usr/lib/udev/{command.program} and does not search PATH: nothing runs",
+                    f"udev looks for /usr/lib/udev/{command.program}, not in PATH: the program does not run",
                     advice=f"write the absolute path of {command.program}",
                 )

@@ -1,10 +1,11 @@
-"""Shell syntax stands in a command that no shell reads.
+"""A command contains shell syntax, but no shell runs it.
 
 ## What it finds
-`&&`, `|`, `>`, `;` or `&` in `RUN`, `PROGRAM` or `IMPORT{program}` outside of `/bin/sh -c '...'`.
+`&&`, `|`, `>`, `;` or `&` in `RUN`, `PROGRAM` or `IMPORT{program}` outside `/bin/sh -c '...'`.
 
 ## Why it matters on a robot
-udev starts the program itself and hands over these signs as arguments: what stands behind them never runs.
+udev starts the program directly and passes these characters as arguments: a command after them never runs,
+and a redirection writes no file.
 
 ## Bad
 ```udev
@@ -15,6 +16,9 @@ KERNEL=="ttyACM*", RUN+="/bin/echo 1 > /sys/class/leds/link/brightness"
 ```udev
 KERNEL=="ttyACM*", RUN+="/bin/sh -c 'echo 1 > /sys/class/leds/link/brightness'"
 ```
+
+## When to ignore it
+If the program itself expects the character as an argument, as `find ... -exec ... ;` does.
 
 ## References
 - udev(7), RUN
@@ -39,5 +43,5 @@ def run_shell_syntax(robot: Robot):
                     sign,
                     f"No shell runs this command: {command.name.rstrip(';')} gets '{sign}' as an argument",
                     advice="write /bin/sh -c '...'",
-                    fix=None if quoted else fix("let a shell run it", (command.text, wrapped), safe=False),
+                    fix=None if quoted else fix("run it in a shell", (command.text, wrapped), safe=False),
                 )

@@ -1,12 +1,12 @@
-"""A serial number is one that every chip of its kind carries.
+"""A serial number is shared by many devices of the same model.
 
 ## What it finds
-A match on `ATTRS{serial}` or `ENV{ID_SERIAL_SHORT}` with a factory default such as `0001`, or a placeholder
-such as `123456789`, and no port position beside it.
+A match on `ATTRS{serial}` or `ENV{ID_SERIAL_SHORT}` with a factory default such as `0001` or a placeholder
+such as `123456789`, in a rule that does not match the USB port.
 
 ## Why it matters on a robot
-CP2102 boards leave the factory with serial 0001: a second LiDAR or servo adapter matches too and takes the
-link.
+CP2102 boards leave the factory with serial number 0001: a second LiDAR or servo adapter also matches and
+takes the link.
 
 ## Bad
 ```udev
@@ -17,6 +17,9 @@ SUBSYSTEM=="tty", ATTRS{idVendor}=="10c4", ATTRS{serial}=="0001", SYMLINK+="robo
 ```udev
 SUBSYSTEM=="tty", ATTRS{idVendor}=="10c4", KERNELS=="1-1.3", SYMLINK+="robot/lidar"
 ```
+
+## When to ignore it
+If the robot has only one adapter with this chip and will not get another.
 
 ## References
 - udev(7), KERNELS

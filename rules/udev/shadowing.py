@@ -1,11 +1,11 @@
 """A rules file replaces one of the distribution.
 
 ## What it finds
-A file with the name of a packaged rules file in a folder of higher precedence.
+A file that has the name of a packaged rules file and is in a folder of higher precedence. An empty file or a
+link to /dev/null is the documented way to disable a packaged file and is not reported.
 
 ## Why it matters on a robot
-udev reads only the one in /etc: what the packaged file did, such as the links in /dev/serial/by-id, is gone.
-An empty file or a link to /dev/null says that this is meant.
+udev reads only the file in /etc: what the packaged file did, such as the links in /dev/serial/by-id, is gone.
 
 ## Bad
 ```udev
@@ -16,6 +16,10 @@ An empty file or a link to /dev/null says that this is meant.
 ```udev
 /etc/udev/rules.d/99-robot-serial.rules
 ```
+
+## When to ignore it
+If the file is an adapted copy of the packaged one and keeps what the robot needs. Compare it with the
+packaged file after each upgrade.
 
 ## References
 - udev(7), "Rules Files"
@@ -32,7 +36,7 @@ def shadowing(robot: Robot):
     for file, hidden, package in robot.udev.replacing:
         yield finding(
             file.source,
-            f"udev reads this file instead of the one of its name from {package or hidden.name}",
-            advice="choose another name, unless the packaged rules are to be off",
+            f"udev reads this file instead of the one with the same name from {package or hidden.name}",
+            advice="choose another name, unless you want to disable the packaged rules",
             related=[note(hidden, "is not read")] if hidden else [],
         )

@@ -1,11 +1,11 @@
-"""A link is written with /dev/ in front.
+"""A link name starts with /dev/.
 
 ## What it finds
 `SYMLINK+="/dev/..."`.
 
 ## Why it matters on a robot
-It works, since udev strips the prefix, but link names are relative to /dev everywhere else, and people search
-for them so.
+It works, because udev strips the prefix. But link names are relative to /dev everywhere else, and a search
+for `robot/imu` in quotes does not find this one.
 
 ## Bad
 ```udev
@@ -16,6 +16,9 @@ SUBSYSTEM=="tty", ATTRS{serial}=="A5XK3RJT", SYMLINK+="/dev/robot/imu"
 ```udev
 SUBSYSTEM=="tty", ATTRS{serial}=="A5XK3RJT", SYMLINK+="robot/imu"
 ```
+
+## When to ignore it
+If your rules use the prefix throughout: udev makes the same links.
 
 ## References
 - udev(7), SYMLINK
@@ -34,7 +37,7 @@ def symlink_abs_path(robot: Robot):
             if link.name.startswith("/dev/") and len(link.name) > 5:
                 yield finding(
                     link.name,
-                    f"{link.name} works, but the names of links are relative to /dev",
+                    f"{link.name} works, but link names are relative to /dev",
                     advice=f"write {link.name[5:]}",
                     fix=fix("strip /dev/", (link.name.part(0, 5), "")),
                 )

@@ -1,11 +1,12 @@
-"""A link has the name of a kernel device.
+"""A link has a name that the kernel gives to devices.
 
 ## What it finds
-`SYMLINK+="ttyUSB0"`, `"video1"` or another name that the kernel gives to devices in the order in which it
-finds them.
+`SYMLINK+="ttyUSB0"`, `SYMLINK+="video1"` or another name that the kernel gives to devices in the order in
+which it finds them.
 
 ## Why it matters on a robot
-As soon as the kernel makes a node of that name, udev refuses the link, and the driver opens another device.
+As soon as the kernel creates a device with that name, udev refuses the link, and the driver opens another
+device.
 
 ## Bad
 ```udev
@@ -16,6 +17,10 @@ SUBSYSTEM=="tty", ATTRS{serial}=="A5XK3RJT", SYMLINK+="ttyUSB9"
 ```udev
 SUBSYSTEM=="tty", ATTRS{serial}=="A5XK3RJT", SYMLINK+="robot/imu"
 ```
+
+## When to ignore it
+If a closed-source program can open only this name and the number is far above what the kernel will ever
+reach, such as `ttyUSB99`.
 
 ## References
 - udev(7), SYMLINK
@@ -37,6 +42,6 @@ def symlink_kernel_name(robot: Robot):
             if _KERNEL_NAME.fullmatch(link.path):
                 yield finding(
                     link.name,
-                    f"The kernel makes nodes called {link.path} itself: the link collides with the next one",
-                    advice="use a folder of your own, such as robot/",
+                    f"The kernel uses the name {link.path} itself: the link collides with the next device that gets it",
+                    advice="use your own folder, such as robot/",
                 )

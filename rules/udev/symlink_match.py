@@ -1,10 +1,10 @@
-"""A link is compared where it was meant to be made.
+"""SYMLINK is compared, but no link is made.
 
 ## What it finds
-`SYMLINK==` on a line that sets nothing.
+`SYMLINK==` on a line that assigns nothing.
 
 ## Why it matters on a robot
-The line looks for a device that already has the link, and makes none: udev drops it as one without effect.
+The line matches devices that already have the link and makes none. udev drops it because it has no effect.
 
 ## Bad
 ```udev
@@ -15,6 +15,9 @@ SUBSYSTEM=="tty", ATTRS{serial}=="A5XK3RJT", SYMLINK=="robot/imu"
 ```udev
 SUBSYSTEM=="tty", ATTRS{serial}=="A5XK3RJT", SYMLINK+="robot/imu"
 ```
+
+## When to ignore it
+Never: udev drops the line when it loads the rules.
 
 ## References
 - udev(7), SYMLINK
@@ -33,7 +36,7 @@ def symlink_match(robot: Robot):
         for token in line.matches("SYMLINK"):
             yield finding(
                 token.operator,
-                f"SYMLINK{token.operator} only asks for '{token.value}': no link is made by this line",
+                f"SYMLINK{token.operator} only compares with '{token.value}': this line makes no link",
                 advice='write SYMLINK+="..."',
                 fix=fix("make the link", (token.operator, "+=")),
             )

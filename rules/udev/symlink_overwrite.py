@@ -1,11 +1,12 @@
-"""A rule throws away the links made before it.
+"""A rule removes the links made by earlier rules.
 
 ## What it finds
 `SYMLINK=` with a plain equals sign.
 
 ## Why it matters on a robot
-The links that earlier rules gave the device are gone, and whatever opens the device by one of them fails. The links
-in `/dev/serial/by-id` and `by-path` are made by `60-serial.rules`: a file that is read later drops them too.
+The links that earlier rules gave the device are gone, and whatever opens the device by one of them fails.
+`60-serial.rules` makes the links in `/dev/serial/by-id` and `by-path`: a file that is read later removes them
+too.
 
 ## Bad
 ```udev
@@ -16,6 +17,10 @@ SUBSYSTEM=="tty", ATTRS{serial}=="A5XK3RJT", SYMLINK="robot/imu"
 ```udev
 SUBSYSTEM=="tty", ATTRS{serial}=="A5XK3RJT", SYMLINK+="robot/imu"
 ```
+
+## When to ignore it
+If the device must have this one name and nothing on the robot opens it by another, including
+`/dev/serial/by-id`.
 
 ## References
 - udev(7), SYMLINK and "Operators"
@@ -35,8 +40,8 @@ def symlink_overwrite(robot: Robot):
                 late = line.source.basename > "60-serial.rules"
                 yield finding(
                     token.operator,
-                    "SYMLINK= drops the links that rules before it gave the device"
-                    + (", such as those by id" if late else ""),
+                    "SYMLINK= removes the links that earlier rules gave the device"
+                    + (", such as those in by-id" if late else ""),
                     advice="write +=",
                     fix=fix("add the link", (token.operator, "+=")),
                 )

@@ -1,11 +1,11 @@
-"""A blank splits the name of a link in two.
+"""A space splits a link name in two.
 
 ## What it finds
-A blank in a `SYMLINK` value that does not look like a separator: a word without folder, or a mere number,
-behind a name.
+A space in a `SYMLINK` value that does not look like a separator. After a name comes a bare number, a single
+character, or a word without a folder although the first name has one.
 
 ## Why it matters on a robot
-`robot/front camera` makes the links /dev/robot/front and /dev/camera. The driver that opens the whole name
+`robot/front camera` makes the links /dev/robot/front and /dev/camera. A driver that opens the whole name
 finds nothing.
 
 ## Bad
@@ -17,6 +17,9 @@ SUBSYSTEM=="video4linux", ATTRS{serial}=="C1", ATTR{index}=="0", SYMLINK+="robot
 ```udev
 SUBSYSTEM=="video4linux", ATTRS{serial}=="C1", ATTR{index}=="0", SYMLINK+="robot/front_camera"
 ```
+
+## When to ignore it
+If the line is meant to make both links.
 
 ## References
 - udev(7), SYMLINK and OPTIONS "string_escape="
@@ -38,7 +41,7 @@ def symlink_space(robot: Robot):
             if first.span.end < second.span.start <= first.span.end + 2 and _is_torn(first, second):
                 yield finding(
                     line.source.span(first.span.start, second.span.end),
-                    f"The blank makes two links, /dev/{first.removeprefix('/dev/')} and /dev/{second}",
+                    f"The space makes two links, /dev/{first.removeprefix('/dev/')} and /dev/{second}",
                     advice=f"write {first}_{second} for one link",
                 )
 

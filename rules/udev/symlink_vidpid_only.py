@@ -1,13 +1,14 @@
-r"""A link depends on vendor and product number only.
+r"""A link depends only on the vendor and product id.
 
 ## What it finds
-A rule for a serial port or camera that makes a link and knows the device by `idVendor` and `idProduct` alone.
-A warning for bridge chips that sit in many products (FTDI, CP210x, CH340, PL2303, STM32, Arduino), for
-information otherwise.
+A rule for a serial port or camera that makes a link and identifies the device by `idVendor` and `idProduct`
+alone:
+- **warning**: a bridge chip that is used in many products (FTDI, CP210x, CH340, PL2303, STM32, Arduino).
+- **info**: any other device.
 
 ## Why it matters on a robot
-A second adapter with the same chip matches too and takes the link: IMU and motor controller change places
-from one boot to the next.
+A second adapter with the same chip also matches and takes the link: IMU and motor controller can swap from
+one boot to the next.
 
 ## Bad
 ```udev
@@ -19,6 +20,10 @@ SUBSYSTEM=="tty", ATTRS{idVendor}=="0403", ATTRS{idProduct}=="6001", SYMLINK+="r
 SUBSYSTEM=="tty", ATTRS{idVendor}=="0403", ATTRS{idProduct}=="6001", ATTRS{serial}=="A5XK3RJT", \
   SYMLINK+="robot/imu"
 ```
+
+## When to ignore it
+If the robot carries exactly one device with this id, nobody plugs in another, and the link must also work for
+a replacement device with a different serial number.
 
 ## References
 - udev(7), ATTRS and KERNELS
@@ -60,7 +65,7 @@ def symlink_vidpid_only(robot: Robot):
             if link.is_fixed:
                 yield finding(
                     link.name,
-                    f"{what}: {link.path} goes to whichever was found last",
-                    advice="add ATTRS{serial}, or KERNELS or ENV{ID_PATH} for the port",
+                    f"{what}: {link.path} points to the one found last",
+                    advice="add ATTRS{serial}, or match the USB port with KERNELS or ENV{ID_PATH}",
                     severity=None if products else "info",
                 )

@@ -1,13 +1,14 @@
-r"""A line of a udev rules file cannot be read.
+r"""udev cannot read a line of a rules file.
 
 ## What it finds
-Tokens that are not `KEY=="value"`: unknown keys, values without double quotes, a blank after a continuing
-backslash, a missing brace, a byte order mark, an attribute where none belongs. A `\` that ends the file
-counts too.
+Text that udev cannot parse: an unknown key, a value without double quotes, a space after the backslash that
+continues a line, a missing brace, a byte order mark, an attribute for a key that has none, or a `\` at the
+end of the file. An unknown option, an empty value and a second jump on one line are warnings, because udev
+keeps the rest of the line.
 
 ## Why it matters on a robot
-udev drops the whole line, with all keys on it, and says so only in the journal. The device stays without its
-link and its permissions, and the driver looks for a path that never appears.
+udev drops the whole line, with all keys on it, and reports that only in the journal. The device does not get
+its link and its permissions, and the driver waits for a path that never appears.
 
 ## Bad
 ```udev
@@ -18,6 +19,10 @@ SUBSYTEM=="tty", ATTRS{idVendor}=='0403', SYMLINK+="robot/imu"
 ```udev
 SUBSYSTEM=="tty", ATTRS{idVendor}=="0403", SYMLINK+="robot/imu"
 ```
+
+## When to ignore it
+If the file is meant for an older udev that still supports the key, such as `BUS` or `SYSFS`. Otherwise never:
+the line has no effect.
 
 ## References
 - udev(7), "Rules Files"
@@ -30,13 +35,13 @@ from bringup_lint.api import fix
 from bringup_lint.api import rule
 
 _ADVICE = {
-    "no-operator": ('This is no KEY=="value"', "write a key, an operator and a value in double quotes"),
+    "no-operator": ('This is not KEY=="value"', "write a key, an operator and a value in double quotes"),
     "unquoted-value": ("The value has no double quotes", "put the value in double quotes"),
-    "single-quoted-value": ("The value stands in single quotes", "use double quotes"),
+    "single-quoted-value": ("The value is in single quotes", "use double quotes"),
     "value-not-closed": ("The closing double quote is missing", "close the value"),
     "attribute-not-closed": ("The closing brace is missing", "close the attribute with }"),
     "bad-escape": ("udev does not know this escape", "write the character itself or a C escape"),
-    "blank-after-backslash": ("A blank behind the backslash ends the rule here", "delete the blank"),
+    "blank-after-backslash": ("A space after the backslash ends the rule here", "delete the space"),
     "end-of-file-in-rule": ("The file ends inside a continued rule", "delete the last backslash"),
     "line-too-long": ("The rule is longer than the 16 KiB that udev reads", "split it into several rules"),
     "byte-order-mark": (
@@ -45,16 +50,16 @@ _ADVICE = {
     ),
     "invalid-attribute": ("udev does not accept the braces here", ""),
     "bad-test-mode": ("TEST takes an octal mode in its braces", "write octal digits"),
-    "assignment-of-any-case": ("The prefix i is for == and != only", "delete the prefix"),
-    "any-case-not-allowed": ("This key takes no prefix i", "delete the prefix"),
+    "assignment-of-any-case": ("The prefix i is valid only with == and !=", "delete the prefix"),
+    "any-case-not-allowed": ("This key does not accept the prefix i", "delete the prefix"),
     "unknown-builtin": ("udev has no such builtin", "name a builtin that udev(7) lists"),
     "bad-option-value": ("udev cannot read the value of this option", "write a number, or a log level"),
-    "name-without-effect": ("udev refuses this NAME, which would change nothing", "delete the assignment"),
+    "name-without-effect": ("udev rejects this NAME, which would change nothing", "delete the assignment"),
 }
 _KEPT = {
-    "unknown-option": ("udev does not know this option and passes over it", "delete it"),
-    "empty-value": ("udev refuses an empty value here", "write a value or delete the key"),
-    "second-jump": ("Only one key of this kind counts on a line", "delete the other one"),
+    "unknown-option": ("udev does not know this option and ignores it", "delete it"),
+    "empty-value": ("udev rejects an empty value here", "write a value or delete the key"),
+    "second-jump": ("udev uses only one key of this kind on a line", "delete the other one"),
 }
 
 
@@ -86,7 +91,7 @@ def _unknown_key(problem):
         advice = f"write {problem.detail}" if problem.detail else "delete it"
         return finding(
             problem.where,
-            f"udev no longer knows the key {problem.where}: it drops the whole line",
+            f"udev no longer supports the key {problem.where}: it drops the whole line",
             advice=advice,
         )
     advice = f"did you mean {problem.detail}?" if problem.detail else "write a key that udev(7) lists"
@@ -98,15 +103,15 @@ def _unknown_key(problem):
 
 def _attribute(problem):
     if problem.detail == "missing":
-        return f"{problem.where} needs the name of an attribute in braces", f"write {problem.where}{{name}}"
+        return f"{problem.where} needs an attribute name in braces", f"write {problem.where}{{name}}"
     if problem.detail == "unexpected":
-        return "This key takes nothing in braces", "delete the braces"
-    return f"This key does not know the attribute '{problem.where}'", f"write one of {problem.detail}"
+        return "This key does not accept an attribute in braces", "delete the braces"
+    return f"This key does not accept the attribute '{problem.where}'", f"write one of {problem.detail}"
 
 
 def _fix(problem):
     if problem.code == "single-quoted-value":
         return fix("use double quotes", (problem.where, f'"{problem.where[1:-1]}"'))
     if problem.code == "blank-after-backslash":
-        return fix("delete the blank", (problem.where, "\\"))
+        return fix("delete the space", (problem.where, "\\"))
     return None

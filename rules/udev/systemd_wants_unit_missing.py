@@ -1,11 +1,11 @@
-"""A device is to start a unit that is not there.
+"""A rule starts a unit that does not exist.
 
 ## What it finds
-`ENV{SYSTEMD_WANTS}` with a unit that neither the root file system nor the distribution has; in a repository
-only when a unit of nearly the same name lies beside it.
+`ENV{SYSTEMD_WANTS}` with a unit that neither the root file system nor the distribution has. In a repository,
+only a name that nearly equals that of a unit in the tree is reported.
 
 ## Why it matters on a robot
-The device appears, and systemd only logs that the unit was not found: the driver never starts.
+The device appears, but systemd only logs that it did not find the unit: the driver never starts.
 
 ## Bad
 ```udev
@@ -16,6 +16,9 @@ SUBSYSTEM=="tty", ATTRS{serial}=="A1", TAG+="systemd", ENV{SYSTEMD_WANTS}+="base
 ```udev
 SUBSYSTEM=="tty", ATTRS{serial}=="A1", TAG+="systemd", ENV{SYSTEMD_WANTS}+="base_driver.service"
 ```
+
+## When to ignore it
+If another package installs the unit on the robot, and the similar name in this tree is a coincidence.
 
 ## References
 - systemd.device(5), SYSTEMD_WANTS=
@@ -38,8 +41,8 @@ def systemd_wants_unit_missing(robot: Robot):
                 if _is_missing(robot, name) and (robot.tree.complete or near):
                     yield finding(
                         name,
-                        f"There is no unit {name}: the device starts nothing",
-                        advice=f"did you mean {near.name}?" if near else "ship the unit, or name one that exists",
+                        f"Unit {name} does not exist: the device starts nothing",
+                        advice=f"did you mean {near.name}?" if near else "install the unit, or name one that exists",
                         related=[note(near.where, f"{near.name} is here")] if near else [],
                     )
 

@@ -1,8 +1,8 @@
-"""A device is to start a unit, but systemd never hears of it.
+"""A rule starts a unit for a device that systemd does not track.
 
 ## What it finds
-`ENV{SYSTEMD_WANTS}` without `TAG+="systemd"` for a subsystem that 99-systemd.rules does not tag: video4linux,
-usb, hidraw, input, i2c-dev, spidev, gpio and others.
+`ENV{SYSTEMD_WANTS}` or `ENV{SYSTEMD_USER_WANTS}` without `TAG+="systemd"` for a subsystem that
+99-systemd.rules does not tag: video4linux, usb, hidraw, input, i2c-dev, spidev, gpio and others.
 
 ## Why it matters on a robot
 Only tagged devices become device units. Without the tag the service never starts, and nothing is logged.
@@ -16,6 +16,9 @@ SUBSYSTEM=="video4linux", ATTRS{serial}=="C1", ENV{SYSTEMD_WANTS}+="camera.servi
 ```udev
 SUBSYSTEM=="video4linux", ATTRS{serial}=="C1", TAG+="systemd", ENV{SYSTEMD_WANTS}+="camera.service"
 ```
+
+## When to ignore it
+If a rules file outside the tree gives these devices the tag `systemd`.
 
 ## References
 - systemd.device(5), "The udev Database"
@@ -39,7 +42,7 @@ def systemd_wants_without_tag(robot: Robot):
                 subsystem = "/".join(sorted(line.subsystems))
                 yield finding(
                     token.span,
-                    f"systemd does not hear of {subsystem} devices: {token.value} is never started",
+                    f"systemd does not track {subsystem} devices: {token.value} never starts",
                     advice='add TAG+="systemd"',
                     fix=fix("tag the device", line.before(token, 'TAG+="systemd"')),
                 )

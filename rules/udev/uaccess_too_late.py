@@ -1,11 +1,12 @@
-"""The uaccess tag comes after the file that evaluates it.
+"""The uaccess tag is set after the file that evaluates it.
 
 ## What it finds
-`TAG+="uaccess"` in a file that sorts after `73-seat-late.rules`, in a rule that gives no other permission.
+`TAG+="uaccess"` in a file that sorts after `73-seat-late.rules`, in a rule that sets neither `MODE` nor
+`GROUP`.
 
 ## Why it matters on a robot
-73-seat-late.rules gives the logged-in user access to tagged devices. A later tag is never looked at:
-permission denied for everybody but root.
+73-seat-late.rules gives the logged-in user access to tagged devices. Nothing evaluates a tag that is set
+later: every user except root gets 'permission denied'.
 
 ## Bad
 ```udev
@@ -18,6 +19,10 @@ SUBSYSTEM=="hidraw", ATTRS{idVendor}=="1209", TAG+="uaccess"
 # 70-robot.rules
 SUBSYSTEM=="hidraw", ATTRS{idVendor}=="1209", TAG+="uaccess"
 ```
+
+## When to ignore it
+If another rule gives the device its permissions, for example by `GROUP` and `MODE` in a vendor's file, and
+the tag is left over.
 
 ## References
 - https://github.com/libusb/hidapi/issues/326
@@ -38,6 +43,6 @@ def uaccess_too_late(robot: Robot):
             if token.value == "uaccess" and token.operator != "-=":
                 yield finding(
                     token.span,
-                    f"73-seat-late.rules looks for this tag before {line.source.basename} is read: no access",
+                    f"73-seat-late.rules evaluates this tag before {line.source.basename} is read: users get no access",
                     advice="move the rule to a file such as 70-robot.rules, or use GROUP and MODE",
                 )

@@ -1,12 +1,12 @@
 """A link for a serial port or camera points to the raw USB node.
 
 ## What it finds
-A rule for `SUBSYSTEM=="usb"` that makes a link for a device that a kernel driver serves as ttyUSB, ttyACM or
-video.
+A rule for `SUBSYSTEM=="usb"` that makes a link for a device whose kernel driver provides ttyUSB, ttyACM or
+video nodes.
 
 ## Why it matters on a robot
-The link leads to /dev/bus/usb/..., which a serial or camera driver cannot open: 'port not found', although
-the link is there.
+The link points to /dev/bus/usb/..., which a serial or camera driver cannot open. The driver reports 'port not
+found' although the link exists.
 
 ## Bad
 ```udev
@@ -17,6 +17,9 @@ SUBSYSTEM=="usb", ATTR{idVendor}=="0403", ATTR{idProduct}=="6014", SYMLINK+="rob
 ```udev
 SUBSYSTEM=="tty", ATTRS{idVendor}=="0403", ATTRS{idProduct}=="6014", SYMLINK+="robot/arm"
 ```
+
+## When to ignore it
+If a program opens the raw USB device through libusb, for example a firmware updater or a camera SDK.
 
 ## References
 - https://github.com/ROBOTIS-GIT/dynamixel-workbench/issues/177

@@ -1,11 +1,12 @@
-r"""A camera link may point to the node without pictures.
+r"""A camera link may point to a node without images.
 
 ## What it finds
-A link for a USB camera (`SUBSYSTEM=="video4linux"`) without `ATTR{index}` or `ENV{ID_V4L_CAPABILITIES}`.
+A link for a USB camera (`SUBSYSTEM=="video4linux"`) without a match on `ATTR{index}` or
+`ENV{ID_V4L_CAPABILITIES}`.
 
 ## Why it matters on a robot
-Since Linux 4.16 one UVC camera makes at least two nodes, the second for metadata. Both match and the last one
-keeps the link: the driver opens a node that gives no pictures.
+Since Linux 4.16 a UVC camera has at least two nodes, of which the second is for metadata. Both match and the
+last one keeps the link: the driver opens a node without images.
 
 ## Bad
 ```udev
@@ -17,6 +18,9 @@ SUBSYSTEM=="video4linux", ATTRS{idVendor}=="0c45", ATTRS{serial}=="C1", SYMLINK+
 SUBSYSTEM=="video4linux", ATTRS{idVendor}=="0c45", ATTRS{serial}=="C1", ATTR{index}=="0", \
   SYMLINK+="robot/camera"
 ```
+
+## When to ignore it
+If the camera has only one video node, as `v4l2-ctl --list-devices` shows on the robot.
 
 ## References
 - Linux media documentation, V4L2_META_FMT_UVC
@@ -54,7 +58,7 @@ def video_index_missing(robot: Robot):
             if link.is_fixed:
                 yield finding(
                     link.name,
-                    f"A USB camera has two nodes or more: {link.path} may point to the one for metadata",
+                    f"A USB camera has at least two nodes: {link.path} may point to the one for metadata",
                     advice='add ATTR{index}=="0"',
-                    fix=fix("ask for the first node", line.before(link.token, 'ATTR{index}=="0"')),
+                    fix=fix("match the first node", line.before(link.token, 'ATTR{index}=="0"')),
                 )
