@@ -12,6 +12,8 @@ import json
 import re
 import shlex
 import shutil
+import subprocess
+import sys
 import textwrap
 from pathlib import Path
 
@@ -21,6 +23,7 @@ from tests.conftest import PROJECT
 from tests.docs.picture import picture
 from tests.lint import lint
 
+CONTRIBUTING = PROJECT / "CONTRIBUTING.md"
 PAGES = [*PROJECT.glob("*.md"), *(PROJECT / "docs").rglob("*.md")]
 EXAMPLE = re.compile(
     r"<!-- example(?: in (?P<folder>\S+))?: bringup-lint (?P<arguments>[^|>]*?)(?: \| (?P<pointer>\S+))? -->"
@@ -32,6 +35,7 @@ COMMAND = re.compile(r"^bringup-lint ?(?P<arguments>.*?)(?: \| .*| {2,}#.*)?$", 
 ELSEWHERE = {"/etc": "etc", "/mnt/image": ".", "RULE": "systemd/network-target"}
 """Where the example stands for what a reader has."""
 
+UNIT_WITH_A_TAB = '[Service]\nExecStart=/usr/bin/rover "front\tleft"\n'
 LINK = re.compile(r"\]\((?!https?:|#|mailto:)([^)#\s]+)")
 
 
@@ -104,15 +108,50 @@ def test_commands_run(command: str, tmp_path: Path) -> None:
     assert run.code in (0, 1) and "bringup-lint: " not in run.stderr, run.stderr
 
 
-def test_rule_of_the_way_in_works(tmp_path: Path) -> None:
-    text = (PROJECT / "CONTRIBUTING.md").read_text("utf-8")
+def example_rule() -> str:
+    text = CONTRIBUTING.read_text("utf-8")
     block = text.partition("   ```python\n")[2].partition("\n   ```\n\n   The docstring")[0]
-    rule = tmp_path / "rules" / "systemd" / "no_tabs.py"
-    rule.parent.mkdir(parents=True)
-    rule.write_text(textwrap.dedent(block), "utf-8")
-    (tmp_path / "rover.service").write_text('[Service]\nExecStart=/usr/bin/rover "front\tleft"\n', "utf-8")
+    return textwrap.dedent(block)
+
+
+def test_rule_of_the_way_in_works(tmp_path: Path) -> None:
+    write(tmp_path / "rules/systemd/no_tabs.py", example_rule())
+    write(tmp_path / "rover.service", UNIT_WITH_A_TAB)
     run = lint("--rules", "rules", "--select", "systemd/no-tabs", "--output-format", "concise", ".", cwd=tmp_path)
     assert run.stdout == "rover.service:2:11: warning[systemd/no-tabs] What will happen on the robot\n"
+
+
+@pytest.fixture(scope="module")
+def checkout(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A copy of the project with the example rule and its fixtures, which have no expected text yet."""
+    folder = tmp_path_factory.mktemp("checkout") / "bringup-lint"
+    for part in ("bringup_lint", "rules", "tests"):
+        shutil.copytree(PROJECT / part, folder / part, ignore=shutil.ignore_patterns("__pycache__", "oracles"))
+    shutil.copy(PROJECT / "pyproject.toml", folder)
+    write(folder / "rules/systemd/no_tabs.py", example_rule())
+    write(folder / "fixtures/systemd/no_tabs/bad/rover.service", UNIT_WITH_A_TAB)
+    write(folder / "fixtures/systemd/no_tabs/good/rover.service", UNIT_WITH_A_TAB.replace("\t", " "))
+    return folder
+
+
+@pytest.mark.parametrize("word", ["no_tabs", "no-tabs"])
+def test_expectation_of_the_way_in_is_written(word: str, checkout: Path) -> None:
+    (command,) = re.findall(
+        r"`\.venv/bin/(pytest [^`]* -k no_tabs --update-expected)`", CONTRIBUTING.read_text("utf-8")
+    )
+    expected = checkout / "fixtures/systemd/no_tabs/expected.txt"
+    expected.unlink(missing_ok=True)
+    words = command.replace("no_tabs", word).split()
+    run = subprocess.run([sys.executable, "-m", *words], capture_output=True, text=True, cwd=checkout, check=False)
+    assert run.returncode == 0, run.stdout + run.stderr
+    assert expected.read_text("utf-8") == (
+        "rover.service:2:11: warning[systemd/no-tabs] What will happen on the robot\n"
+    )
+
+
+def write(path: Path, text: str) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(text, "utf-8")
 
 
 def test_every_page_is_in_the_index() -> None:

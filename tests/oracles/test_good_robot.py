@@ -14,6 +14,9 @@ from tests.conftest import PROJECT
 from tests.oracles import cyclonedds_library
 from tests.oracles import fastdds_library
 from tests.oracles import udevadm
+from tests.oracles.sshd_server import SSHD
+from tests.oracles.sshd_server import sshd
+from tests.oracles.sshd_server import sshd_folder
 from tests.oracles.verify import systemd_version
 
 TREE = PROJECT / "fixtures" / "robots" / "good" / "tree"
@@ -111,13 +114,14 @@ def test_logrotate_reads_it(tmp_path: Path) -> None:
     assert "error" not in output
 
 
-@needs("sshd")
-@needs_root
-def test_sshd_reads_it(tmp_path: Path) -> None:
-    run("ssh-keygen", "-q", "-t", "ed25519", "-N", "", "-f", tmp_path / "key")
-    sshd = ("/usr/sbin/sshd", "-f", TREE / "etc/ssh/sshd_config", "-h", tmp_path / "key")
-    assert run(*sshd, "-t") == (0, "")
-    assert "\nkbdinteractiveauthentication no\n" in run(*sshd, "-T")[1]
+@needs("ssh-keygen")
+@pytest.mark.skipif(SSHD is None, reason="needs sshd")
+def test_sshd_reads_it() -> None:
+    text = (TREE / "etc/ssh/sshd_config").read_text("utf-8")
+    with sshd_folder() as folder:
+        tested = sshd(folder, text, "-t")
+        assert (tested.returncode, tested.stdout + tested.stderr) == (0, "")
+        assert "\nkbdinteractiveauthentication no\n" in sshd(folder, text, "-T").stdout
 
 
 @pytest.mark.skipif(not cyclonedds_library.is_installed(), reason="needs cyclonedds")
