@@ -74,7 +74,7 @@ def lines_without_section(configurations: Iterable[Daemon]) -> Iterator[Finding]
             what = "this line is" if count == 1 else f"these {count} lines are"
             yield finding(
                 first,
-                f"Without [{daemon.section}] above, {what} ignored",
-                advice=f"put [{daemon.section}] above",
+                f"There is no [{daemon.section}] above: {what} ignored",
+                advice=f"add [{daemon.section}] above",
                 fix=fix(f"insert [{daemon.section}]", (first.part(0, 0), f"[{daemon.section}]\n")),
             )

@@ -1,10 +1,10 @@
-"""cron ignores a file by its name.
+"""cron ignores a file because of its name.
 
 ## What it finds
-A file in `/etc/cron.d` whose name holds anything but letters, digits, `_` and `-`.
+A file in `/etc/cron.d` whose name contains a character other than letters, digits, `_` and `-`.
 
 ## Why it matters on a robot
-Debian's and Ubuntu's cron passes over `robot.cron` and `rotate.sh` without a word: the job never runs.
+The cron of Debian and Ubuntu silently skips `robot.cron` and `rotate.sh`: the job never runs.
 
 ## Bad
 ```
@@ -15,6 +15,10 @@ Debian's and Ubuntu's cron passes over `robot.cron` and `rotate.sh` without a wo
 ```
 /etc/cron.d/rotate-certs
 ```
+
+## When to ignore it
+When the robot runs cronie or another cron that accepts such names, or when the file was disabled by its name
+on purpose.
 
 ## References
 - cron(8), Debian
@@ -35,6 +39,6 @@ def filename_dot(robot: Robot):
         if "/cron.d/" in f"/{source.name}" and not NAME.fullmatch(source.basename):
             yield finding(
                 source,
-                f"cron ignores this file: '{source.basename}' may hold letters, digits, _ and - only",
+                f"cron ignores '{source.basename}': the name may contain only letters, digits, _ and -",
                 advice=f"rename it to {re.sub(r'[^A-Za-z0-9_-]+', '-', source.basename)}",
             )

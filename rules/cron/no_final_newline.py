@@ -1,10 +1,10 @@
-"""The last line of a crontab has no line end.
+"""The last line of a crontab does not end with a newline.
 
 ## What it finds
-A crontab whose last line, a job, ends without a newline.
+A crontab whose last line does not end with a newline.
 
 ## Why it matters on a robot
-crontab(5) asks for it: Debian's cron ignores the whole file (`Missing newline before EOF, this crontab file
+crontab(5) requires it. Debian's cron ignores the whole file (`Missing newline before EOF, this crontab file
 will be ignored`).
 
 ## Bad
@@ -16,6 +16,9 @@ will be ignored`).
 ```
 0 3 * * * root /opt/robot/clean\n<EOF>
 ```
+
+## When to ignore it
+When the robot runs a cron that accepts such a file, such as cronie. The newline does no harm there.
 
 ## References
 - crontab(5)

@@ -1,10 +1,10 @@
-"""A line of a system crontab has no user.
+"""A job in a system crontab has no user.
 
 ## What it finds
-A job in `/etc/cron.d` or `/etc/crontab` whose sixth field is a path or a command instead of a user.
+A job in `/etc/cron.d` or `/etc/crontab` whose user field is a path or a command instead of a user.
 
 ## Why it matters on a robot
-cron takes the first word of the command as the user: `Error: bad username`, and no job of the file runs.
+cron takes the first word of the command as the user: `Error: bad username`. No job of the file runs.
 
 ## Bad
 ```
@@ -15,6 +15,9 @@ cron takes the first word of the command as the user: `Error: bad username`, and
 ```
 0 3 * * * root /opt/robot/clean
 ```
+
+## When to ignore it
+When a user on the robot really has the name of this command.
 
 ## References
 - crontab(5)
@@ -59,5 +62,5 @@ def no_user_field(robot: Robot):
                 yield finding(
                     word,
                     f"cron takes '{word}' as the user: no job of this file runs",
-                    advice="insert the user before the command, such as root",
+                    advice="add the user before the command, for example root",
                 )

@@ -1,10 +1,11 @@
-"""A drop-in that is not read: its name does not end in .conf.
+"""A drop-in that systemd does not read: its name does not end in .conf.
 
 ## What it finds
-A file in journald.conf.d, system.conf.d or logind.conf.d with the section of the daemon and another ending.
+A file in journald.conf.d, system.conf.d or logind.conf.d that has the section of the daemon, but whose name
+does not end in `.conf`. Backup copies such as `.bak` and `.dpkg-old` are exempt.
 
 ## Why it matters on a robot
-systemd reads `*.conf` only. The settings have no effect, and nothing says so.
+systemd reads `*.conf` only. The settings have no effect, and no log line says so.
 
 ## Bad
 ```ini
@@ -15,6 +16,10 @@ systemd reads `*.conf` only. The settings have no effect, and nothing says so.
 ```ini
 /etc/systemd/journald.conf.d/10-robot.conf
 ```
+
+## When to ignore it
+When the other ending is deliberate, as in a sample that is renamed during provisioning. Otherwise rename or
+delete the file.
 
 ## References
 - journald.conf(5)

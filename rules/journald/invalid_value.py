@@ -1,4 +1,4 @@
-"""A value that journald cannot read: the line is ignored.
+"""A value that journald cannot parse: it ignores the line.
 
 ## What it finds
 A value in [Journal] of journald.conf or a drop-in that does not follow the grammar of its key.
@@ -17,6 +17,9 @@ SystemMaxUse=1GB
 [Journal]
 SystemMaxUse=1G
 ```
+
+## When to ignore it
+Never: journald ignores the line, so that it has no effect. Correct or delete it.
 
 ## References
 - journald.conf(5), systemd.syntax(7), systemd.time(7)

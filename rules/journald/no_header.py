@@ -4,8 +4,8 @@
 Settings in journald.conf or a drop-in before any section header.
 
 ## Why it matters on a robot
-journald ignores lines outside its section; only a message in the journal tells. The limit that should keep
-the disk from filling up, or the setting that should keep the logs of a crash, is simply not there.
+journald ignores lines outside of a section and says so only in the journal. The limit that should keep the
+disk from filling up, or the setting that should preserve the logs of a crash, has no effect.
 
 ## Bad
 ```ini
@@ -17,6 +17,10 @@ SystemMaxUse=1G
 [Journal]
 SystemMaxUse=1G
 ```
+
+## When to ignore it
+Only if the file is a fragment that another tool appends to a file with a [Journal] header. journald itself
+always ignores these lines.
 
 ## References
 - journald.conf(5)

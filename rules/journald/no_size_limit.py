@@ -1,11 +1,11 @@
 """Nothing limits the size of a persistent journal.
 
 ## What it finds
-`Storage=persistent` with neither SystemMaxUse nor SystemKeepFree in any file of the same robot.
+`Storage=persistent` when no file of the same robot sets SystemMaxUse or SystemKeepFree.
 
 ## Why it matters on a robot
-The journal may take 10 % of the file system, up to 4 GiB. On the small disk of a robot, with rosbags beside
-it, that is what fills it up.
+The journal may take 10 % of the file system, up to 4 GiB. On the small disk of a robot that also records
+bags, the journal can fill the disk.
 
 ## Bad
 ```ini
@@ -19,6 +19,9 @@ Storage=persistent
 Storage=persistent
 SystemMaxUse=500M
 ```
+
+## When to ignore it
+When /var/log/journal is on a partition of its own, or when 4 GiB is small compared with the disk.
 
 ## References
 - journald.conf(5), "SystemMaxUse="
@@ -41,6 +44,6 @@ def no_size_limit(robot: Robot):
             yield finding(
                 storage[0],
                 "Nothing limits the journal: it may take 10 % of the disk, up to 4 GiB",
-                advice="add SystemMaxUse=, such as 500M",
+                advice="add SystemMaxUse=, for example 500M",
                 fix=fix("SystemMaxUse=500M", (at.source.span(at.end, at.end), "\nSystemMaxUse=500M"), safe=False),
             )

@@ -1,11 +1,14 @@
-"""A persistent journal on a tmpfs: it is lost at power-off.
+"""A persistent journal on a tmpfs is lost at power-off.
 
 ## What it finds
-`Storage=persistent` while fstab mounts a tmpfs on /var/log, or SystemMaxUse larger than that tmpfs.
+fstab mounts a tmpfs on /var/log or /var/log/journal, and journald writes there:
+
+- error: with `Storage=persistent`;
+- warning: when SystemMaxUse is at least the size of the tmpfs.
 
 ## Why it matters on a robot
-The journal lies in memory: the log of the failure is gone with the power. And where it may be larger than
-its file system, the other logs find no room.
+The journal is in memory: the log of the failure is lost with the power. A journal that may outgrow its file
+system leaves no room for the other logs.
 
 ## Bad
 ```ini
@@ -23,6 +26,10 @@ SystemMaxUse=1G
 Storage=volatile
 RuntimeMaxUse=64M
 ```
+
+## When to ignore it
+When the journal is also sent to another machine, for example by systemd-journal-upload, and losing the local
+copy is acceptable.
 
 ## References
 - journald.conf(5), "Storage="
@@ -52,7 +59,7 @@ def persistent_on_tmpfs(robot: Robot):
     if storage is not None and storage[1] == "persistent":
         yield finding(
             storage[0],
-            "The journal lies on a tmpfs: it is lost at power-off"
+            "The journal is on a tmpfs: it is lost at power-off"
             + (f", and {use[0]} does not fit in {size}" if too_large else ""),
             advice="mount a data partition on /var/log/journal, or set Storage=volatile",
             related=[note(mount.target, f"a tmpfs is mounted on {mount.target}")],
@@ -60,8 +67,8 @@ def persistent_on_tmpfs(robot: Robot):
     elif too_large:
         yield finding(
             use[0],
-            f"The journal may grow to {use[0]}, the tmpfs that it lies on holds {size}",
-            advice="set SystemMaxUse= to half of the tmpfs at most",
+            f"The journal may grow to {use[0]}, but the tmpfs that holds it has only {size}",
+            advice="set SystemMaxUse= to at most half of the tmpfs",
             related=[note(size, "the size of the tmpfs")],
             severity="warning",
         )

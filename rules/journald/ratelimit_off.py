@@ -1,11 +1,11 @@
-"""No rate limit: one node can flood the journal.
+"""Without a rate limit, one node can flood the journal.
 
 ## What it finds
 `RateLimitBurst=0` or `RateLimitIntervalSec=0`.
 
 ## Why it matters on a robot
-A node that logs in its control loop pushes everything else out of the journal within minutes, and wears the
-flash.
+A node that logs in its control loop displaces all other messages from the journal within minutes, and wears
+out the flash memory.
 
 ## Bad
 ```ini
@@ -19,6 +19,10 @@ RateLimitBurst=0
 RateLimitIntervalSec=30s
 RateLimitBurst=50000
 ```
+
+## When to ignore it
+On a test bench or a development robot where no message may be dropped, as long as SystemMaxUse limits the
+journal.
 
 ## References
 - journald.conf(5), "RateLimitIntervalSec="
@@ -38,6 +42,6 @@ def ratelimit_off(robot: Robot):
             if found is not None and found[1] == 0 and found[0].span.source.judged:
                 yield finding(
                     found[0],
-                    "There is no rate limit: a flooding node fills the journal",
+                    "The rate limit is off: one node that logs in a loop floods the journal",
                     advice="set a high limit instead",
                 )

@@ -1,12 +1,14 @@
 """A key that journald does not know: the line is ignored.
 
 ## What it finds
-A key in [Journal] of journald.conf or a drop-in that no release knows, and one that the robot's release
-does not know yet.
+A key in [Journal] of journald.conf or a drop-in that journald ignores:
+
+- error: no release of systemd knows the key;
+- warning: the key is newer than the robot's release.
 
 ## Why it matters on a robot
-The limit that should keep the disk from filling up, or the setting that should keep the logs of a crash,
-is simply not there.
+The limit that should keep the disk from filling up, or the setting that should preserve the logs of a crash,
+has no effect.
 
 ## Bad
 ```ini
@@ -19,6 +21,10 @@ SystemMaxSize=1G
 [Journal]
 SystemMaxUse=1G
 ```
+
+## When to ignore it
+When the same file is deployed to robots with older and newer releases, and the older ones can do without the
+setting.
 
 ## References
 - journald.conf(5)

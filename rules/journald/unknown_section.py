@@ -1,12 +1,12 @@
 """A section that journald does not read.
 
 ## What it finds
-A section other than [Journal] in journald.conf or a drop-in. Sections that start with X- are meant for
-other programs and are fine.
+A section other than [Journal] in journald.conf or a drop-in. Sections whose name starts with `X-` are for
+other programs and are exempt.
 
 ## Why it matters on a robot
-journald ignores the section with everything in it. The limit that should keep the disk from filling up, or
-the setting that should keep the logs of a crash, is simply not there.
+journald ignores the whole section. The limit that should keep the disk from filling up, or the setting that
+should preserve the logs of a crash, has no effect.
 
 ## Bad
 ```ini
@@ -19,6 +19,9 @@ SystemMaxUse=1G
 [Journal]
 SystemMaxUse=1G
 ```
+
+## When to ignore it
+Never: journald ignores the section. Rename it, or prefix it with `X-` if another program reads it.
 
 ## References
 - journald.conf(5)

@@ -1,10 +1,10 @@
 """The logs are lost at every reboot.
 
 ## What it finds
-`Storage=volatile` or `none` where the root file system is not read-only.
+`Storage=volatile` or `Storage=none`, unless the root file system is read-only or overlayroot is set up.
 
 ## Why it matters on a robot
-A robot that fails is switched off and on again; then the log that would tell why is gone.
+Operators switch a failed robot off and on again. After that, the log that would explain the failure is gone.
 
 ## Bad
 ```ini
@@ -18,6 +18,10 @@ Storage=volatile
 Storage=persistent
 SystemMaxUse=500M
 ```
+
+## When to ignore it
+When the disk must not be written, for example to protect an SD card, or when the logs are sent to another
+machine.
 
 ## References
 - journald.conf(5), "Storage="
@@ -41,4 +45,4 @@ def volatile(robot: Robot):
             and daemon.certain
         ):
             what = "lost at reboot" if storage[1] == "volatile" else "not kept at all"
-            yield finding(storage[0], f"Logs are {what}", advice="Storage=persistent, with SystemMaxUse=")
+            yield finding(storage[0], f"Logs are {what}", advice="set Storage=persistent and SystemMaxUse=")

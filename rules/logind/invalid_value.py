@@ -1,4 +1,4 @@
-"""A value that logind cannot read: the line is ignored.
+"""A value that logind cannot parse: it ignores the line.
 
 ## What it finds
 A value in [Login] of logind.conf or a drop-in that does not follow the grammar of its key.
@@ -17,6 +17,9 @@ HandleLidSwitch=ignored
 [Login]
 HandleLidSwitch=ignore
 ```
+
+## When to ignore it
+Never: logind ignores the line, so that it has no effect. Correct or delete it.
 
 ## References
 - logind.conf(5), systemd.syntax(7), systemd.time(7)

@@ -4,8 +4,8 @@
 Settings in logind.conf or a drop-in before any section header.
 
 ## Why it matters on a robot
-logind ignores lines outside its section; only a message in the journal tells. Shared memory is still
-deleted at logout, or closing the lid still suspends the robot.
+logind ignores lines outside of a section and says so only in the journal. Shared memory is still deleted at
+logout, or closing the lid still suspends the robot.
 
 ## Bad
 ```ini
@@ -17,6 +17,10 @@ RemoveIPC=no
 [Login]
 RemoveIPC=no
 ```
+
+## When to ignore it
+Only if the file is a fragment that another tool appends to a file with a [Login] header. logind itself always
+ignores these lines.
 
 ## References
 - logind.conf(5)

@@ -1,13 +1,16 @@
-"""When the last login of the user ends, logind deletes the shared memory of ROS.
+"""When the user's last session ends, logind deletes the shared memory of ROS.
 
 ## What it finds
-A service that runs ROS with shared memory as a regular user who can log in, where logind.conf does not say
-RemoveIPC=no. System users (below 1000) and lingering users are exempt. In a repository that says nothing of
-logind, an info.
+A service that runs ROS with shared memory as a regular user who can log in, where logind.conf does not set
+`RemoveIPC=no`. Exempt are system users (UID below 1000), users with lingering, and services that use only UDP
+or a middleware other than Fast DDS.
+
+It is a warning when logind.conf sets RemoveIPC or the tree is a complete root file system, and an info
+otherwise.
 
 ## Why it matters on a robot
-Someone logs in by SSH to look after the robot, and logs out. Ten seconds later logind removes all of the
-user's files in /dev/shm: Fast DDS goes silent between nodes that still run.
+Someone logs in over SSH for maintenance and logs out. Ten seconds later logind removes all of the user's
+files in /dev/shm: Fast DDS goes silent between nodes that are still running.
 
 ## Bad
 ```ini
@@ -22,6 +25,10 @@ User=robot
 [Login]
 RemoveIPC=no
 ```
+
+## When to ignore it
+When nobody ever logs in as this user, or when lingering is enabled for the user during provisioning
+(`loginctl enable-linger`).
 
 ## References
 - logind.conf(5), "RemoveIPC="
@@ -55,10 +62,10 @@ def removeipc(robot: Robot):
         told.add(str(user))
         yield finding(
             user,
-            f"When the last login of {user} ends, logind deletes the shared memory of {unit.name}: DDS goes silent",
-            advice="RemoveIPC=no in [Login] of a drop-in in /etc/systemd/logind.conf.d, or a system user",
-            related=[note(setting[0], "switched on here")] if setting else (),
-            fix=fix("RemoveIPC=no", (setting[0], "no")) if setting else None,
+            f"When the last session of {user} ends, logind deletes the shared memory of {unit.name}: DDS goes silent",
+            advice="set RemoveIPC=no in [Login] in a drop-in in /etc/systemd/logind.conf.d, or use a system user",
+            related=[note(setting[0], "enabled here")] if setting else (),
+            fix=fix("set RemoveIPC=no", (setting[0], "no")) if setting else None,
             severity=None if proven else "info",
             confidence="high" if proven else "medium",
         )

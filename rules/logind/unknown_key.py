@@ -1,8 +1,10 @@
 """A key that logind does not know: the line is ignored.
 
 ## What it finds
-A key in [Login] of logind.conf or a drop-in that no release knows, and one that the robot's release does
-not know yet.
+A key in [Login] of logind.conf or a drop-in that logind ignores:
+
+- error: no release of systemd knows the key;
+- warning: the key is newer than the robot's release.
 
 ## Why it matters on a robot
 Shared memory is still deleted at logout, or closing the lid still suspends the robot.
@@ -18,6 +20,10 @@ RemoveIpc=no
 [Login]
 RemoveIPC=no
 ```
+
+## When to ignore it
+When the same file is deployed to robots with older and newer releases, and the older ones can do without the
+setting.
 
 ## References
 - logind.conf(5)

@@ -1,12 +1,12 @@
 """A section that logind does not read.
 
 ## What it finds
-A section other than [Login] in logind.conf or a drop-in. Sections that start with X- are meant for other
-programs and are fine.
+A section other than [Login] in logind.conf or a drop-in. Sections whose name starts with `X-` are for other
+programs and are exempt.
 
 ## Why it matters on a robot
-logind ignores the section with everything in it. Shared memory is still deleted at logout, or closing the
-lid still suspends the robot.
+logind ignores the whole section. Shared memory is still deleted at logout, or closing the lid still suspends
+the robot.
 
 ## Bad
 ```ini
@@ -19,6 +19,9 @@ RemoveIPC=no
 [Login]
 RemoveIPC=no
 ```
+
+## When to ignore it
+Never: logind ignores the section. Rename it, or prefix it with `X-` if another program reads it.
 
 ## References
 - logind.conf(5)

@@ -1,12 +1,12 @@
-"""A value that logrotate cannot read: the whole stanza is skipped.
+"""A value that logrotate cannot parse: it skips the whole stanza.
 
 ## What it finds
-A count, size, mode, owner or path that logrotate refuses, or one that is missing. Sizes take k, M and G,
-without B.
+A count, size, mode, owner or path that logrotate rejects, or a directive that lacks its value. Size suffixes
+are k, M and G, without B.
 
 ## Why it matters on a robot
-One bad value makes logrotate leave out the whole stanza, or, above the first stanza, the rest of the file.
-The logs of that stanza grow until the disk is full.
+One bad value makes logrotate skip the whole stanza or, above the first stanza, the rest of the file. The logs
+of that stanza grow until the disk is full.
 
 ## Bad
 ```
@@ -24,6 +24,9 @@ The logs of that stanza grow until the disk is full.
 }
 ```
 
+## When to ignore it
+Never: logrotate skips the stanza, whatever else it says.
+
 ## References
 - logrotate(8), "size"
 - logrotate: "found error in /var/log/ros2/*.log, skipping"
@@ -39,15 +42,15 @@ from bringup_lint.api import rule
 WHAT = {
     "argument-expected": "{name} needs a value",
     "bad-number": "{name} takes a whole number, not '{value}'",
-    "bad-size": "'{value}' is not a size: logrotate knows k, M and G",
-    "unknown-unit": "'{value}' is not a size: logrotate knows k, M and G",
+    "bad-size": "'{value}' is not a size (logrotate knows k, M and G)",
+    "unknown-unit": "'{value}' is not a size (logrotate knows k, M and G)",
     "bad-weekday": "weekly takes a day from 0 to 7, not '{value}'",
-    "extra-arguments": "{name} has too many words: '{value}'",
+    "extra-arguments": "{name} has too many arguments ('{value}')",
     "su-incomplete": "su needs a user and a group",
     "bad-address": "mail takes one address, not '{value}'",
     "bad-path": "{name} takes one path without blanks, not '{value}'",
     "bad-options": "{name} cannot be split into words: '{value}'",
-    "global-only": "{name} may not stand inside a stanza",
+    "global-only": "{name} is not allowed inside a stanza",
 }
 SIZE = re.compile(r"(\d+)\s*([kKmMgG])(?:i?[bB])?")
 
@@ -68,7 +71,7 @@ def bad_value(robot: Robot):
             yield finding(
                 value,
                 f"{what}: {cost(file, value)}",
-                advice=f"write {text}" if text else "see logrotate(8) for what may stand here",
+                advice=f"write {text}" if text else "see logrotate(8) for the accepted values",
                 fix=fix(f"write {text}", (value, text)) if text else None,
             )
 

@@ -1,11 +1,12 @@
-"""A log stands in two stanzas: logrotate refuses the second.
+"""Two stanzas name the same log: logrotate rejects the second.
 
 ## What it finds
-The same path in two stanzas of a file, or in two files of /etc/logrotate.d. Stanzas with ignoreduplicates
-are left alone.
+The same path in two stanzas of a file, or in two files of /etc/logrotate.d. Stanzas after one with
+`ignoreduplicates` are exempt.
 
 ## Why it matters on a robot
-logrotate drops the second entry, with what it says, and ends with status 1; the timer shows as failed.
+logrotate drops the second stanza with all its settings and exits with status 1: the timer unit shows as
+failed.
 
 ## Bad
 ```
@@ -23,6 +24,9 @@ logrotate drops the second entry, with what it says, and ends with status 1; the
     daily
 }
 ```
+
+## When to ignore it
+When the two files never end up on the same robot, for example because they belong to alternative packages.
 
 ## References
 - logrotate(8), "ignoreduplicates"
@@ -46,9 +50,9 @@ def duplicate_path(robot: Robot):
                     if first is not None and not stanza.skipped:
                         yield finding(
                             path,
-                            f"{path} already has a stanza: logrotate drops this one for it",
+                            f"{path} already has a stanza: logrotate drops this one",
                             advice="keep one of the two",
-                            related=[note(first, "it is rotated here")],
+                            related=[note(first, "the first stanza")],
                         )
                     if not stanza.skipped and not stanza.get("ignoreduplicates"):
                         known.setdefault(path, path)

@@ -1,11 +1,10 @@
 """logrotate ignores a file that others may write to.
 
 ## What it finds
-A file of /etc/logrotate.d in a root file system that group or others may write to, or that does not belong
-to root.
+A file in /etc/logrotate.d of a root file system that group or others may write to, or that root does not own.
 
 ## Why it matters on a robot
-logrotate passes over the file, prints one line and ends with status 0. The logs grow until the disk is full.
+logrotate skips the file, prints one line and exits with status 0. The logs grow until the disk is full.
 
 ## Bad
 ```ini
@@ -16,6 +15,10 @@ logrotate passes over the file, prints one line and ends with status 0. The logs
 ```ini
 -rw-r--r-- root root /etc/logrotate.d/robot
 ```
+
+## When to ignore it
+When the image build sets owner and mode after this tree was exported. On the robot itself, logrotate always
+skips such a file.
 
 ## References
 - logrotate(8)
@@ -49,6 +52,6 @@ def file_mode(robot: Robot):
         elif owner is not None and source.uid != owner.uid:
             yield finding(
                 source,
-                "logrotate ignores the file: it does not belong to root",
+                "logrotate ignores the file: root does not own it",
                 advice=f"chown root {source.robot_path}",
             )

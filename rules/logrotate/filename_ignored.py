@@ -1,8 +1,8 @@
-"""logrotate passes over a file with this name.
+"""logrotate skips a file with this name.
 
 ## What it finds
-A file in logrotate.d whose name ends in .bak, ~, .swp, .dpkg-old, .disabled or another ending that
-logrotate leaves out.
+A file in logrotate.d whose name ends in .bak, ~, .swp, .dpkg-old, .disabled or another ending that logrotate
+skips. A copy next to the file that it was copied from is exempt.
 
 ## Why it matters on a robot
 logrotate does not read the file and says so only in its debug output. The logs grow until the disk is full.
@@ -16,6 +16,9 @@ logrotate does not read the file and says so only in its debug output. The logs 
 ```
 /etc/logrotate.d/robot
 ```
+
+## When to ignore it
+When the file was disabled on purpose by renaming it.
 
 ## References
 - logrotate(8), "tabooext"
@@ -34,6 +37,6 @@ def filename_ignored(robot: Robot):
         if source.judged and stem not in names and stem.rstrip("~") not in names:
             yield finding(
                 source,
-                f"logrotate passes over {source.basename}: it leaves out names with this ending",
+                f"logrotate skips {source.basename} because of the ending of its name",
                 advice="rename the file, or delete it",
             )

@@ -1,11 +1,11 @@
-"""** in a logrotate path is no more than *.
+"""`**` in a logrotate path means no more than `*`.
 
 ## What it finds
 `**` in a path of a stanza.
 
 ## Why it matters on a robot
-logrotate's patterns are those of glob(3): `~/.ros/log/**/*.log` matches files one folder down only. The
-launch logs of each run are there; the logs of the nodes lie in ~/.ros/log itself and are never rotated.
+logrotate uses glob(3): `~/.ros/log/**/*.log` matches only files exactly one folder down. The launch logs of
+each run are there. The logs of the nodes are in ~/.ros/log itself and are never rotated.
 
 ## Bad
 ```
@@ -20,6 +20,9 @@ launch logs of each run are there; the logs of the nodes lie in ~/.ros/log itsel
     weekly
 }
 ```
+
+## When to ignore it
+When all logs are exactly one folder down. Write `*` then, which means the same and misleads nobody.
 
 ## References
 - logrotate(8), glob(7)
@@ -42,7 +45,7 @@ def globstar(robot: Robot):
             plain = path == path.span.text and "**" not in after
             yield finding(
                 path,
-                f"'**' is one level only: {before}/{after} is not rotated, nor anything deeper than one folder",
+                f"'**' matches one level only: {before}/{after} and anything deeper than one folder are not rotated",
                 advice=f"list the levels: {both}",
                 fix=fix("list both levels", (path, both)) if plain else None,
             )

@@ -1,11 +1,11 @@
-"""A postrotate script sends SIGHUP to ROS: the robot's software ends at every rotation.
+"""A postrotate script sends SIGHUP to ROS: the robot's software exits at every rotation.
 
 ## What it finds
-A script of a stanza that sends HUP to a unit that runs ROS, or to ros2 itself.
+A script of a stanza that sends SIGHUP to a unit that runs ROS, or to ROS processes directly.
 
 ## Why it matters on a robot
-Neither ros2 launch nor the nodes handle SIGHUP: they die of it. systemd counts that as a clean exit, so that
-Restart=on-failure leaves the robot down, every night at the same time.
+Neither ros2 launch nor the nodes handle SIGHUP: it kills them. systemd counts this as a clean exit, so that
+Restart=on-failure does not restart the robot. This happens every night at the same time.
 
 ## Bad
 ```
@@ -22,6 +22,9 @@ Restart=on-failure leaves the robot down, every night at the same time.
     copytruncate
 }
 ```
+
+## When to ignore it
+When every process that receives the signal installs its own handler for SIGHUP.
 
 ## References
 - systemd.service(5), "SuccessExitStatus="
@@ -55,11 +58,11 @@ def hup_ros(robot: Robot):
                 ):
                     continue
                 back = unit is not None and robot.units.restart(unit).restart in ("always", "on-success")
-                what = f"{unit.name} runs ROS" if unit else "This is ROS"
+                what = f"{unit.name} runs ROS" if unit else "This signals ROS"
                 yield finding(
                     command.words[0],
-                    f"{what}, where nothing handles SIGHUP: the rotation kills it"
-                    + ("" if back else ", and systemd calls that a clean exit"),
+                    f"{what}, which does not handle SIGHUP: the rotation kills it"
+                    + ("" if back else ", and systemd counts that as a clean exit"),
                     advice="use copytruncate and delete the script",
                     related=[note(unit.where, f"{unit.name} is defined here")] if unit else (),
                     fix=change(stanza, script) if len(robot.logs.commands(script)) == 1 else None,
@@ -79,4 +82,4 @@ def unknown(robot, command):
 
 def change(stanza, script):
     text = "" if stanza.own("copytruncate") else "copytruncate"
-    return fix("copytruncate instead of the script", (script.span, text))
+    return fix("replace the script with copytruncate", (script.span, text))

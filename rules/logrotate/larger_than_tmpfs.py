@@ -1,13 +1,13 @@
-"""The rotated logs need more room than the tmpfs that they lie on has.
+"""The rotated logs do not fit in their tmpfs.
 
 ## What it finds
-A stanza for files on a tmpfs of fstab whose `size` or `minsize`, times the number of files that `rotate` keeps (one,
-when they are compressed), is more than the `size=` of the tmpfs; or whose `maxsize` alone is. Trees with several fstab
-files are left alone.
+A stanza for files on a tmpfs of fstab that can need more room than the `size=` of the tmpfs. The need is
+`size` or `minsize`, times the log and the rotated files that stay uncompressed. With `maxsize` alone, one
+file counts. Trees with several fstab files are not checked.
 
 ## Why it matters on a robot
-The file system in memory is full long before anything is rotated: `No space left on device` for every log of the
-robot, just when something goes wrong and writes a lot.
+The tmpfs is full long before anything is rotated. Every log on the robot then fails with `No space left on
+device`, just when something goes wrong and writes a lot.
 
 ## Bad
 ```
@@ -26,6 +26,9 @@ robot, just when something goes wrong and writes a lot.
     compress
 }
 ```
+
+## When to ignore it
+When the sizes are a safety margin that the logs never reach, for example because they are rotated hourly.
 
 ## References
 - logrotate(8), "size", "rotate"
@@ -57,7 +60,7 @@ def larger_than_tmpfs(robot: Robot):
             what = f"{files} files of {limit.value} need" if files > 1 else f"A file of {limit.value} needs"
             yield finding(
                 limit.value,
-                f"{what} more than {size}, all that the tmpfs on {mount.target} holds: it fills up first",
+                f"{what} more than {size}, the size of the tmpfs on {mount.target}: it fills up first",
                 advice="lower size and rotate, or compress",
                 related=[note(size, f"the size of {mount.target}")],
             )

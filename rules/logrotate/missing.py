@@ -2,12 +2,12 @@
 
 ## What it finds
 A ROS_LOG_DIR or an `append:` file of a unit that no logrotate stanza, no tmpfiles.d age and no script or
-timer of the tree covers. It is a warning in a complete root file system; in a repository, where the rest
-may come from elsewhere, an info.
+timer of the tree covers. It is a warning in a complete root file system, and an info in a repository, where
+the cleanup may be elsewhere.
 
 ## Why it matters on a robot
-ROS has no size limit for its logs, and each run writes new files. When the disk is full, maps cannot be
-saved, the journal stops and the robot may not boot.
+ROS does not limit the size of its logs, and each run writes new files. When the disk is full, maps cannot be
+saved, the journal stops, and the robot may not boot.
 
 ## Bad
 ```
@@ -20,6 +20,10 @@ Environment=ROS_LOG_DIR=/var/log/ros2
 # /etc/tmpfiles.d/ros2.conf
 e /var/log/ros2 - - - 14d
 ```
+
+## When to ignore it
+When something outside of this tree cleans up, such as the base image or a fleet agent, or when the folder is
+on a tmpfs or a partition of its own.
 
 ## References
 - tmpfiles.d(5), "Age"
@@ -35,7 +39,7 @@ from bringup_lint.api import rule
 @rule("warning", symptoms=["No space left on device"])
 def missing(robot: Robot):
     for log in robot.logs.uncovered():
-        advice = f"e {log.path} - - - 14d in tmpfiles.d" if log.folder else f"a logrotate stanza for {log.path}"
+        advice = f"add 'e {log.path} - - - 14d' to tmpfiles.d" if log.folder else f"rotate {log.path} with logrotate"
         yield finding(
             log.where,
             f"Nothing removes old logs in {log.path}: the disk fills up"

@@ -1,11 +1,11 @@
-"""A brace too few or too many: stanzas run into each other.
+"""A missing or extra brace: stanzas run into each other.
 
 ## What it finds
-A stanza without `{`, a `}` that closes nothing, a stanza that is never closed, a path where a directive
-should be.
+A stanza without `{`, a `}` that closes nothing, a stanza that is never closed, or a path where a directive
+should be. A stanza that is not closed at the end of the file is a warning.
 
 ## Why it matters on a robot
-logrotate skips the stanza, or reads nothing of the file from there on; the logs grow until the disk is full.
+logrotate skips the stanza, or the rest of the file. The logs grow until the disk is full.
 
 ## Bad
 ```
@@ -26,6 +26,9 @@ logrotate skips the stanza, or reads nothing of the file from there on; the logs
 }
 ```
 
+## When to ignore it
+Never: logrotate does not apply the file as written.
+
 ## References
 - logrotate(8)
 - logrotate: "unexpected log filename", "missing '{' after log files definition"
@@ -36,10 +39,10 @@ from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 WHAT = {
-    "missing-open-brace": "No '{' after these paths: logrotate reads nothing of the file from here on",
-    "unexpected-brace": "This '}' closes nothing: logrotate reads nothing of the file from here on",
+    "missing-open-brace": "No '{' after these paths: logrotate skips the rest of the file",
+    "unexpected-brace": "This '}' closes nothing: logrotate skips the rest of the file",
     "unexpected-path": "The stanza above is not closed: logrotate skips it together with this one",
-    "unclosed": "The stanza is never closed: logrotate takes what is there, and all that is appended later",
+    "unclosed": "The stanza is never closed: anything appended to the file later becomes part of it",
 }
 
 

@@ -1,10 +1,10 @@
-"""A script without endscript: logrotate gives the file up.
+"""A script without endscript: logrotate drops the stanza.
 
 ## What it finds
-prerotate, postrotate, firstaction, lastaction or preremove without a line `endscript`.
+A prerotate, postrotate, firstaction, lastaction or preremove that no line `endscript` ends.
 
 ## Why it matters on a robot
-logrotate takes the rest of the file for the script, then drops the stanza: its logs are never rotated.
+logrotate takes the rest of the file as the script, then drops the stanza: its logs are never rotated.
 
 ## Bad
 ```
@@ -23,6 +23,9 @@ logrotate takes the rest of the file for the script, then drops the stanza: its 
 }
 ```
 
+## When to ignore it
+Never: logrotate drops the stanza.
+
 ## References
 - logrotate(8)
 - logrotate: "prerotate, postrotate or preremove without endscript"
@@ -40,6 +43,6 @@ def missing_endscript(robot: Robot):
             if problem.code == "missing-endscript":
                 yield finding(
                     problem.where,
-                    f"{problem.where} has no endscript: logrotate drops the stanza and all that follows",
-                    advice="end the script with a line that says endscript",
+                    f"{problem.where} has no endscript: logrotate drops the stanza and everything after it",
+                    advice="end the script with a line endscript",
                 )

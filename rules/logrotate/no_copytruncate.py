@@ -1,11 +1,11 @@
-"""ROS nodes go on writing to the file that logrotate renamed.
+"""ROS nodes keep writing to the file that logrotate renamed.
 
 ## What it finds
-A stanza for ROS logs with `create` and without copytruncate, whose scripts restart nothing.
+A stanza for ROS logs with `create` and without copytruncate, whose scripts neither restart nor stop anything.
 
 ## Why it matters on a robot
-Nodes never reopen their logs. After `create` they write to the renamed file, which is then compressed or
-deleted, and the new file stays empty: the logs of the day on which something happened are gone.
+Nodes never reopen their logs. After `create` they keep writing to the renamed file, which is later compressed
+or deleted. The new file stays empty, and the logs of the day that matters are gone.
 
 ## Bad
 ```
@@ -22,6 +22,9 @@ deleted, and the new file stays empty: the logs of the day on which something ha
     copytruncate
 }
 ```
+
+## When to ignore it
+When the writer reopens its log after the rotation, or when the nodes never run during the rotation.
 
 ## References
 - logrotate(8), "copytruncate"
@@ -49,8 +52,8 @@ def no_copytruncate(robot: Robot):
             continue
         yield finding(
             create.name,
-            "ROS nodes never reopen their logs: they go on writing to the renamed file",
-            advice="write copytruncate instead of create",
+            "ROS nodes never reopen their logs: they keep writing to the renamed file",
+            advice="replace create with copytruncate",
             related=[note(source, "ROS writes its logs here")] if hasattr(source, "span") else (),
-            fix=fix("copytruncate", (create.span, "copytruncate"), safe=False),
+            fix=fix("replace with copytruncate", (create.span, "copytruncate"), safe=False),
         )

@@ -1,11 +1,13 @@
 """logrotate skips logs in a folder that others may write to.
 
 ## What it finds
-A stanza without `su` for a folder that tmpfiles.d makes writable for group or others, or for /var/log on a
-tmpfs without mode=.
+A stanza without `su` for logs in one of these folders:
+
+- a folder that tmpfiles.d makes writable for group or others;
+- /var/log on a tmpfs without `mode=`.
 
 ## Why it matters on a robot
-logrotate says "insecure permissions" and rotates nothing there. The logs grow until the disk is full.
+logrotate reports "insecure permissions" and rotates nothing there. The logs grow until the disk is full.
 
 ## Bad
 ```ini
@@ -24,6 +26,10 @@ d /var/log/ros2 0775 robot robot -
     weekly
 }
 ```
+
+## When to ignore it
+When a provisioning step that is not in this tree tightens the permissions of the folder before logrotate
+runs.
 
 ## References
 - logrotate(8), "su"
@@ -51,7 +57,7 @@ def parent_insecure(robot: Robot):
             where, why, owner = found
             yield finding(
                 path,
-                f"{folder} is writable for others: logrotate skips these logs",
+                f"{folder} is not writable by root alone: logrotate skips these logs",
                 advice=f"add su {owner}" if owner else "mount it with mode=0755",
                 related=[note(where, why)],
             )

@@ -1,11 +1,12 @@
-"""rotate N never deletes the logs of finished ROS runs.
+"""`rotate N` never deletes the logs of finished ROS runs.
 
 ## What it finds
-A stanza for ROS logs with `rotate`, without maxage, when no tmpfiles.d line with an age covers the folder.
+A stanza with a pattern for ROS logs that has `rotate` but not maxage, when no tmpfiles.d line with an age
+covers the folder.
 
 ## Why it matters on a robot
-Each node of each run writes a file of its own, with time and process id in its name. `rotate 3` keeps three
-rotations of each of them: nothing is ever deleted, and the disk fills up.
+Each node writes a new file in each run, with the time and the process ID in its name. `rotate 3` keeps three
+rotations of each of these files: nothing is ever deleted, and the disk fills up.
 
 ## Bad
 ```
@@ -23,6 +24,9 @@ rotations of each of them: nothing is ever deleted, and the disk fills up.
     copytruncate
 }
 ```
+
+## When to ignore it
+When the nodes write to a fixed file name, or when a script outside of this tree deletes old runs.
 
 ## References
 - logrotate(8), "maxage"
@@ -47,8 +51,8 @@ def per_run_files(robot: Robot):
         if reasons:
             yield finding(
                 rotate.name,
-                f"rotate {rotate.value} counts per file, and each ROS process and run has its own: none is ever "
+                f"rotate {rotate.value} counts per file, and each ROS process of each run has its own: none is ever "
                 "deleted",
-                advice="add maxage 14, and a tmpfiles.d line with an age",
+                advice="add maxage 14 and a tmpfiles.d line with an age",
                 related=[note(reasons[0], "ROS writes its logs here")] if hasattr(reasons[0], "span") else (),
             )

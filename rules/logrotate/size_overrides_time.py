@@ -1,11 +1,11 @@
-"""size makes daily, weekly and monthly void.
+"""`size` and daily, weekly or monthly override each other.
 
 ## What it finds
 A stanza with both `size` and a time directive.
 
 ## Why it matters on a robot
-The later of the two counts alone. With `size` last, a log that stays small is never rotated, however old;
-with the time last, a flood fills the disk before the next turn.
+Only the later of the two has an effect. If `size` is last, a log that stays small is never rotated, however
+old it is. If the time is last, a flood of messages fills the disk before the next rotation.
 
 ## Bad
 ```
@@ -22,6 +22,9 @@ with the time last, a flood fills the disk before the next turn.
     maxsize 10M
 }
 ```
+
+## When to ignore it
+When the later directive is the one that is meant. Deleting the other one says so to the next reader.
 
 ## References
 - logrotate(8), "size", "maxsize"
@@ -44,7 +47,7 @@ def size_overrides_time(robot: Robot):
         first, last = sorted((size, time), key=lambda each: each.span.start)
         yield finding(
             last.name,
-            f"{last.name} overrides {first.name}: only {last.name} counts",
-            advice="write maxsize to rotate by time, or earlier when the log is large",
+            f"{last.name} overrides {first.name}: only {last.name} has an effect",
+            advice="replace size with maxsize to rotate by time, and earlier when the log is large",
             related=[note(first.span, "has no effect")],
         )

@@ -1,12 +1,17 @@
-"""A line that logrotate cannot read: the stanza or the rest of the file is skipped.
+"""A line that logrotate cannot parse: it skips the stanza or the rest of the file.
 
 ## What it finds
-A line that begins neither with a word nor with a path, a directive that runs into the next character, open
-quotes, text behind `}`; also lines that end in carriage return and line feed.
+A syntax error in a logrotate file:
+
+- a line that begins with neither a word nor a path;
+- a directive that runs into the next character;
+- quotes that are not closed;
+- lines that end in CR LF;
+- text after `}`, as a warning.
 
 ## Why it matters on a robot
-Inside a stanza, logrotate skips the whole stanza; outside, it reads nothing of the file from there on.
-Nothing is rotated, and the disk fills up.
+Inside a stanza, logrotate skips the whole stanza. Outside, it skips the rest of the file. Nothing is rotated,
+and the disk fills up.
 
 ## Bad
 ```
@@ -22,6 +27,9 @@ Nothing is rotated, and the disk fills up.
 }
 ```
 
+## When to ignore it
+Never: logrotate does not apply the file as written.
+
 ## References
 - logrotate(8)
 - logrotate: "lines must begin with a keyword or a filename (possibly in double quotes)"
@@ -35,7 +43,7 @@ WHAT = {
     "not-separated": "'{text}' runs into the next character",
     "bad-line-start": "'{text}' is neither a directive nor a path",
     "bad-quotes": "The quotes around the paths are not closed",
-    "text-after-brace": "logrotate ignores what stands behind '}}'",
+    "text-after-brace": "logrotate ignores the text after '}}'",
 }
 
 
@@ -49,12 +57,12 @@ def syntax(robot: Robot):
             if dos and problem.code in ("bad-line-start", "text-after-brace"):
                 yield finding(
                     problem.where,
-                    "The lines end in CR LF: logrotate takes the CR for text and skips the stanzas",
-                    advice="save the file with LF line ends",
+                    "The lines end in CR LF: logrotate reads the CR as text and skips the stanzas",
+                    advice="save the file with LF line endings",
                 )
                 break
             inside = any(s.header.start < problem.where.span.start and s.skipped for s in file.stanzas)
-            cost = "the stanza is skipped" if inside else "nothing of the file is read from here on"
+            cost = "logrotate skips the stanza" if inside else "logrotate skips the rest of the file"
             what = WHAT[problem.code].format(text=problem.where[:40])
             alone = problem.code == "text-after-brace"
             yield finding(

@@ -1,11 +1,11 @@
-"""A directive that logrotate does not know: the line is ignored.
+"""A directive that logrotate does not know: it ignores the line.
 
 ## What it finds
-A word at the start of a line that is no directive of logrotate.
+A word at the start of a line that is not a directive of logrotate.
 
 ## Why it matters on a robot
-logrotate complains in a log that nobody reads, leaves the line out and ends with status 1: the size or age
-that should keep the disk from filling up does not count.
+logrotate reports this in a log that nobody reads, ignores the line and exits with status 1. The size or age
+that should keep the disk from filling up has no effect.
 
 ## Bad
 ```
@@ -20,6 +20,9 @@ that should keep the disk from filling up does not count.
     rotate 4
 }
 ```
+
+## When to ignore it
+When the robot's logrotate is newer than this tool and knows the directive: `logrotate -d` shows it.
 
 ## References
 - logrotate(8)
@@ -43,7 +46,7 @@ def unknown_directive(robot: Robot):
             meant = nearest(word, robot.logs.directives)
             yield finding(
                 word,
-                f"logrotate knows no '{word}': it ignores the line",
+                f"logrotate does not know '{word}': it ignores the line",
                 advice=f"did you mean {meant[0]}?" if meant else "remove the line, or see logrotate(8)",
                 fix=fix(f"write {meant[0]}", (word, meant[0])) if len(meant) == 1 else None,
             )

@@ -1,11 +1,11 @@
 """A user or group that does not exist: logrotate skips the whole stanza.
 
 ## What it finds
-A user or group of `create`, `createolddir` or `su` that a complete root file system has neither in its
-databases nor in sysusers.d.
+A user or group of `create`, `createolddir` or `su` that does not exist in a complete root file system:
+neither in its databases nor in sysusers.d.
 
 ## Why it matters on a robot
-logrotate leaves the stanza out, and the logs grow until the disk is full.
+logrotate skips the stanza, and the logs grow until the disk is full.
 
 ## Bad
 ```
@@ -20,6 +20,9 @@ logrotate leaves the stanza out, and the logs grow until the disk is full.
     su robot robot
 }
 ```
+
+## When to ignore it
+When the account is created at the first boot, or comes from a directory service such as LDAP.
 
 ## References
 - logrotate(8), "su", "create"

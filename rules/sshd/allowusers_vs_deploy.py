@@ -1,8 +1,10 @@
 """A script logs in as a user or on a port that sshd refuses.
 
 ## What it finds
-`ssh user@host`, scp or rsync in a script of the tree with a user that AllowUsers does not list, or on port
-22 while sshd listens elsewhere only.
+A script in the tree runs `ssh user@host`, scp or rsync in one of these ways:
+
+- with a user that AllowUsers does not list;
+- on port 22, while sshd listens only on other ports.
 
 ## Why it matters on a robot
 After the configuration is rolled out, the deployment that rolled it out no longer reaches the robot.
@@ -22,6 +24,9 @@ AllowUsers robot-admin
 # deploy.sh
 ssh robot-admin@10.0.0.7
 ```
+
+## When to ignore it
+When the script connects to another machine than this robot, such as a build server.
 
 ## References
 - sshd_config(5), "AllowUsers", "Port"
@@ -45,14 +50,14 @@ def allowusers_vs_deploy(robot: Robot):
         if allowed and user not in names and not any({"*", "?", "!"} & set(name) for name in names):
             yield finding(
                 word,
-                f"The script logs in as {user}, whom sshd refuses",
+                f"The script logs in as {user}, but sshd rejects that user",
                 advice=f"log in as {' or '.join(sorted(names))}, or add {user} to AllowUsers",
                 related=[note(allowed[0], "only these may log in")],
             )
         elif ports and sshd.is_whole and port == "22" and "22" not in ports:
             yield finding(
                 word,
-                f"The script connects to port 22, sshd listens on {', '.join(ports)}",
-                advice=f"ssh -p {ports[0]}",
+                f"The script connects to port 22, but sshd listens on {', '.join(ports)}",
+                advice=f"use ssh -p {ports[0]}",
                 related=[note(ports[0], "sshd listens here")],
             )

@@ -1,11 +1,11 @@
-"""A value that sshd cannot read: it refuses to start.
+"""A value that sshd cannot parse: it refuses to start.
 
 ## What it finds
-A value outside the set of its keyword, a keyword without a value, a quote that is left open, words too
-many, a Match line that sshd cannot read.
+A line that sshd rejects: a value that its keyword does not accept, a keyword without a value, a quote that is
+not closed, too many arguments, or a Match line that sshd cannot parse.
 
 ## Why it matters on a robot
-sshd ends with an error at its next start, and after the reboot nobody gets in.
+sshd exits with an error at its next start. After the reboot nobody can log in.
 
 ## Bad
 ```
@@ -16,6 +16,9 @@ LoginGraceTime 30sec
 ```
 LoginGraceTime 30s
 ```
+
+## When to ignore it
+Only if the robot's OpenSSH is newer than this tool and accepts the value: `sshd -t` on the robot shows it.
 
 ## References
 - sshd_config(5)
@@ -29,8 +32,8 @@ from bringup_lint.api import rule
 WHAT = {
     "no-argument": "'{text}' has no value",
     "invalid-quotes": "The quotes are not closed",
-    "extra-arguments": "'{text}' is a word too many",
-    "bad-match": "sshd cannot read this Match line",
+    "extra-arguments": "'{text}' is one argument too many",
+    "bad-match": "sshd cannot parse this Match line",
     "bad-value": "'{text}' is not {expected}",
 }
 
@@ -53,6 +56,6 @@ def bad_value(robot: Robot):
                     advice = f"write {problem.detail}" if problem.code == "bad-value" else "correct the line"
                     yield finding(
                         problem.where,
-                        f"{what}: sshd refuses to start, and nobody gets in any more",
-                        advice=f"{advice}; try with sshd -t",
+                        f"{what}: sshd refuses to start, and nobody can log in",
+                        advice=f"{advice}, and test with sshd -t",
                     )

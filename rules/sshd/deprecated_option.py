@@ -1,10 +1,10 @@
-"""A keyword that sshd no longer has: the line does nothing.
+"""A keyword that sshd no longer supports: the line does nothing.
 
 ## What it finds
-A keyword that older releases of OpenSSH had and the present ones pass over with a message.
+A keyword that older releases of OpenSSH supported, and that current releases ignore with a message.
 
 ## Why it matters on a robot
-The line protects nothing. Nothing breaks.
+The line protects nothing. It breaks nothing either.
 
 ## Bad
 ```
@@ -15,6 +15,9 @@ UsePrivilegeSeparation yes
 ```
 # privilege separation is always on
 ```
+
+## When to ignore it
+When the same file is deployed to robots with an OpenSSH so old that it still needs the keyword.
 
 ## References
 - OpenSSH release notes
@@ -34,6 +37,6 @@ def deprecated_option(robot: Robot):
                 if problem.code == "deprecated":
                     yield finding(
                         problem.where,
-                        f"sshd no longer has {problem.where}: the line does nothing",
+                        f"sshd no longer supports {problem.where}: the line does nothing",
                         advice="delete it",
                     )

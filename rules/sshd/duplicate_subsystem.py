@@ -4,7 +4,7 @@
 The same Subsystem twice, in one file or in the main file and a drop-in.
 
 ## Why it matters on a robot
-sshd ends with an error at its next start, and after the reboot nobody gets in.
+sshd exits with an error at its next start. After the reboot nobody can log in.
 
 ## Bad
 ```
@@ -16,6 +16,9 @@ Subsystem sftp /usr/lib/openssh/sftp-server
 ```
 Subsystem sftp internal-sftp
 ```
+
+## When to ignore it
+Never for files that are installed together. Ignore it when one of them replaces the other on the robot.
 
 ## References
 - sshd_config(5), "Subsystem"

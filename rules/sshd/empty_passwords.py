@@ -4,7 +4,7 @@
 `PermitEmptyPasswords yes`, for everyone or in a Match block.
 
 ## Why it matters on a robot
-One account that was made without a password, for a demonstration, opens the robot to the whole network.
+One account without a password, created for a demonstration, opens the robot to the whole network.
 
 ## Bad
 ```
@@ -15,6 +15,9 @@ PermitEmptyPasswords yes
 ```
 PermitEmptyPasswords no
 ```
+
+## When to ignore it
+On an emulator or a test container that no network but its host's can reach. Never on a robot.
 
 ## References
 - sshd_config(5), "PermitEmptyPasswords"
@@ -36,6 +39,6 @@ def empty_passwords(robot: Robot):
                 yield finding(
                     option.value,
                     "Accounts without a password can log in",
-                    advice="PermitEmptyPasswords no",
-                    fix=fix("PermitEmptyPasswords no", (option.value, "no")),
+                    advice="set PermitEmptyPasswords no",
+                    fix=fix("set PermitEmptyPasswords no", (option.value, "no")),
                 )

@@ -1,11 +1,15 @@
 """sshd allows more than a robot needs.
 
 ## What it finds
-Settings of a whole configuration that are open by default or by a line: X11Forwarding, AllowTcpForwarding,
-PermitTunnel, MaxAuthTries above 4, no ClientAliveInterval, neither AllowUsers nor AllowGroups.
+A setting that is open, by default in a complete configuration or because a line says so:
+
+- X11Forwarding, AllowTcpForwarding or PermitTunnel is on;
+- MaxAuthTries is above 4;
+- ClientAliveInterval is not set;
+- neither AllowUsers nor AllowGroups is set.
 
 ## Why it matters on a robot
-Each is a way into the robot's network, or keeps one open, that nobody uses.
+Each of these opens a way into the robot's network, or keeps one open, that nobody uses.
 
 ## Bad
 ```
@@ -21,6 +25,10 @@ MaxAuthTries 3
 ClientAliveInterval 300
 AllowUsers robot-admin
 ```
+
+## When to ignore it
+When operators use the feature, for example TCP forwarding to reach a web interface on the robot, or X11
+forwarding for rviz2.
 
 ## References
 - sshd_config(5)
@@ -71,7 +79,7 @@ def hardening(robot: Robot):
         if tries is not None and tries.isdigit() and int(tries) > MOST_TRIES:
             yield from found(sshd, "MaxAuthTries", f"A connection may try {tries} passwords or keys", "3")
         if sshd.is_whole and not sshd.all("AllowUsers") and not sshd.all("AllowGroups"):
-            yield finding(sshd.where, "Every account may log in", advice="AllowUsers, with the accounts that need it")
+            yield finding(sshd.where, "Every account may log in", advice="add AllowUsers with those that need it")
 
 
 def found(sshd, name, what, better):
@@ -80,6 +88,6 @@ def found(sshd, name, what, better):
         yield finding(
             option.value if option else sshd.where,
             what + ("" if option else " by default" if "no " not in what else ""),
-            advice=f"{name} {better}",
-            fix=fix(f"{name} {better}", (option.value, better)) if option else None,
+            advice=f"set {name} {better}",
+            fix=fix(f"set {name} {better}", (option.value, better)) if option else None,
         )

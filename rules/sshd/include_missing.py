@@ -1,11 +1,11 @@
-"""Drop-ins that sshd does not read: the main file has no Include.
+"""Drop-ins that sshd does not read: the main file has no Include for them.
 
 ## What it finds
-Files in sshd_config.d beside a sshd_config that includes nothing of them.
+A sshd_config.d with files, next to a sshd_config that does not include it.
 
 ## Why it matters on a robot
-Someone replaced the distribution's sshd_config. Whatever the drop-ins say, also those that a package or
-cloud-init writes later, has no effect.
+Someone replaced the distribution's sshd_config. The drop-ins have no effect, including those that a package
+or cloud-init writes later.
 
 ## Bad
 ```
@@ -19,6 +19,9 @@ Port 2222
 Include /etc/ssh/sshd_config.d/*.conf
 Port 2222
 ```
+
+## When to ignore it
+When sshd_config is meant to be the only source and the drop-ins are leftovers of the image.
 
 ## References
 - sshd_config(5), "Include"
@@ -39,7 +42,7 @@ def include_missing(robot: Robot):
         if sshd.dropins and not any("sshd_config.d" in word for word in includes):
             yield finding(
                 sshd.main.source,
-                "sshd does not read sshd_config.d: there is no Include",
+                "sshd does not read sshd_config.d: there is no Include for it",
                 advice="begin the file with Include /etc/ssh/sshd_config.d/*.conf",
-                related=[note(sshd.dropins[0].source, "not read")],
+                related=[note(sshd.dropins[0].source, "sshd does not read this file")],
             )

@@ -1,12 +1,12 @@
-"""Keyboard-interactive login is still on: passwords keep working.
+"""Keyboard-interactive login is still on: sshd still accepts passwords.
 
 ## What it finds
-`PasswordAuthentication no` without `KbdInteractiveAuthentication no`, when UsePAM is on. Where nothing sets
-UsePAM, as a warning.
+`PasswordAuthentication no` without `KbdInteractiveAuthentication no`, when `UsePAM yes` is set. It is a
+warning when nothing sets UsePAM. Configurations with AuthenticationMethods are not checked.
 
 ## Why it matters on a robot
-The default of KbdInteractiveAuthentication is yes, and with PAM it asks for the password. The file says
-that passwords are off, and they are not.
+KbdInteractiveAuthentication is on by default, and with PAM it asks for the password. The file says that
+passwords are off, but they are not.
 
 ## Bad
 ```
@@ -20,6 +20,9 @@ PasswordAuthentication no
 KbdInteractiveAuthentication no
 UsePAM yes
 ```
+
+## When to ignore it
+When PAM asks for a one-time code instead of the password.
 
 ## References
 - sshd_config(5), "KbdInteractiveAuthentication", "UsePAM"
@@ -48,7 +51,7 @@ def kbdint_auth(robot: Robot):
             option.value if option else password.keyword,
             "KbdInteractiveAuthentication is on"
             + ("" if option else " by default")
-            + (": passwords keep working" if pam else ": with UsePAM yes, passwords keep working"),
+            + (": sshd still accepts passwords" if pam else ": with UsePAM yes, sshd still accepts passwords"),
             advice="add KbdInteractiveAuthentication no",
             related=[note(pam.keyword, "PAM asks for the password")] if pam else (),
             fix=_fix(option, password),
@@ -58,6 +61,6 @@ def kbdint_auth(robot: Robot):
 
 def _fix(option, password):
     if option is not None:
-        return fix("KbdInteractiveAuthentication no", (option.value, "no"))
+        return fix("set KbdInteractiveAuthentication no", (option.value, "no"))
     end = password.span.source.span(password.span.end, password.span.end)
-    return fix("KbdInteractiveAuthentication no", (end, "\nKbdInteractiveAuthentication no"))
+    return fix("set KbdInteractiveAuthentication no", (end, "\nKbdInteractiveAuthentication no"))

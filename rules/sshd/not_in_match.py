@@ -1,11 +1,11 @@
-"""A keyword that may not stand in a Match block: sshd refuses to start.
+"""A keyword that is not allowed in a Match block: sshd refuses to start.
 
 ## What it finds
-A keyword that holds for the whole server, such as Port or UsePAM, behind a Match line.
+A keyword for the whole server, such as Port or UsePAM, after a Match line.
 
 ## Why it matters on a robot
-Everything behind a Match line belongs to it, up to the next one. sshd ends with an error at its next start,
-and after the reboot nobody gets in.
+All lines after a Match line belong to its block, up to the next Match. sshd exits with an error at its next
+start. After the reboot nobody can log in.
 
 ## Bad
 ```
@@ -22,6 +22,10 @@ Port 2222
 Match User operator
     X11Forwarding yes
 ```
+
+## When to ignore it
+Only if the robot's OpenSSH is newer than this tool and allows the keyword there: `sshd -t` on the robot shows
+it.
 
 ## References
 - sshd_config(5), "Match"
@@ -44,7 +48,7 @@ def not_in_match(robot: Robot):
                     match = places.get(problem.where.span)
                     yield finding(
                         problem.where,
-                        f"{problem.where} may not stand in a Match block: sshd refuses to start",
+                        f"{problem.where} is not allowed in a Match block: sshd refuses to start",
                         advice="move it above the first Match, or put Match all before it",
                         related=[note(match.keyword, "the block begins here")] if match else (),
                     )

@@ -1,11 +1,11 @@
 """A line that was meant for everyone belongs to the Match block above it.
 
 ## What it finds
-A line at the left margin behind a Match block whose own lines are indented.
+A line that is not indented, after a Match block whose own lines are indented.
 
 ## Why it matters on a robot
-Everything behind a Match line belongs to it, whatever the indentation, up to the next Match. The line that
-turns passwords off holds for one user only.
+All lines after a Match line belong to its block, up to the next Match, whatever their indentation. The line
+that should turn passwords off for everyone applies to one user only.
 
 ## Bad
 ```
@@ -20,6 +20,9 @@ PasswordAuthentication no
 Match User operator
     X11Forwarding yes
 ```
+
+## When to ignore it
+When the line is meant for the block. Indent it, so that the next reader sees it.
 
 ## References
 - sshd_config(5), "Match"
@@ -45,7 +48,7 @@ def option_swallowed_by_match(robot: Robot):
                 elif match.keyword.span in indented:
                     yield finding(
                         option.keyword,
-                        f"This line holds for Match {match.condition} only",
+                        f"This line applies only to Match {match.condition}",
                         advice="move it above the first Match, or put Match all before it",
                         related=[note(match.keyword, "the block begins here and ends at the next Match")],
                     )

@@ -1,12 +1,12 @@
 """A line of sshd_config that comes too late: the first value wins.
 
 ## What it finds
-A keyword that an earlier line, often in a drop-in, has set to something else. It is an error for the
-settings that keep people out.
+A line whose keyword an earlier line, often in a drop-in, sets to another value. It is an error for settings
+that keep people out, such as `PasswordAuthentication no`, and a warning for others.
 
 ## Why it matters on a robot
-sshd takes the first value of a keyword. Debian and Ubuntu include sshd_config.d in the first line, so that
-50-cloud-init.conf with `PasswordAuthentication yes` beats the line in sshd_config that says no.
+sshd uses the first value of a keyword. Debian and Ubuntu include sshd_config.d in the first line, so that
+`PasswordAuthentication yes` in 50-cloud-init.conf overrides the `no` in sshd_config.
 
 ## Bad
 ```
@@ -21,6 +21,9 @@ PasswordAuthentication no
 # sshd_config.d/00-robot.conf
 PasswordAuthentication no
 ```
+
+## When to ignore it
+When the later line is a fallback for robots that do not have the drop-in.
 
 ## References
 - sshd_config(5)
@@ -56,8 +59,8 @@ def overridden(robot: Robot):
                 option.keyword,
                 f"{winner.span.source.basename}:{winner.keyword.line} sets {option.name} first: this line has no "
                 "effect",
-                advice="delete one of the two; what must win belongs into a drop-in that sorts first, such as "
+                advice="delete one of the two, or move this setting to a drop-in that sorts first, such as "
                 "00-robot.conf",
-                related=[note(winner.keyword, f"this value counts: {' '.join(winner.arguments)}")],
+                related=[note(winner.keyword, f"sshd uses this value: {' '.join(winner.arguments)}")],
                 severity=None if protects else "warning",
             )

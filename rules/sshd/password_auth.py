@@ -1,11 +1,11 @@
 """SSH accepts passwords.
 
 ## What it finds
-An effective `PasswordAuthentication yes`. Where a whole configuration does not set it, the default is yes:
-a warning.
+An effective `PasswordAuthentication yes`. It is a warning when a complete configuration does not set it,
+because the default is yes. Configurations with AuthenticationMethods are not checked.
 
 ## Why it matters on a robot
-Passwords of robots are short, shared and the same on each of them; whoever reaches the network can try them
+Robot passwords are short, shared and the same on every robot. Anyone who reaches the network can try them
 all.
 
 ## Bad
@@ -18,6 +18,9 @@ PasswordAuthentication yes
 PasswordAuthentication no
 KbdInteractiveAuthentication no
 ```
+
+## When to ignore it
+On a development robot in a closed network, or during the first setup, before the keys are installed.
 
 ## References
 - sshd_config(5), "PasswordAuthentication"
@@ -41,7 +44,7 @@ def password_auth(robot: Robot):
             option.value if option else sshd.where,
             "SSH accepts passwords"
             + ("" if option else ": nothing sets PasswordAuthentication, and the default is yes"),
-            advice="PasswordAuthentication no, after the keys are in place",
-            fix=fix("PasswordAuthentication no", (option.value, "no")) if option else None,
+            advice="set PasswordAuthentication no once the keys are installed",
+            fix=fix("set PasswordAuthentication no", (option.value, "no")) if option else None,
             severity=None if option else "warning",
         )

@@ -1,11 +1,11 @@
 """Root may log in over SSH.
 
 ## What it finds
-An effective `PermitRootLogin yes`. `prohibit-password`, also as the default, is an info.
+An effective `PermitRootLogin yes`. `prohibit-password`, which is also the default, is an info.
 
 ## Why it matters on a robot
-The name is known, so only the password is left to guess, and what gets in owns the robot. Nothing tells who
-it was.
+The user name is known, so that only the password is left to guess. Whoever gets in controls the whole robot,
+and no log shows who it was.
 
 ## Bad
 ```
@@ -16,6 +16,9 @@ PermitRootLogin yes
 ```
 PermitRootLogin no
 ```
+
+## When to ignore it
+When an image has no account but root, or a fleet tool logs in as root with a key and a restricted command.
 
 ## References
 - sshd_config(5), "PermitRootLogin"
@@ -42,7 +45,7 @@ def root_login(robot: Robot):
         yield finding(
             option.value if option else sshd.where,
             f"Root may log in over SSH{keys}" + ("" if option else ": this is the default"),
-            advice="PermitRootLogin no, and sudo for those who need it",
-            fix=fix("PermitRootLogin no", (option.value, "no"), safe=value == "yes") if option else None,
+            advice="set PermitRootLogin no, and give sudo to those who need it",
+            fix=fix("set PermitRootLogin no", (option.value, "no"), safe=value == "yes") if option else None,
             severity=None if value == "yes" else "info",
         )

@@ -1,11 +1,11 @@
 """A keyword that sshd does not know: it refuses to start.
 
 ## What it finds
-A word at the start of a line that is no keyword of sshd_config.
+A word at the start of a line that is not a keyword of sshd_config.
 
 ## Why it matters on a robot
-sshd ends with an error at its next start. The session that made the change still works; after the reboot
-nobody gets in, and the robot is far away.
+sshd exits with an error at its next start. The session that made the change still works. After the reboot
+nobody can log in, and the robot may be far away.
 
 ## Bad
 ```
@@ -16,6 +16,10 @@ PasswordAuthentification no
 ```
 PasswordAuthentication no
 ```
+
+## When to ignore it
+Only if the robot's OpenSSH is newer than this tool, or patched, and knows the keyword: `sshd -t` on the robot
+shows it.
 
 ## References
 - sshd_config(5)
@@ -40,7 +44,7 @@ def unknown_option(robot: Robot):
                 meant = nearest(word, sshd.keywords)
                 yield finding(
                     word,
-                    f"sshd knows no '{word}' and refuses to start: nobody gets in any more",
-                    advice=f"did you mean {meant[0]}?" if meant else "remove the line, and try with sshd -t",
+                    f"sshd does not know '{word}' and refuses to start: nobody can log in",
+                    advice=f"did you mean {meant[0]}?" if meant else "remove the line, and test with sshd -t",
                     fix=fix(f"write {meant[0]}", (word, meant[0]), safe=False) if len(meant) == 1 else None,
                 )

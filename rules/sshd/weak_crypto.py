@@ -1,12 +1,12 @@
 """sshd offers algorithms that are broken.
 
 ## What it finds
-Ciphers, MACs, KexAlgorithms, HostKeyAlgorithms or PubkeyAcceptedAlgorithms with names such as 3des-cbc,
-hmac-md5 or ssh-rsa.
+Ciphers, MACs, KexAlgorithms, HostKeyAlgorithms or PubkeyAcceptedAlgorithms with broken algorithms such as
+3des-cbc, hmac-md5 or ssh-rsa.
 
 ## Why it matters on a robot
-OpenSSH has switched them off for good reasons. Who can listen to or sit in the robot's radio link can
-attack the connection.
+OpenSSH disables these algorithms by default because they can be broken. An attacker within radio range of the
+robot can attack the connection.
 
 ## Bad
 ```
@@ -17,6 +17,9 @@ Ciphers aes256-ctr,3des-cbc
 ```
 # the defaults of OpenSSH
 ```
+
+## When to ignore it
+When a device that cannot be updated, such as an old PLC, must connect to the robot over a network of its own.
 
 ## References
 - sshd_config(5), "Ciphers"
@@ -33,4 +36,4 @@ def weak_crypto(robot: Robot):
     for sshd in robot.sshd:
         for name in sshd.weak_algorithms():
             if name.span.source.judged and not name.span.source.template:
-                yield finding(name, f"{name} is weak", advice="delete it, or keep OpenSSH's defaults")
+                yield finding(name, f"sshd offers {name}, which is weak", advice="delete it, or use OpenSSH's defaults")

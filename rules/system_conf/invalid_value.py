@@ -1,10 +1,10 @@
-"""A value that systemd cannot read: the line is ignored.
+"""A value that systemd cannot parse: it ignores the line.
 
 ## What it finds
 A value in [Manager] of system.conf or a drop-in that does not follow the grammar of its key.
 
 ## Why it matters on a robot
-The hardware watchdog stays off, or the default timeouts stay as they are; only one line in the journal tells.
+The hardware watchdog stays off, or the default timeouts do not change. Only one line in the journal says so.
 
 ## Bad
 ```ini
@@ -17,6 +17,9 @@ DefaultTimeoutStopSec=20sek
 [Manager]
 DefaultTimeoutStopSec=20s
 ```
+
+## When to ignore it
+Never: systemd ignores the line, so that it has no effect. Correct or delete it.
 
 ## References
 - systemd-system.conf(5), systemd.syntax(7), systemd.time(7)

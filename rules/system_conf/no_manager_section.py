@@ -4,8 +4,8 @@
 Settings in system.conf or a drop-in before any section header.
 
 ## Why it matters on a robot
-systemd ignores lines outside its section; only a message in the journal tells. The hardware watchdog stays
-off, or the default timeouts stay as they are; only one line in the journal tells.
+systemd ignores lines outside of a section. The hardware watchdog stays off, or the default timeouts do not
+change. Only one line in the journal says so.
 
 ## Bad
 ```ini
@@ -17,6 +17,10 @@ RuntimeWatchdogSec=20s
 [Manager]
 RuntimeWatchdogSec=20s
 ```
+
+## When to ignore it
+Only if the file is a fragment that another tool appends to a file with a [Manager] header. systemd itself
+always ignores these lines.
 
 ## References
 - systemd-system.conf(5)

@@ -1,10 +1,10 @@
-"""ShutdownWatchdogSec= has been called RebootWatchdogSec= since systemd 243.
+"""systemd 243 renamed ShutdownWatchdogSec= to RebootWatchdogSec=.
 
 ## What it finds
 `ShutdownWatchdogSec=` in [Manager].
 
 ## Why it matters on a robot
-The old name still works, as a second spelling of the same setting: where both are set, the later one wins.
+The old name still works as a second spelling of the same setting. If both are set, the later one wins.
 
 ## Bad
 ```ini
@@ -17,6 +17,9 @@ ShutdownWatchdogSec=2min
 [Manager]
 RebootWatchdogSec=2min
 ```
+
+## When to ignore it
+When the file must also work with systemd older than 243, which knows only the old name.
 
 ## References
 - systemd-system.conf(5), "RebootWatchdogSec="
@@ -39,7 +42,7 @@ def shutdown_watchdog_renamed(robot: Robot):
                 yield finding(
                     key,
                     "ShutdownWatchdogSec= is the old name of RebootWatchdogSec="
-                    + (", which is set too" if new else ""),
+                    + (", which is also set" if new else ""),
                     advice="delete one of the two" if new else "write RebootWatchdogSec=",
                     related=[note(new.key, "the same setting")] if new else (),
                     fix=None if new or line.file.source.template else fix("rename", (key, "RebootWatchdogSec")),

@@ -1,11 +1,13 @@
 """A key that systemd does not know: the line is ignored.
 
 ## What it finds
-A key in [Manager] of system.conf or a drop-in that no release knows, and one that the robot's release does
-not know yet.
+A key in [Manager] of system.conf or a drop-in that systemd ignores:
+
+- error: no release of systemd knows the key;
+- warning: the key is newer than the robot's release.
 
 ## Why it matters on a robot
-The hardware watchdog stays off, or the default timeouts stay as they are; only one line in the journal tells.
+The hardware watchdog stays off, or the default timeouts do not change. Only one line in the journal says so.
 
 ## Bad
 ```ini
@@ -18,6 +20,10 @@ RuntimeWatchDogSec=20s
 [Manager]
 RuntimeWatchdogSec=20s
 ```
+
+## When to ignore it
+When the same file is deployed to robots with older and newer releases, and the older ones can do without the
+setting.
 
 ## References
 - systemd-system.conf(5)

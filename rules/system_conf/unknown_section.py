@@ -1,12 +1,12 @@
 """A section that systemd does not read.
 
 ## What it finds
-A section other than [Manager] in system.conf or a drop-in. Sections that start with X- are meant for other
-programs and are fine.
+A section other than [Manager] in system.conf or a drop-in. Sections whose name starts with `X-` are for other
+programs and are exempt.
 
 ## Why it matters on a robot
-systemd ignores the section with everything in it. The hardware watchdog stays off, or the default timeouts
-stay as they are; only one line in the journal tells.
+systemd ignores the whole section. The hardware watchdog stays off, or the default timeouts do not change.
+Only one line in the journal says so.
 
 ## Bad
 ```ini
@@ -19,6 +19,9 @@ RuntimeWatchdogSec=20s
 [Manager]
 RuntimeWatchdogSec=20s
 ```
+
+## When to ignore it
+Never: systemd ignores the section. Rename it, or prefix it with `X-` if another program reads it.
 
 ## References
 - systemd-system.conf(5)

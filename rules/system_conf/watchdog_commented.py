@@ -1,12 +1,13 @@
-"""The watchdog lines are comments: nothing is enabled.
+"""The watchdog settings are commented out: nothing is enabled.
 
 ## What it finds
-RuntimeWatchdogSec and its likes with a value of their own, only in comments, while no file sets them. The
-commented defaults of the distribution's file are left alone.
+A comment that sets RuntimeWatchdogSec, RebootWatchdogSec, ShutdownWatchdogSec or KExecWatchdogSec to a value
+other than the default, while no file sets that key. The commented defaults in the distribution's file are
+exempt.
 
 ## Why it matters on a robot
-Someone wanted the hardware watchdog and believes that it is on. A hung kernel leaves the robot standing
-where it is.
+Someone wanted the hardware watchdog and believes that it is on. When the kernel hangs, nothing restarts the
+robot.
 
 ## Bad
 ```ini
@@ -19,6 +20,10 @@ where it is.
 [Manager]
 RuntimeWatchdogSec=20s
 ```
+
+## When to ignore it
+When the watchdog was disabled on purpose, for example because the board's driver resets the robot during a
+long boot. Say so in the comment.
 
 ## References
 - systemd-system.conf(5), "RuntimeWatchdogSec="
@@ -52,7 +57,7 @@ def watchdog_commented(robot: Robot):
             first = header if len(seen) == 1 else ""
             yield finding(
                 line,
-                f"{key}={value} is only a comment: nothing is enabled",
-                advice="remove the #" + (", and put [Manager] above" if header else ""),
+                f"{key}={value} is commented out: nothing is enabled",
+                advice="remove the #" + (" and add [Manager] above" if header else ""),
                 fix=fix("remove the #", (line, f"{first}{key}={value}"), safe=False),
             )

@@ -1,12 +1,12 @@
-"""Two owners of one watchdog: the second cannot open it.
+"""Two programs open one watchdog device: the second one fails.
 
 ## What it finds
-RuntimeWatchdogSec switched on together with watchdog-device in watchdog.conf, or with a script or program
-of the tree that opens /dev/watchdog.
+RuntimeWatchdogSec is on, and something else opens the same device: watchdog-device in watchdog.conf, or a
+script or program in the tree.
 
 ## Why it matters on a robot
-The kernel gives the device to one process. systemd takes it first; the daemon or the node gets EBUSY and
-ends, or goes on without a watchdog.
+The kernel gives the device to one process. systemd opens it first. The daemon or node gets EBUSY, then exits
+or continues without a watchdog.
 
 ## Bad
 ```ini
@@ -22,6 +22,10 @@ RuntimeWatchdogSec=20s
 [Manager]
 RuntimeWatchdogSec=20s
 ```
+
+## When to ignore it
+When the other program never runs while systemd feeds the watchdog, for example a test tool or a package that
+is installed but disabled.
 
 ## References
 - systemd-system.conf(5), "WatchdogDevice="
@@ -47,7 +51,7 @@ def watchdog_device_contention(robot: Robot):
             if str(owner).replace("/dev/watchdog0", "/dev/watchdog") == name and owner.span.source.judged:
                 yield finding(
                     owner,
-                    f"systemd has {owner} already: {what} gets EBUSY",
-                    advice="keep one owner: remove RuntimeWatchdogSec=, or this one",
+                    f"systemd already has {owner} open: {what} gets EBUSY",
+                    advice="keep one of the two: remove RuntimeWatchdogSec=, or do not open the device here",
                     related=[note(runtime[0], "systemd opens the watchdog")],
                 )

@@ -1,12 +1,12 @@
-"""No hardware watchdog: a hung kernel leaves the robot standing.
+"""No hardware watchdog: nothing restarts the robot when the kernel hangs.
 
 ## What it finds
-A complete root file system with ROS where nothing sets RuntimeWatchdogSec and no other program has
+A complete root file system with ROS where RuntimeWatchdogSec is not set and no other program opens
 /dev/watchdog.
 
 ## Why it matters on a robot
-When the kernel or systemd hangs, nothing restarts the computer; the motors keep their last command until
-someone comes.
+When the kernel or systemd hangs, nothing restarts the computer. The motors keep their last command until
+someone intervenes.
 
 ## Bad
 ```ini
@@ -19,6 +19,10 @@ someone comes.
 [Manager]
 RuntimeWatchdogSec=14s
 ```
+
+## When to ignore it
+When the computer has no hardware watchdog, or when a safety controller outside of the computer cuts the
+power.
 
 ## References
 - systemd-system.conf(5), "RuntimeWatchdogSec="
@@ -39,5 +43,5 @@ def watchdog_missing(robot: Robot):
             yield finding(
                 daemon.where,
                 "Nothing restarts the robot when the kernel or systemd hangs",
-                advice="set RuntimeWatchdogSec=, below what the hardware can count to",
+                advice="set RuntimeWatchdogSec= to a value that the hardware timer supports",
             )

@@ -1,11 +1,13 @@
-"""The watchdog daemon feeds too late: the robot reboots.
+"""The watchdog daemon feeds the watchdog too late: the robot reboots.
 
 ## What it finds
-watchdog.conf with an interval that is not below watchdog-timeout (60 s by default); above half of it, as a
-warning.
+watchdog.conf sets `interval` too large for watchdog-timeout (60 s by default):
+
+- error: interval is at least the timeout;
+- warning: interval is more than half of the timeout.
 
 ## Why it matters on a robot
-The hardware resets the robot before the daemon feeds it, again and again.
+The hardware resets the robot before the daemon feeds the watchdog, again and again.
 
 ## Bad
 ```ini
@@ -20,6 +22,10 @@ watchdog-device = /dev/watchdog
 watchdog-timeout = 10
 interval = 2
 ```
+
+## When to ignore it
+The warning, when the device has a larger timeout that it does not let watchdog.conf change. Never ignore the
+error.
 
 ## References
 - watchdog.conf(5)
@@ -46,9 +52,9 @@ def watchdog_timeout_vs_interval(robot: Robot):
             late = int(interval) >= most
             yield finding(
                 interval,
-                f"The daemon feeds every {interval} s, the watchdog resets after {most} s"
-                + ("" if late else ": one late turn and the robot reboots"),
-                advice=f"interval = {max(most // 4, 1)}",
+                f"The daemon feeds the watchdog every {interval} s, and the watchdog resets after {most} s"
+                + ("" if late else ": one late cycle reboots the robot"),
+                advice=f"set interval = {max(most // 4, 1)}",
                 related=[note(timeout, "the watchdog's timeout")] if timeout is not None else (),
                 severity=None if late else "warning",
             )

@@ -158,7 +158,7 @@ class RosLogs:
                     mode, group = int(match["mode"].lstrip("~:"), 8), match["group"]
                     loose = mode & 0o002 or (mode & 0o020 and group not in ("root", "0", "-"))
                     where = source.located(*match.span("mode"))
-                    return (where, f"made with mode {match['mode']}", f"{match['user']} {group}") if loose else None
+                    return (where, f"created with mode {match['mode']}", f"{match['user']} {group}") if loose else None
         for mount in self.robot.fstabs[0].mounts if len(self.robot.fstabs) == 1 else ():
             if mount.is_tmpfs and mount.target == folder and mount.option("mode") is None:
                 return mount.target, "a tmpfs without mode= has mode 1777", ""
