@@ -1,4 +1,8 @@
-"""All that a rule imports: the decorator, findings, and the words of the model."""
+"""What every rule imports: the decorator, findings and fixes, and the robot.
+
+The modules of this package hold what rules of one subject need besides: ``from bringup_lint.api import launch``, or
+``from bringup_lint.api.systemd import flag``. A module loads the layers of its subject only.
+"""
 
 from __future__ import annotations
 
@@ -6,8 +10,6 @@ from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
 from dataclasses import dataclass
-from importlib import import_module
-from typing import Any
 
 from bringup_lint.finding import Applicability
 from bringup_lint.finding import Confidence
@@ -23,53 +25,6 @@ from bringup_lint.source import Source
 from bringup_lint.source import Span
 
 __all__ = ["Edit", "Finding", "Located", "Robot", "Source", "Span", "finding", "fix", "note", "rule"]
-
-_WORDS = {
-    "all_respawn": "bringup_lint.graph.launch.of_units",
-    "at_least": "bringup_lint.facts.ros.distros",
-    "commands_of": "bringup_lint.parsers.dockerfile",
-    "daemon_rules": "bringup_lint.daemon_rules",
-    "daemons": "bringup_lint.graph.host.daemons",
-    "delete_lines": "bringup_lint.graph.systemd.unit_edits",
-    "devices_of": "bringup_lint.graph.launch.of_units",
-    "directives": "bringup_lint.facts.systemd.directives",
-    "distro_end": "bringup_lint.facts.ros.distros",
-    "distros_since": "bringup_lint.facts.ros.distros",
-    "duration": "bringup_lint.graph.systemd.settings",
-    "file_capabilities": "bringup_lint.graph.systemd.capabilities",
-    "first_key": "bringup_lint.graph.yaml_edits",
-    "flag": "bringup_lint.graph.systemd.settings",
-    "forgotten": "bringup_lint.graph.systemd.filesystem",
-    "granted_limits": "bringup_lint.graph.systemd.limits",
-    "is_example": "bringup_lint.templates",
-    "is_made": "bringup_lint.graph.systemd.filesystem",
-    "is_stand_in": "bringup_lint.templates",
-    "is_there": "bringup_lint.graph.systemd.filesystem",
-    "json5": "bringup_lint.parsers.json5",
-    "launch": "bringup_lint.graph.launch.words",
-    "launched": "bringup_lint.graph.launch.of_units",
-    "lift_comment": "bringup_lint.graph.systemd.unit_edits",
-    "memory": "bringup_lint.graph.systemd.memory",
-    "move_lines": "bringup_lint.graph.systemd.unit_edits",
-    "nearest": "bringup_lint.spelling",
-    "nodes": "bringup_lint.graph.nodes.words",
-    "paths": "bringup_lint.graph.systemd.sandbox",
-    "ros_values": "bringup_lint.parsers.ros_values",
-    "runs_as_root": "bringup_lint.model.dockerfile",
-    "sandbox": "bringup_lint.graph.systemd.sandbox",
-    "shell_commands": "bringup_lint.parsers.shell",
-    "stop_time": "bringup_lint.graph.launch.supervision",
-    "topics": "bringup_lint.graph.topics.words",
-}
-"""Words of single layers, and whole modules of them, loaded when the first rule asks for them."""
-
-
-def __getattr__(name: str) -> Any:
-    if name not in _WORDS:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    module = import_module(_WORDS[name])
-    return getattr(module, name, module)
-
 
 Place = Located | Span | Source
 Check = Callable[[Robot], Iterator[Finding]]

@@ -8,10 +8,18 @@ from collections.abc import Iterator
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.finding import Finding
-from bringup_lint.graph.host import daemons
 from bringup_lint.graph.host.daemons import Daemon
+from bringup_lint.graph.host.daemons import bad_values
+from bringup_lint.graph.host.daemons import headless
+from bringup_lint.graph.host.daemons import newer_keys
+from bringup_lint.graph.host.daemons import other_sections
+from bringup_lint.graph.host.daemons import setting_names
+from bringup_lint.graph.host.daemons import unknown_keys as keys_unknown_to
+from bringup_lint.graph.host.daemons import watchdog_seconds
 from bringup_lint.graph.target import Target
 from bringup_lint.spelling import nearest
+
+__all__ = ["Daemon", "invalid_values", "lines_without_section", "unknown_keys", "unknown_sections", "watchdog_seconds"]
 
 PROGRAMS = {"journald": "journald", "system": "systemd", "logind": "logind"}
 MANUALS = {"journald": "journald.conf(5)", "system": "systemd-system.conf(5)", "logind": "logind.conf(5)"}
@@ -20,7 +28,7 @@ MANUALS = {"journald": "journald.conf(5)", "system": "systemd-system.conf(5)", "
 def invalid_values(configurations: Iterable[Daemon], target: Target) -> Iterator[Finding]:
     """A value that does not follow the grammar of its key."""
     for daemon in configurations:
-        for assignment, problem in daemons.bad_values(daemon, target.newest):
+        for assignment, problem in bad_values(daemon, target.newest):
             text, program = problem.suggestion, PROGRAMS[daemon.name]
             yield finding(
                 problem.where,
@@ -33,16 +41,16 @@ def invalid_values(configurations: Iterable[Daemon], target: Target) -> Iterator
 def unknown_keys(configurations: Iterable[Daemon], target: Target) -> Iterator[Finding]:
     """A key that no release knows, or not yet the robot's."""
     for daemon in configurations:
-        for assignment in daemons.unknown_keys(daemon):
+        for assignment in keys_unknown_to(daemon):
             key = assignment.key
-            meant = nearest(key, daemons.setting_names(daemon.name))
+            meant = nearest(key, setting_names(daemon.name))
             yield finding(
                 key,
                 f"Unknown key '{key}' in [{daemon.section}]: {PROGRAMS[daemon.name]} ignores the line",
                 advice=f"did you mean {meant[0]}?" if meant else f"remove the line, or see {MANUALS[daemon.name]}",
                 fix=fix(f"rename to {meant[0]}", (key, meant[0])) if len(meant) == 1 else None,
             )
-        for assignment, since in daemons.newer_keys(daemon, target.systemd) if target.systemd_known else ():
+        for assignment, since in newer_keys(daemon, target.systemd) if target.systemd_known else ():
             yield finding(
                 assignment.key,
                 f"{assignment.key}= needs systemd {since}; the robot has {target.systemd} ({target.systemd_why}), "
@@ -55,8 +63,8 @@ def unknown_keys(configurations: Iterable[Daemon], target: Target) -> Iterator[F
 def unknown_sections(configurations: Iterable[Daemon]) -> Iterator[Finding]:
     """A section other than the daemon's own."""
     for daemon in configurations:
-        known, own = daemons.setting_names(daemon.name), daemon.section
-        for section in daemons.other_sections(daemon):
+        known, own = setting_names(daemon.name), daemon.section
+        for section in other_sections(daemon):
             keys = [assignment.key for assignment in section.assignments]
             change = fix(f"rename to [{own}]", (section.name, own))
             yield finding(
@@ -70,7 +78,7 @@ def unknown_sections(configurations: Iterable[Daemon]) -> Iterator[Finding]:
 def lines_without_section(configurations: Iterable[Daemon]) -> Iterator[Finding]:
     """Lines above the first section header."""
     for daemon in configurations:
-        for first, count in daemons.headless(daemon):
+        for first, count in headless(daemon):
             what = "this line is" if count == 1 else f"these {count} lines are"
             yield finding(
                 first,

@@ -16,4 +16,18 @@ from bringup_lint.graph.topics.unconnected import corrected
 from bringup_lint.graph.topics.unconnected import misspelt
 from bringup_lint.graph.topics.unconnected import unserved
 
-__all__ = [name for name in dir() if not name.startswith("_") and name != "annotations"]
+__all__ = [
+    "corrected",
+    "has_stop_hardware",
+    "is_gate",
+    "is_stop",
+    "is_velocity",
+    "misspelt",
+    "published_at_start",
+    "refusal",
+    "rivals",
+    "shared_by_namespaces",
+    "tail",
+    "ungated",
+    "unserved",
+]

@@ -26,9 +26,9 @@ nav:
 
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
-from bringup_lint.api import first_key
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.yaml import first_key
 
 
 @rule("info", fix="safe")

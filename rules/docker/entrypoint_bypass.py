@@ -27,9 +27,9 @@ ENTRYPOINT ["/ros_entrypoint.sh", "ros2", "launch", "base", "base.launch.py"]
 import re
 
 from bringup_lint.api import Robot
-from bringup_lint.api import distros_since
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.ros import distros_since
 
 OFFICIAL = re.compile(rf"(?:^|/)(?:osrf/)?ros:(?:{'|'.join(distros_since('humble'))})")
 SOURCES = re.compile(r"setup\.(?:ba|z)?sh|ros_entrypoint\.sh")

@@ -28,10 +28,10 @@ USER robot
 import re
 
 from bringup_lint.api import Robot
-from bringup_lint.api import commands_of
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.docker import commands_of
 
 SHELLS = frozenset(f"{folder}/{shell}" for folder in ("/bin", "/usr/bin") for shell in ("sh", "bash", "dash"))
 PACKAGE_TOOLS = frozenset(("apt", "apt-get", "dpkg"))

@@ -33,7 +33,7 @@ import re
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
-from bringup_lint.api import runs_as_root
+from bringup_lint.api.docker import runs_as_root
 
 DROPS = re.compile(r"\b(?:gosu|su-exec|setpriv|runuser|fixuid)\b")
 

@@ -27,10 +27,10 @@ RUN userdel -r ubuntu && useradd -u 1000 -m robot
 import re
 
 from bringup_lint.api import Robot
-from bringup_lint.api import commands_of
-from bringup_lint.api import distros_since
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.docker import commands_of
+from bringup_lint.api.ros import distros_since
 
 UBUNTU_24 = re.compile(
     r"(?:^|/)(?:ubuntu:(?:2[3-9]\.|noble|questing|plucky|resolute|latest)|ubuntu$"

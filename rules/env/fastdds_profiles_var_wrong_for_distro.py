@@ -23,10 +23,10 @@ FASTRTPS_DEFAULT_PROFILES_FILE=/etc/robot/fastdds.xml
 """
 
 from bringup_lint.api import Robot
-from bringup_lint.api import at_least
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.ros import at_least
 
 OLD, NEW = "FASTRTPS_DEFAULT_PROFILES_FILE", "FASTDDS_DEFAULT_PROFILES_FILE"
 

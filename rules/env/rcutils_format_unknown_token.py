@@ -23,28 +23,29 @@ RCUTILS_CONSOLE_OUTPUT_FORMAT=[{severity}] {message}
 import re
 
 from bringup_lint.api import Robot
-from bringup_lint.api import at_least
 from bringup_lint.api import finding
-from bringup_lint.api import nearest
-from bringup_lint.api import ros_values
 from bringup_lint.api import rule
+from bringup_lint.api.ros import FORMAT_TOKENS
+from bringup_lint.api.ros import FORMAT_TOKENS_SINCE
+from bringup_lint.api.ros import at_least
+from bringup_lint.api.spelling import nearest
 
 
 @rule("warning")
 def rcutils_format_unknown_token(robot: Robot):
     for setting in robot.ros.of("RCUTILS_CONSOLE_OUTPUT_FORMAT"):
         for token in re.finditer(r"\{(\w+)\}", setting.value):
-            since = ros_values.FORMAT_TOKENS_SINCE.get(token[1])
+            since = FORMAT_TOKENS_SINCE.get(token[1])
             if since and at_least(robot.target.ros, since) is False:
                 yield finding(
                     setting.value.part(*token.span()),
                     f"{robot.target.ros} does not know {token[0]}: rcutils prints it in every line of the log",
                     advice=f"leave it out: it comes with {since}",
                 )
-            elif token[1] not in ros_values.FORMAT_TOKENS:
-                near = nearest(token[1], ros_values.FORMAT_TOKENS)
+            elif token[1] not in FORMAT_TOKENS:
+                near = nearest(token[1], FORMAT_TOKENS)
                 yield finding(
                     setting.value.part(*token.span()),
                     f"rcutils does not know {token[0]} and prints it in every line of the log",
-                    advice=f"write {{{near[0]}}}" if near else f"known: {', '.join(ros_values.FORMAT_TOKENS)}",
+                    advice=f"write {{{near[0]}}}" if near else f"known: {', '.join(FORMAT_TOKENS)}",
                 )

@@ -25,8 +25,8 @@ RCUTILS_COLORIZED_OUTPUT=1
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
-from bringup_lint.api import ros_values
 from bringup_lint.api import rule
+from bringup_lint.api.ros import LOGGING_SWITCHES
 
 WORDS = {"true": "1", "yes": "1", "on": "1", "false": "0", "no": "0", "off": "0"}
 
@@ -36,7 +36,7 @@ SYMPTOMS = ["unexpected value [", "error initializing logging", "failed to confi
 
 @rule("error", fix="safe", symptoms=SYMPTOMS)
 def rcutils_logging_bool(robot: Robot):
-    for setting in robot.ros.of(*ros_values.LOGGING_SWITCHES):
+    for setting in robot.ros.of(*LOGGING_SWITCHES):
         if setting.text in ("", "0", "1"):
             continue
         meant = WORDS.get(setting.text.lower())

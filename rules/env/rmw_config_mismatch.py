@@ -24,10 +24,10 @@ CYCLONEDDS_URI=file:///etc/robot/cyclonedds.xml
 """
 
 from bringup_lint.api import Robot
-from bringup_lint.api import at_least
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.ros import at_least
 
 FASTDDS = ("FASTRTPS_DEFAULT_PROFILES_FILE", "FASTDDS_DEFAULT_PROFILES_FILE")
 

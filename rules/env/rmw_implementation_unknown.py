@@ -22,12 +22,12 @@ RMW_IMPLEMENTATION=rmw_cyclonedds_cpp
 """
 
 from bringup_lint.api import Robot
-from bringup_lint.api import at_least
 from bringup_lint.api import finding
 from bringup_lint.api import fix
-from bringup_lint.api import nearest
-from bringup_lint.api import ros_values
 from bringup_lint.api import rule
+from bringup_lint.api.ros import RMW_IMPLEMENTATIONS
+from bringup_lint.api.ros import at_least
+from bringup_lint.api.spelling import nearest
 
 
 @rule("error", fix="unsafe", symptoms=["failed to load shared library", "Error getting RMW implementation identifier"])
@@ -36,7 +36,7 @@ def rmw_implementation_unknown(robot: Robot):
         name = setting.text
         if not name or name in _own(robot):
             continue
-        known = [rmw for rmw in ros_values.RMW_IMPLEMENTATIONS if rmw != "rmw_zenoh_cpp" or _has_zenoh(robot)]
+        known = [rmw for rmw in RMW_IMPLEMENTATIONS if rmw != "rmw_zenoh_cpp" or _has_zenoh(robot)]
         if name in known:
             continue
         near = (
@@ -48,7 +48,7 @@ def rmw_implementation_unknown(robot: Robot):
         yield finding(
             setting.value,
             f"RMW_IMPLEMENTATION '{name}' is no middleware"
-            + (f" of {robot.target.ros}" if name in ros_values.RMW_IMPLEMENTATIONS else "")
+            + (f" of {robot.target.ros}" if name in RMW_IMPLEMENTATIONS else "")
             + ": every ROS process exits at start",
             advice=f"write {near[0]}" if near else f"write one of {', '.join(known)}",
             fix=fix(f"write {near[0]}", (setting.value, near[0]), safe=False) if near else None,

@@ -23,11 +23,11 @@ ROS_AUTOMATIC_DISCOVERY_RANGE=SUBNET
 """
 
 from bringup_lint.api import Robot
-from bringup_lint.api import at_least
 from bringup_lint.api import finding
 from bringup_lint.api import fix
-from bringup_lint.api import ros_values
 from bringup_lint.api import rule
+from bringup_lint.api.ros import DISCOVERY_RANGES
+from bringup_lint.api.ros import at_least
 
 
 @rule("error", fix="safe", symptoms=["Invalid value for ROS_AUTOMATIC_DISCOVERY_RANGE"])
@@ -35,10 +35,10 @@ def ros_discovery_range_invalid(robot: Robot):
     if not at_least(robot.target.ros, "iron"):
         return
     for setting in robot.ros.of("ROS_AUTOMATIC_DISCOVERY_RANGE"):
-        if setting.text in ("", *ros_values.DISCOVERY_RANGES):
+        if setting.text in ("", *DISCOVERY_RANGES):
             continue
         upper = setting.text.upper()
-        known = upper if upper in ros_values.DISCOVERY_RANGES else None
+        known = upper if upper in DISCOVERY_RANGES else None
         yield finding(
             setting.value,
             f"'{setting.text}' is no discovery range: the process falls back to LOCALHOST, all other machines vanish",

@@ -22,9 +22,9 @@ FROM ros:jazzy
 """
 
 from bringup_lint.api import Robot
-from bringup_lint.api import distro_end
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.ros import distro_end
 
 OLDER = ("eloquent", "dashing", "crystal")
 

@@ -26,8 +26,9 @@ ROS_DOMAIN_ID=50
 
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
-from bringup_lint.api import ros_values
 from bringup_lint.api import rule
+from bringup_lint.api.ros import EPHEMERAL_DOMAINS
+from bringup_lint.api.ros import domain_id
 
 
 @rule("warning", symptoms=["Address already in use", "failed to create participant"])
@@ -35,8 +36,8 @@ def ros_domain_id_ephemeral(robot: Robot):
     if any(_moves_ports(source.text) for source in robot.of_kind("sysctl")):
         return
     for setting in robot.ros.of("ROS_DOMAIN_ID"):
-        number = ros_values.domain_id(setting.text).number
-        if number in ros_values.EPHEMERAL_DOMAINS:
+        number = domain_id(setting.text).number
+        if number in EPHEMERAL_DOMAINS:
             yield finding(
                 setting.value,
                 f"Domain {number} uses ports from {7400 + 250 * number} on, which outgoing connections may take first:"

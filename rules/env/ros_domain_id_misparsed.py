@@ -24,20 +24,21 @@ ROS_DOMAIN_ID=42
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
-from bringup_lint.api import ros_values
 from bringup_lint.api import rule
+from bringup_lint.api.ros import MAX_DOMAIN
+from bringup_lint.api.ros import domain_id
 
 
 @rule("error", fix="unsafe", symptoms=["no topics", "nodes do not see each other"])
 def ros_domain_id_misparsed(robot: Robot):
     for setting in robot.ros.of("ROS_DOMAIN_ID"):
-        number, plain = ros_values.domain_id(setting.text)
+        number, plain = domain_id(setting.text)
         if number is not None and not plain:
             yield finding(
                 setting.value,
                 f"ROS_DOMAIN_ID '{setting.text}' is read as domain {number}",
                 advice="write the number in plain decimal digits",
-                fix=_as_read(setting.value, number) if number <= ros_values.MAX_DOMAIN else None,
+                fix=_as_read(setting.value, number) if number <= MAX_DOMAIN else None,
             )
 
 

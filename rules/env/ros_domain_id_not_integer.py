@@ -23,14 +23,14 @@ ROS_DOMAIN_ID=42
 
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
-from bringup_lint.api import ros_values
 from bringup_lint.api import rule
+from bringup_lint.api.ros import domain_id
 
 
 @rule("error", symptoms=["ROS_DOMAIN_ID is not an integral number", "ROS_DOMAIN_ID is out of range"])
 def ros_domain_id_not_integer(robot: Robot):
     for setting in robot.ros.of("ROS_DOMAIN_ID"):
-        if ros_values.domain_id(setting.text).number is None:
+        if domain_id(setting.text).number is None:
             yield finding(
                 setting.value,
                 f"rcl reads no number in ROS_DOMAIN_ID '{setting.text}': every ROS process exits at start",

@@ -25,18 +25,20 @@ ROS_DOMAIN_ID=30
 
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
-from bringup_lint.api import ros_values
 from bringup_lint.api import rule
+from bringup_lint.api.ros import MAX_DOMAIN
+from bringup_lint.api.ros import domain_id
+from bringup_lint.api.ros import highest_port
 
 
 @rule("error", symptoms=["domainId is over 232", "resulting port number is out of range", "failed to create domain"])
 def ros_domain_id_out_of_range(robot: Robot):
     for setting in robot.ros.of("ROS_DOMAIN_ID"):
-        number = ros_values.domain_id(setting.text).number
-        if number is not None and number > ros_values.MAX_DOMAIN and not _own_ports(robot):
+        number = domain_id(setting.text).number
+        if number is not None and number > MAX_DOMAIN and not _own_ports(robot):
             yield finding(
                 setting.value,
-                f"Domain {number} needs UDP port {ros_values.highest_port(number)}: no node starts"
+                f"Domain {number} needs UDP port {highest_port(number)}: no node starts"
                 if number < 2**24
                 else f"Domain {number} is cut to 32 bits: the nodes join another domain, or none",
                 advice="use a domain from 0 to 101",

@@ -22,10 +22,10 @@ ROS_LOCALHOST_ONLY=1
 """
 
 from bringup_lint.api import Robot
-from bringup_lint.api import at_least
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.ros import at_least
 
 
 @rule("error", fix="unsafe", tags=["CWE-923"])

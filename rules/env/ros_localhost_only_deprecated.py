@@ -23,10 +23,10 @@ ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST
 """
 
 from bringup_lint.api import Robot
-from bringup_lint.api import at_least
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.ros import at_least
 
 
 @rule("info", symptoms=["ROS_LOCALHOST_ONLY is deprecated"])

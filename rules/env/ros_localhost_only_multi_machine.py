@@ -29,10 +29,10 @@ CYCLONEDDS_URI=file:///etc/lawn/cyclonedds.xml
 """
 
 from bringup_lint.api import Robot
-from bringup_lint.api import at_least
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.ros import at_least
 
 RANGE = "ROS_AUTOMATIC_DISCOVERY_RANGE"
 

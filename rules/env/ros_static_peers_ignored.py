@@ -25,10 +25,10 @@ ROS_STATIC_PEERS=10.0.0.2
 """
 
 from bringup_lint.api import Robot
-from bringup_lint.api import at_least
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.ros import at_least
 
 
 @rule("warning")

@@ -31,7 +31,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api import shell_commands
+from bringup_lint.api.shell import shell_commands
 
 SETUP = re.compile(r"(?:^|/)(?:local_)?setup\.(?:bash|sh)$")
 

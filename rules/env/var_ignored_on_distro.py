@@ -23,9 +23,9 @@ ROS_LOCALHOST_ONLY=1
 """
 
 from bringup_lint.api import Robot
-from bringup_lint.api import at_least
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.ros import at_least
 
 SINCE = {
     "ROS_AUTOMATIC_DISCOVERY_RANGE": ("iron", "use ROS_LOCALHOST_ONLY"),

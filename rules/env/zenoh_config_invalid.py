@@ -24,9 +24,9 @@ ZENOH_CONFIG_OVERRIDE=mode="client";connect/endpoints=["tcp/10.0.0.20:7447"]
 
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
-from bringup_lint.api import json5
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.ros import json5
 
 FILES = ("ZENOH_ROUTER_CONFIG_URI", "ZENOH_SESSION_CONFIG_URI")
 

@@ -26,8 +26,8 @@ UUID=… /data ext4 defaults,nofail 0 2
 
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
-from bringup_lint.api import nearest
 from bringup_lint.api import rule
+from bringup_lint.api.spelling import nearest
 
 
 @rule("error", symptoms=["Unknown parameter", "bad option"])

@@ -28,10 +28,10 @@ always ignores these lines.
 """
 
 from bringup_lint.api import Robot
-from bringup_lint.api import daemon_rules
+from bringup_lint.api import daemons
 from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["Assignment outside of section"])
 def no_header(robot: Robot):
-    yield from daemon_rules.lines_without_section(robot.journald)
+    yield from daemons.lines_without_section(robot.journald)

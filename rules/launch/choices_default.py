@@ -23,8 +23,8 @@ DeclareLaunchArgument('lidar', default_value='a2', choices=['a2', 'a3'])
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
-from bringup_lint.api import nearest
 from bringup_lint.api import rule
+from bringup_lint.api.spelling import nearest
 
 
 @rule("error", symptoms=["is not in provided choices"])

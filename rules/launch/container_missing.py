@@ -23,9 +23,9 @@ LoadComposableNodes(target_container='vision', composable_node_descriptions=[...
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
-from bringup_lint.api import nearest
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.spelling import nearest
 
 
 @rule("error")

@@ -25,9 +25,9 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import launch
-from bringup_lint.api import nearest
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.spelling import nearest
 
 PUBLIC = {"gazebo_ros": ("spawn_entity.py",)}
 """All executables of public packages whose programs people guess."""

@@ -26,9 +26,9 @@ import os
 
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
-from bringup_lint.api import nearest
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.spelling import nearest
 
 
 @rule("error", symptoms=["Parameter file path is not a file", "Couldn't parse params file"])

@@ -24,9 +24,9 @@ ComposableNode(package='my_vision', plugin='my_vision::Detector')
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
-from bringup_lint.api import nearest
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.spelling import nearest
 
 
 @rule(

@@ -30,9 +30,9 @@ LaunchDescription([
 
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
-from bringup_lint.api import nearest
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.spelling import nearest
 
 OWN = ("ros_namespace", "ros_remaps", "global_params")
 """launch_ros keeps these among the launch configurations."""

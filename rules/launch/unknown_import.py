@@ -24,8 +24,8 @@ from launch_ros.actions import LoadComposableNodes
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
-from bringup_lint.api import nearest
 from bringup_lint.api import rule
+from bringup_lint.api.spelling import nearest
 
 
 @rule("error", fix="unsafe", symptoms=["ImportError: cannot import name"])

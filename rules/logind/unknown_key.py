@@ -31,10 +31,10 @@ setting.
 """
 
 from bringup_lint.api import Robot
-from bringup_lint.api import daemon_rules
+from bringup_lint.api import daemons
 from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["Unknown key name", "Unknown lvalue"])
 def unknown_key(robot: Robot):
-    yield from daemon_rules.unknown_keys(robot.logind, robot.target)
+    yield from daemons.unknown_keys(robot.logind, robot.target)

@@ -29,10 +29,10 @@ Never: logind ignores the section. Rename it, or prefix it with `X-` if another 
 """
 
 from bringup_lint.api import Robot
-from bringup_lint.api import daemon_rules
+from bringup_lint.api import daemons
 from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["Unknown section"])
 def unknown_section(robot: Robot):
-    yield from daemon_rules.unknown_sections(robot.logind)
+    yield from daemons.unknown_sections(robot.logind)

@@ -32,8 +32,8 @@ When the robot's logrotate is newer than this tool and knows the directive: `log
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
-from bringup_lint.api import nearest
 from bringup_lint.api import rule
+from bringup_lint.api.spelling import nearest
 
 
 @rule("error", fix="safe", symptoms=["unknown option", "-- ignoring line"])

@@ -29,10 +29,10 @@ ethernets:
 
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
-from bringup_lint.api import first_key
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.yaml import first_key
 
 
 @rule("info", fix="unsafe", symptoms=["Timeout occurred while waiting for network connectivity"])

@@ -33,8 +33,8 @@ network:
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
-from bringup_lint.api import nearest
 from bringup_lint.api import rule
+from bringup_lint.api.spelling import nearest
 
 FOREIGN = {
     "ssid": "write the SSID as the key itself, below access-points",

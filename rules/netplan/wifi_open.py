@@ -25,8 +25,8 @@ access-points:
 
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
-from bringup_lint.api import is_example
 from bringup_lint.api import rule
+from bringup_lint.api.templates import is_example
 
 
 @rule("warning", tags=["CWE-319"])

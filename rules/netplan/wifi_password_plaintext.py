@@ -28,9 +28,9 @@ access-points:
 
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
-from bringup_lint.api import is_example
-from bringup_lint.api import is_stand_in
 from bringup_lint.api import rule
+from bringup_lint.api.templates import is_example
+from bringup_lint.api.templates import is_stand_in
 
 
 @rule("warning", tags=["CWE-256", "CWE-798"])

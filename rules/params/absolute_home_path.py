@@ -30,8 +30,8 @@ import re
 
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
-from bringup_lint.api import is_example
 from bringup_lint.api import rule
+from bringup_lint.api.templates import is_example
 
 _HOME = re.compile(r"(?:file://)?(/home/[^/\s<>${}]+/|/root/)\S*\Z")
 _TILDE = re.compile(r"~/\S+\.[A-Za-z0-9]{1,8}\Z")

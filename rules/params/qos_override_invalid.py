@@ -36,8 +36,8 @@ import re
 
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
-from bringup_lint.api import nearest
 from bringup_lint.api import rule
+from bringup_lint.api.spelling import nearest
 
 _ENTITY = re.compile(r"(?:publisher|subscription)(?:_\w+)?\Z")
 _BEST = ("system_default", "best_available")

@@ -27,9 +27,9 @@ import re
 
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
-from bringup_lint.api import nearest
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.spelling import nearest
 
 
 @rule("error", symptoms=["SECURITY ERROR: directory"])

@@ -27,10 +27,10 @@ Never: systemd ignores the line, so that it has no effect. Correct or delete it.
 """
 
 from bringup_lint.api import Robot
-from bringup_lint.api import daemon_rules
+from bringup_lint.api import daemons
 from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["Failed to parse", "ignoring:"])
 def invalid_value(robot: Robot):
-    yield from daemon_rules.invalid_values(robot.system_conf, robot.target)
+    yield from daemons.invalid_values(robot.system_conf, robot.target)

@@ -28,8 +28,8 @@ After=robot-drivers.service network-online.target
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
-from bringup_lint.api import nearest
 from bringup_lint.api import rule
+from bringup_lint.api.spelling import nearest
 
 
 @rule("error", fix="safe", symptoms=["Failed to add dependency on"])

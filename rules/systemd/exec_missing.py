@@ -28,9 +28,9 @@ ExecStop=/usr/bin/robot-park
 """
 
 from bringup_lint.api import Robot
-from bringup_lint.api import directives
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import directives
 
 
 @rule("error", symptoms=["Service has no ExecStart=", "has a bad unit file setting"])

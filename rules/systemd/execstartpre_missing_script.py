@@ -34,10 +34,10 @@ import re
 
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
-from bringup_lint.api import forgotten
-from bringup_lint.api import is_there
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import forgotten
+from bringup_lint.api.systemd import is_there
 
 OWN = re.compile(r"/(?:usr/local|opt|etc|home|root|srv|var|data)/.+")
 TEXT = re.compile(r"\.(?:sh|bash|py|pl)$")

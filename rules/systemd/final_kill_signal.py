@@ -27,10 +27,10 @@ TimeoutStopSec=20
 """
 
 from bringup_lint.api import Robot
-from bringup_lint.api import delete_lines
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import delete_lines
 
 
 @rule("error", fix="safe", symptoms=["Processes still around after final SIGTERM. Entering failed mode."])

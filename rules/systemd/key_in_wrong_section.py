@@ -34,11 +34,11 @@ Restart=always
 """
 
 from bringup_lint.api import Robot
-from bringup_lint.api import directives
 from bringup_lint.api import finding
 from bringup_lint.api import fix
-from bringup_lint.api import move_lines
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import directives
+from bringup_lint.api.systemd import move_lines
 
 
 @rule("error", fix="safe", symptoms=["Unknown key name", "Unknown lvalue"])

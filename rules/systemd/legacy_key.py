@@ -31,12 +31,12 @@ MemoryMax=2G
 """
 
 from bringup_lint.api import Robot
-from bringup_lint.api import delete_lines
-from bringup_lint.api import directives
 from bringup_lint.api import finding
 from bringup_lint.api import fix
-from bringup_lint.api import move_lines
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import delete_lines
+from bringup_lint.api.systemd import directives
+from bringup_lint.api.systemd import move_lines
 
 
 @rule("warning", fix="safe", symptoms=["is obsolete", "please use", "Support for option", "deprecated"])

@@ -27,9 +27,9 @@ MemoryMax=2G
 
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
-from bringup_lint.api import memory
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import memory
 
 
 @rule("error", symptoms=["A process of this unit has been killed by the OOM killer"])

@@ -31,11 +31,11 @@ NoNewPrivileges=yes
 """
 
 from bringup_lint.api import Robot
-from bringup_lint.api import file_capabilities
 from bringup_lint.api import finding
-from bringup_lint.api import flag
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import file_capabilities
+from bringup_lint.api.systemd import flag
 
 
 @rule("warning", symptoms=["Operation not permitted", "could not open raw socket"])

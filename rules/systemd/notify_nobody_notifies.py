@@ -28,10 +28,10 @@ ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rov
 """
 
 from bringup_lint.api import Robot
-from bringup_lint.api import duration
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import duration
 
 
 @rule(

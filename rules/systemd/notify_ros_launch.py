@@ -32,11 +32,11 @@ or, when no node reports readiness, `Type=exec`.
 """
 
 from bringup_lint.api import Robot
-from bringup_lint.api import duration
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import duration
 
 
 @rule(

@@ -30,13 +30,13 @@ DeviceAllow=char-ttyUSB rw
 import re
 
 from bringup_lint.api import Robot
-from bringup_lint.api import delete_lines
-from bringup_lint.api import devices_of
 from bringup_lint.api import finding
 from bringup_lint.api import fix
-from bringup_lint.api import flag
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.supervision import devices_of
+from bringup_lint.api.systemd import delete_lines
+from bringup_lint.api.systemd import flag
 
 PSEUDO = re.compile(
     r"/dev/(?:null|zero|full|u?random|tty|ptmx|pts|shm|mqueue|hugepages|log|std(?:in|out|err)|fd|console)(?:/|$)"

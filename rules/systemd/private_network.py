@@ -28,8 +28,8 @@ RestrictAddressFamilies=AF_INET AF_INET6 AF_UNIX AF_NETLINK
 
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
-from bringup_lint.api import flag
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import flag
 
 
 @rule("error", symptoms=["failed to find interfaces", "Address family not supported by protocol"])

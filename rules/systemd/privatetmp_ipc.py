@@ -30,9 +30,9 @@ import re
 
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
-from bringup_lint.api import flag
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import flag
 
 SHARED = re.compile(r"<SharedMemory\b[^>]*>(?:(?!</SharedMemory>).)*?<Enable>\s*true\s*</Enable>", re.S | re.I)
 

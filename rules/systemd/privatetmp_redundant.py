@@ -30,10 +30,10 @@ ReadWritePaths=/var/lib/rover
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
-from bringup_lint.api import flag
 from bringup_lint.api import note
-from bringup_lint.api import paths
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import flag
+from bringup_lint.api.systemd import paths
 
 
 @rule("info", fix="safe")

@@ -37,9 +37,9 @@ import re
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
-from bringup_lint.api import paths
 from bringup_lint.api import rule
-from bringup_lint.api import sandbox
+from bringup_lint.api.systemd import paths
+from bringup_lint.api.systemd import sandbox
 
 HOMES = ("/home", "/root", "/run/user")
 BELOW = re.compile(r"(?<![\w./])/(?:home/[\w.-]+|root)(?:/[\w.@+-]+)*")

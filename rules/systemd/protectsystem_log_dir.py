@@ -39,10 +39,10 @@ ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rov
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
-from bringup_lint.api import is_made
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api import sandbox
+from bringup_lint.api.systemd import is_made
+from bringup_lint.api.systemd import sandbox
 
 OF_ROOT = ("/var/log/", "/var/lib/", "/var/cache/", "/opt/", "/srv/", "/etc/", "/usr/")
 

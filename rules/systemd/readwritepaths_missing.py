@@ -32,10 +32,10 @@ LogsDirectory=rover
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
-from bringup_lint.api import is_made
-from bringup_lint.api import paths
 from bringup_lint.api import rule
-from bringup_lint.api import sandbox
+from bringup_lint.api.systemd import is_made
+from bringup_lint.api.systemd import paths
+from bringup_lint.api.systemd import sandbox
 
 KEYS = ("ReadWritePaths", "ReadOnlyPaths", "BindPaths", "BindReadOnlyPaths")
 ALWAYS = (

@@ -30,12 +30,12 @@ launch file.
 """
 
 from bringup_lint.api import Robot
-from bringup_lint.api import all_respawn
 from bringup_lint.api import finding
 from bringup_lint.api import fix
-from bringup_lint.api import launched
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.supervision import all_respawn
+from bringup_lint.api.supervision import launched
 
 FAILURES = ("on-failure", "on-abnormal", "on-abort")
 

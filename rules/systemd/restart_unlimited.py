@@ -40,11 +40,11 @@ RestartSec=5
 import math
 
 from bringup_lint.api import Robot
-from bringup_lint.api import duration
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import duration
 
 SLOW = 60.0
 """Seconds between restarts from which a loop is a deliberate, harmless retry."""

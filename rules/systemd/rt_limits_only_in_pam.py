@@ -38,9 +38,9 @@ import re
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
-from bringup_lint.api import granted_limits
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import granted_limits
 
 SETTING = {"rtprio": "LimitRTPRIO", "memlock": "LimitMEMLOCK", "nice": "LimitNICE"}
 SCHEDULING = (

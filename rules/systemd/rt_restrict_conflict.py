@@ -30,9 +30,9 @@ LimitRTPRIO=99
 
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
-from bringup_lint.api import flag
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import flag
 
 
 @rule(

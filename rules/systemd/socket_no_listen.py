@@ -25,9 +25,9 @@ Accept=yes
 """
 
 from bringup_lint.api import Robot
-from bringup_lint.api import directives
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import directives
 
 
 @rule("error", symptoms=["Unit has no Listen setting"])

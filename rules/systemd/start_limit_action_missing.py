@@ -27,10 +27,10 @@ OnFailure=robot-alarm.service
 """
 
 from bringup_lint.api import Robot
-from bringup_lint.api import duration
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import duration
 
 
 @rule("info")

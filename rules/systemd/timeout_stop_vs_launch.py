@@ -33,13 +33,13 @@ TimeoutStopSec=20
 import math
 
 from bringup_lint.api import Robot
-from bringup_lint.api import duration
 from bringup_lint.api import finding
 from bringup_lint.api import fix
-from bringup_lint.api import launched
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api import stop_time
+from bringup_lint.api.supervision import launched
+from bringup_lint.api.supervision import stop_time
+from bringup_lint.api.systemd import duration
 
 USUAL = 10.0
 MARGIN, LONG = 5.0, 90.0

@@ -29,8 +29,8 @@ User=robot
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
-from bringup_lint.api import lift_comment
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import lift_comment
 
 
 @rule("error", fix="safe", symptoms=["status=217/USER", "Failed to parse", "Failed to add dependency on #"])

@@ -29,11 +29,11 @@ WatchdogSec=30
 """
 
 from bringup_lint.api import Robot
-from bringup_lint.api import directives
 from bringup_lint.api import finding
 from bringup_lint.api import fix
-from bringup_lint.api import nearest
 from bringup_lint.api import rule
+from bringup_lint.api.spelling import nearest
+from bringup_lint.api.systemd import directives
 
 
 @rule("error", fix="safe", symptoms=["Unknown key name", "Unknown lvalue"])

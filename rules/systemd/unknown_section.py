@@ -26,11 +26,11 @@ ExecStart=/usr/bin/robot-drivers
 """
 
 from bringup_lint.api import Robot
-from bringup_lint.api import directives
 from bringup_lint.api import finding
 from bringup_lint.api import fix
-from bringup_lint.api import nearest
 from bringup_lint.api import rule
+from bringup_lint.api.spelling import nearest
+from bringup_lint.api.systemd import directives
 
 
 @rule("error", fix="safe", symptoms=["Unknown section", "Invalid section header"])

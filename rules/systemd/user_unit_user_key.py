@@ -26,10 +26,10 @@ ExecStart=/opt/rover/bin/rviz
 """
 
 from bringup_lint.api import Robot
-from bringup_lint.api import delete_lines
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import delete_lines
 
 
 @rule("error", fix="safe", symptoms=["status=216/GROUP", "status=217/USER"])

@@ -31,10 +31,10 @@ RestartSec=2
 """
 
 from bringup_lint.api import Robot
-from bringup_lint.api import duration
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import duration
 
 IDLE = ("no", "on-success", "on-abort")
 

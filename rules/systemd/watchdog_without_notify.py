@@ -33,12 +33,12 @@ WATCHDOG_PID names the main process.
 """
 
 from bringup_lint.api import Robot
-from bringup_lint.api import delete_lines
-from bringup_lint.api import duration
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import delete_lines
+from bringup_lint.api.systemd import duration
 
 
 @rule("error", fix="unsafe", symptoms=["Watchdog timeout (limit", "Failed with result 'watchdog'"])

@@ -27,9 +27,9 @@ ExecStart=/usr/bin/robot-bringup
 """
 
 from bringup_lint.api import Robot
-from bringup_lint.api import directives
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import directives
 
 
 @rule("error", symptoms=["Unknown section"])

@@ -17,7 +17,7 @@ LAYERS = (
     {"cli"},
     {"engine"},
     {"fix", "baseline", "suppress", "config", "registry"},
-    {"report", "live", "daemon_rules"},
+    {"report", "live"},
     {"api"},
     {"robot"},
     {"graph"},

@@ -1,0 +1,33 @@
+"""ROS distributions and the values of ROS variables."""
+
+from __future__ import annotations
+
+from bringup_lint.facts.ros.distros import at_least
+from bringup_lint.facts.ros.distros import distro_end
+from bringup_lint.facts.ros.distros import distros_since
+from bringup_lint.parsers import json5
+from bringup_lint.parsers.ros_values import DISCOVERY_RANGES
+from bringup_lint.parsers.ros_values import EPHEMERAL_DOMAINS
+from bringup_lint.parsers.ros_values import FORMAT_TOKENS
+from bringup_lint.parsers.ros_values import FORMAT_TOKENS_SINCE
+from bringup_lint.parsers.ros_values import LOGGING_SWITCHES
+from bringup_lint.parsers.ros_values import MAX_DOMAIN
+from bringup_lint.parsers.ros_values import RMW_IMPLEMENTATIONS
+from bringup_lint.parsers.ros_values import domain_id
+from bringup_lint.parsers.ros_values import highest_port
+
+__all__ = [
+    "DISCOVERY_RANGES",
+    "EPHEMERAL_DOMAINS",
+    "FORMAT_TOKENS",
+    "FORMAT_TOKENS_SINCE",
+    "LOGGING_SWITCHES",
+    "MAX_DOMAIN",
+    "RMW_IMPLEMENTATIONS",
+    "at_least",
+    "distro_end",
+    "distros_since",
+    "domain_id",
+    "highest_port",
+    "json5",
+]
