@@ -29,13 +29,16 @@ For `AssumeMulticastCapable` alone it fails without saying anything.
 - https://github.com/eclipse-cyclonedds/cyclonedds/issues/1528
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["do not pass deprecated configuration"])
-def mixed_interface_config(robot: Robot):
+def mixed_interface_config(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.dds.remarks("mixed-interfaces"):
         if remark.detail:
             message = (

@@ -28,6 +28,9 @@ port mapping` and creates no participant: no ROS node starts.
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -41,7 +44,7 @@ from bringup_lint.api import rule
         "Invalid port mapping",
     ],
 )
-def settings_contradict(robot: Robot):
+def settings_contradict(robot: Robot) -> Iterator[Finding]:
     words = {
         "watermarks": ("the watermarks are out of order", "keep WhcLow <= WhcHighInit <= WhcHigh"),
         "transport": (

@@ -21,13 +21,16 @@ The library says `no data expected` and creates no participant: no ROS node star
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["no data expected"])
-def unexpected_text(robot: Robot):
+def unexpected_text(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.dds.remarks("unexpected-text"):
         if remark.item.name == "Peer":
             continue

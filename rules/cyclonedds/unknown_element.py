@@ -28,6 +28,9 @@ The library stops at the first unknown element and creates no participant: no RO
 - https://github.com/eclipse-cyclonedds/cyclonedds/issues/2201
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -35,7 +38,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="unsafe", symptoms=["unknown element"])
-def unknown_element(robot: Robot):
+def unknown_element(robot: Robot) -> Iterator[Finding]:
     for configuration, remark in robot.dds.remarks("unknown-element", "ambiguous-name", "build"):
         if robot.dds.accepted_by(configuration, remark) and remark.code != "build":
             continue

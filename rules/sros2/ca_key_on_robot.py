@@ -20,13 +20,16 @@ Whoever owns the robot can create identities for the whole fleet.
 - ROS 2 documentation, "Deployment Guidelines" of security
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("warning", tags=["CWE-522"])
-def ca_key_on_robot(robot: Robot):
+def ca_key_on_robot(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("sros2-key"):
         if robot.tree.complete and "/private/" in f"/{source.name}" and source.judged:
             yield finding(

@@ -21,13 +21,16 @@ notAfter=Jan  1 00:00:00 2036 GMT
 - RFC 5280, section 4.1.2.5
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", tags=["CWE-298"], symptoms=["certificate has expired"])
-def cert_expired(robot: Robot):
+def cert_expired(robot: Robot) -> Iterator[Finding]:
     for source, certificate in robot.sros2.certificates:
         if source.judged and certificate.last_day < robot.today:
             yield finding(

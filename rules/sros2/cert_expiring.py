@@ -21,13 +21,16 @@ notAfter=in a year
 - RFC 5280, section 4.1.2.5
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("warning")
-def cert_expiring(robot: Robot):
+def cert_expiring(robot: Robot) -> Iterator[Finding]:
     for source, certificate in robot.sros2.certificates:
         left = (certificate.last_day - robot.today).days
         if source.judged and 0 <= left <= 30:

@@ -29,7 +29,9 @@ environment:
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -37,7 +39,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["SECURITY ERROR: directory"])
-def docker_enclave_mount(robot: Robot):
+def docker_enclave_mount(robot: Robot) -> Iterator[Finding]:
     if not robot.of_kind("compose"):
         return
     for service in robot.compose.services:

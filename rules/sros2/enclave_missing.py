@@ -24,7 +24,9 @@ ros2 run lawn driver --ros-args --enclave /lawn/driver
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -33,7 +35,7 @@ from bringup_lint.api.spelling import nearest
 
 
 @rule("error", symptoms=["SECURITY ERROR: directory"])
-def enclave_missing(robot: Robot):
+def enclave_missing(robot: Robot) -> Iterator[Finding]:
     for name in robot.sros2.selected:
         keystores = [each for each in robot.sros2.keystores if robot.together(name, robot.sros2.anchor_of(each))]
         known = sorted({path for keystore in keystores for path in keystore.enclaves})

@@ -23,7 +23,9 @@ ros2 run lawn driver --ros-args --enclave /lawn/driver
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -31,7 +33,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["Enclave name is not valid"])
-def enclave_name_invalid(robot: Robot):
+def enclave_name_invalid(robot: Robot) -> Iterator[Finding]:
     overrides = {id(setting.value) for setting in robot.ros.of("ROS_SECURITY_ENCLAVE_OVERRIDE")}
     paths = [enclave.path for policy in robot.sros2.policies for enclave in policy.enclaves if enclave.path]
     described = {id(path) for path in paths}

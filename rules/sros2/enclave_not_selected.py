@@ -26,6 +26,9 @@ Node(package="lawn", executable="driver", ros_arguments=["--enclave", "/lawn/dri
 - rcl, security.c; tried with the real rcl of Jazzy
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -33,7 +36,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["SECURITY ERROR: directory"])
-def enclave_not_selected(robot: Robot):
+def enclave_not_selected(robot: Robot) -> Iterator[Finding]:
     if robot.sros2.overridden or any("/" in keystore.enclaves for keystore in robot.sros2.keystores):
         return
     for group in robot.sros2.without_enclave:

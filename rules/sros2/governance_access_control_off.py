@@ -23,7 +23,9 @@ The permissions documents are not enforced: every enclave may do everything, wha
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -39,7 +41,7 @@ def _commands(robot, expression):
 
 
 @rule("error", fix="unsafe", tags=["CWE-862"])
-def governance_access_control_off(robot: Robot):
+def governance_access_control_off(robot: Robot) -> Iterator[Finding]:
     for governance in robot.sros2.used_governances:
         for rule_ in governance.rules:
             off = [(rule_.fields.get("enable_join_access_control"), "who joins the domain")]

@@ -23,6 +23,9 @@ vendor to vendor and from version to version.
 - OMG DDS Security 1.1, clause 9.4.1.2
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -30,7 +33,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe")
-def governance_bool_invalid(robot: Robot):
+def governance_bool_invalid(robot: Robot) -> Iterator[Finding]:
     for document, remark in robot.sros2.remarks("bool"):
         text = remark.element.text
         right = text.lower() if text.lower() in ("true", "false") else ""

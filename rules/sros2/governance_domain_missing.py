@@ -29,6 +29,9 @@ The plugin answers `Could not find domain` (code 141): no participant is created
 - OMG DDS Security 1.1, clause 9.4.1.2
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -36,7 +39,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Could not find domain"])
-def governance_domain_missing(robot: Robot):
+def governance_domain_missing(robot: Robot) -> Iterator[Finding]:
     for governance in robot.sros2.used_governances:
         used = robot.sros2.domain_of(governance)
         if used is None:

@@ -28,13 +28,16 @@ Cyclone DDS rejects the document (code 110): no participant is created and no no
 - OMG DDS Security 1.1, clause 9.4.1.2
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Found domain range in Governance file without minimum value", "with invalid range"])
-def governance_id_range_invalid(robot: Robot):
+def governance_id_range_invalid(robot: Robot) -> Iterator[Finding]:
     for document, remark in robot.sros2.remarks("range", "number"):
         code = " (code 110)" if document in robot.sros2.governances else ""
         if remark.code == "number":

@@ -22,6 +22,9 @@ The governance document cannot be parsed (code 137): no participant is created a
 - OMG DDS Security 1.1, clause 9.4.1.2
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -29,7 +32,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["Can not parse governance file"])
-def governance_kind_invalid(robot: Robot):
+def governance_kind_invalid(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.sros2.remarks("kind"):
         right = remark.where.upper() if remark.element.text else ""
         kinds = ("NONE", "SIGN", "ENCRYPT")

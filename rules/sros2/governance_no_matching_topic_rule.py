@@ -28,7 +28,9 @@ A topic without a rule cannot be created (code 142): the node ends with an excep
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -36,7 +38,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["topic attributes for domain"])
-def governance_no_matching_topic_rule(robot: Robot):
+def governance_no_matching_topic_rule(robot: Robot) -> Iterator[Finding]:
     for governance in robot.sros2.used_governances:
         granted = [
             topic

@@ -29,7 +29,9 @@ Messages travel in clear text and unsigned: whoever is on the network reads them
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -46,7 +48,7 @@ def _commands(robot, expression):
 
 
 @rule("error", fix="unsafe", tags=["CWE-319"])
-def governance_protection_none(robot: Robot):
+def governance_protection_none(robot: Robot) -> Iterator[Finding]:
     for governance in robot.sros2.used_governances:
         for rule_ in governance.rules:
             if rule_.fields.get("rtps_protection_kind") != "NONE":

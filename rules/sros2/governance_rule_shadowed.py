@@ -25,7 +25,9 @@ The first rule that matches decides: the later rule, usually the stricter one, h
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -33,7 +35,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning")
-def governance_rule_shadowed(robot: Robot):
+def governance_rule_shadowed(robot: Robot) -> Iterator[Finding]:
     for governance in robot.sros2.used_governances:
         for rule_ in governance.rules:
             before = []

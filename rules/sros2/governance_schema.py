@@ -30,6 +30,9 @@ starts. `enable_liveliness_protection` is the one that examples forget.
 - OMG DDS Security 1.1, clause 9.4.1.2
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import Span
 from bringup_lint.api import finding
@@ -38,7 +41,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="unsafe", symptoms=["Found topic rule in Governance file without", "code: 110"])
-def governance_schema(robot: Robot):
+def governance_schema(robot: Robot) -> Iterator[Finding]:
     for document, remark in robot.sros2.remarks("missing", "unknown", "duplicate", "order", "empty"):
         if document not in robot.sros2.governances:
             continue

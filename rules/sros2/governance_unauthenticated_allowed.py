@@ -22,6 +22,9 @@ DDS refuses the document altogether.
 - OMG DDS Security 1.1, clause 9.4.1.2.3
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -29,7 +32,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="unsafe", tags=["CWE-306"], symptoms=["cannot be enabled if rtps_protection_kind is not none"])
-def governance_unauthenticated_allowed(robot: Robot):
+def governance_unauthenticated_allowed(robot: Robot) -> Iterator[Finding]:
     for governance in robot.sros2.used_governances:
         for rule_ in governance.rules:
             value = rule_.fields.get("allow_unauthenticated_participants")

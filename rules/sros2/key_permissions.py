@@ -22,13 +22,16 @@ ones.
 - sros2, tried with the real tool
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("warning", tags=["CWE-732"], symptoms=["key.pem"])
-def key_permissions(robot: Robot):
+def key_permissions(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("sros2-key"):
         if source.mode is None or not robot.tree.complete:
             continue

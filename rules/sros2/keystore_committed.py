@@ -25,14 +25,16 @@ keystore/enclaves/lawn/driver/permissions.xml
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", tags=["CWE-321"])
-def keystore_committed(robot: Robot):
+def keystore_committed(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("sros2-key"):
         sample = re.search(r"(?:^|/)(?:tests?|fixtures?|examples?|samples?)/", source.name)
         if not source.judged or sample or not robot.sros2.ships(source):

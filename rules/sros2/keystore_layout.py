@@ -27,13 +27,16 @@ enclaves/lawn/driver/permissions.p7s
 - sros2, create_keystore and create_enclave; Cyclone DDS 0.10.5 with security
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["File could not be found, opened or is empty"])
-def keystore_layout(robot: Robot):
+def keystore_layout(robot: Robot) -> Iterator[Finding]:
     whole = robot.tree.complete
     for keystore in robot.sros2.keystores:
         for enclave in keystore.enclaves.values():

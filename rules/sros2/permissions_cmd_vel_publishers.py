@@ -25,7 +25,9 @@ enclaves/lawn/gate/permissions.xml         publish rt/cmd_vel
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -33,7 +35,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning")
-def permissions_cmd_vel_publishers(robot: Robot):
+def permissions_cmd_vel_publishers(robot: Robot) -> Iterator[Finding]:
     if any(robot.sros2.in_launch(word) for word in ("mux", "collision_monitor", "smoother", "gate", "arbiter")):
         return
     publishers = {}

@@ -22,7 +22,9 @@ A date without a time is read as expired (code 147): the participant is rejected
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -30,7 +32,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["Permissions validity period expired"])
-def permissions_date_format(robot: Robot):
+def permissions_date_format(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.sros2.remarks("date"):
         text = remark.element.text
         short = re.fullmatch(r"\d{4}-\d\d-\d\d", text)

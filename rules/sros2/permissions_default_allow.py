@@ -22,6 +22,9 @@ command the motors.
 - OMG DDS Security 1.1, clause 9.4.1.3
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -29,7 +32,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="unsafe", tags=["CWE-276"])
-def permissions_default_allow(robot: Robot):
+def permissions_default_allow(robot: Robot) -> Iterator[Finding]:
     for permissions, grant in robot.sros2.grants:
         if grant.default == "ALLOW" and robot.sros2.is_used(permissions.source):
             yield finding(

@@ -21,6 +21,9 @@ Cyclone DDS denies then; other libraries may reject the document, and the node d
 - OMG DDS Security 1.1, clause 9.4.1.3
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -28,7 +31,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", fix="safe")
-def permissions_default_missing(robot: Robot):
+def permissions_default_missing(robot: Robot) -> Iterator[Finding]:
     for permissions in robot.sros2.permissions:
         if not robot.sros2.is_used(permissions.source):
             continue

@@ -29,6 +29,9 @@ The participant is denied by the default rule (code 145): no node of the enclave
 - OMG DDS Security 1.1, clause 9.4.1.3
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -36,7 +39,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["participant denied by default rule"])
-def permissions_domain_mismatch(robot: Robot):
+def permissions_domain_mismatch(robot: Robot) -> Iterator[Finding]:
     for document, grant in robot.sros2.ros_grants:
         used = robot.sros2.domain_of(document)
         if used is None:

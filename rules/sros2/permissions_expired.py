@@ -22,13 +22,16 @@ that were set up on the same day.
 - OMG DDS Security 1.1, clause 9.4.1.3
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Permissions validity period expired for"], tags=["CWE-298"])
-def permissions_expired(robot: Robot):
+def permissions_expired(robot: Robot) -> Iterator[Finding]:
     for _, grant in robot.sros2.grants:
         end = robot.sros2.moment(grant.not_after)
         if end is not None and end.date() < robot.today:

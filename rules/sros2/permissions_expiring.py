@@ -21,13 +21,16 @@ From that day on the participant is rejected (code 147) and the node does not st
 - OMG DDS Security 1.1, clause 9.4.1.3
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("warning")
-def permissions_expiring(robot: Robot):
+def permissions_expiring(robot: Robot) -> Iterator[Finding]:
     for _, grant in robot.sros2.grants:
         end = robot.sros2.moment(grant.not_after)
         left = (end.date() - robot.today).days if end else -1

@@ -23,13 +23,16 @@ can be created.
 - Cyclone DDS 0.10.5 with security, tried with the real library
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Not Allowed By Security"])
-def permissions_missing_discovery_info(robot: Robot):
+def permissions_missing_discovery_info(robot: Robot) -> Iterator[Finding]:
     if any("zenoh" in setting.value for setting in robot.ros.of("RMW_IMPLEMENTATION")):
         return
     for _, grant in robot.sros2.ros_grants:

@@ -24,13 +24,16 @@ denied: the node does not start.
 - Cyclone DDS 0.10.5 with security, tried with the real library
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("warning", symptoms=["Not Allowed By Security"])
-def permissions_missing_node_infrastructure(robot: Robot):
+def permissions_missing_node_infrastructure(robot: Robot) -> Iterator[Finding]:
     for _, grant in robot.sros2.ros_grants:
         if grant.default == "ALLOW" or not grant.allowed:
             continue

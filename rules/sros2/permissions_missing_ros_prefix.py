@@ -24,7 +24,9 @@ is denied, and the node ends with an exception.
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -32,7 +34,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["Not Allowed By Security"])
-def permissions_missing_ros_prefix(robot: Robot):
+def permissions_missing_ros_prefix(robot: Robot) -> Iterator[Finding]:
     for _, grant in robot.sros2.ros_grants:
         for rule_ in grant.allowed:
             for topic in (*rule_.publish, *rule_.subscribe):

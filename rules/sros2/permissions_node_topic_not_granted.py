@@ -24,6 +24,9 @@ starts. A namespace that came later is the usual cause.
 - Cyclone DDS 0.10.5 with security, tried with the real library
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -31,7 +34,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["not found in allow rule", "Not Allowed By Security"])
-def permissions_node_topic_not_granted(robot: Robot):
+def permissions_node_topic_not_granted(robot: Robot) -> Iterator[Finding]:
     for use, grant, enclave, near in robot.sros2.ungranted:
         verb = "publish" if use.role == "publisher" else "subscribe"
         instead = f", granted is {near}" if near is not None else ""

@@ -25,6 +25,9 @@ the past, and meets this with any permissions until its time is set.
 - OMG DDS Security 1.1, clause 9.4.1.3
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -32,7 +35,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Permissions validity period has not started yet"])
-def permissions_not_yet_valid(robot: Robot):
+def permissions_not_yet_valid(robot: Robot) -> Iterator[Finding]:
     for _, grant in robot.sros2.grants:
         start, end = robot.sros2.moment(grant.not_before), robot.sros2.moment(grant.not_after)
         if start is None:

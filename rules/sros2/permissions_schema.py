@@ -27,13 +27,16 @@ The security plugin rejects the document: no node of the enclave starts.
 - OMG DDS Security 1.1, clause 9.4.1.3
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error")
-def permissions_schema(robot: Robot):
+def permissions_schema(robot: Robot) -> Iterator[Finding]:
     for permissions in robot.sros2.permissions:
         for remark in permissions.remarks:
             if remark.code not in ("missing", "unknown", "duplicate", "attribute") or remark.detail in (

@@ -24,6 +24,9 @@ Node(package="lawn_camera", executable="camera", ros_arguments=["--enclave", "/l
 - ROS 2 design, "ROS 2 Security Enclaves": one identity for a process, least privilege
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -31,7 +34,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", tags=["CWE-250"])
-def permissions_shared_enclave(robot: Robot):
+def permissions_shared_enclave(robot: Robot) -> Iterator[Finding]:
     for driver, others in robot.sros2.shared_enclaves:
         names = ", ".join(user.label for user in others[:3])
         yield finding(

@@ -26,7 +26,9 @@ when an enclave is renamed or its folder copied.
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -34,7 +36,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="unsafe", symptoms=["Subject name is invalid"])
-def permissions_subject_mismatch(robot: Robot):
+def permissions_subject_mismatch(robot: Robot) -> Iterator[Finding]:
     for permissions in robot.sros2.permissions:
         match = re.search(r"(?:^|/)enclaves(/.+)/permissions\.\w+$", permissions.source.name)
         subjects = [grant.subject for grant in permissions.grants]

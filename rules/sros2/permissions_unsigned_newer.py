@@ -23,6 +23,9 @@ permissions.p7s   grants rt/odom
 - Cyclone DDS 0.10.5 with security: a signed file that is changed gives a digest failure (code 127)
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -30,7 +33,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", symptoms=["digest failure"])
-def permissions_unsigned_newer(robot: Robot):
+def permissions_unsigned_newer(robot: Robot) -> Iterator[Finding]:
     for document in (*robot.sros2.governances, *robot.sros2.permissions):
         signed = robot.sros2.signed_text(document.source)
         if signed is None or _squeezed(document.source.text) == _squeezed(signed[1]):

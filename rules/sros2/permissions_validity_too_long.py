@@ -23,6 +23,9 @@ A key that is copied from the robot works until its permissions end: nothing els
 - sros2, create_permission
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -30,7 +33,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", tags=["CWE-324"])
-def permissions_validity_too_long(robot: Robot):
+def permissions_validity_too_long(robot: Robot) -> Iterator[Finding]:
     for _, grant in robot.sros2.ros_grants:
         start, end = robot.sros2.moment(grant.not_before), robot.sros2.moment(grant.not_after)
         days = (end - start).days if start and end else 0

@@ -30,6 +30,9 @@ Whoever takes over one process of the robot, the camera driver say, may publish 
 - OMG DDS Security 1.1, clause 9.4.1.3
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -37,7 +40,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", tags=["CWE-732"])
-def permissions_wildcard_topic(robot: Robot):
+def permissions_wildcard_topic(robot: Robot) -> Iterator[Finding]:
     for _, grant in robot.sros2.ros_grants:
         for rule_ in grant.allowed:
             wide = [topic for topic in rule_.publish if topic.rstrip("*") in ("", "rt/") and topic.endswith("*")]

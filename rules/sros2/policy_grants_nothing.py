@@ -29,7 +29,9 @@ robot runs, and the node ends with an exception.
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -39,7 +41,7 @@ PREFIXED = re.compile(r"/?r[tqr]/(.+)")
 
 
 @rule("error", fix="safe", symptoms=["Not Allowed By Security"])
-def policy_grants_nothing(robot: Robot):
+def policy_grants_nothing(robot: Robot) -> Iterator[Finding]:
     for profile in robot.sros2.policy_profiles:
         if profile.namespace and not profile.namespace.startswith(("/", "$")):
             yield finding(

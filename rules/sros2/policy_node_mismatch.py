@@ -28,6 +28,9 @@ Node(package="lawn", executable="driver", name="driver", namespace="lawn", ros_a
 - sros2, how permissions are made of a policy
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -35,7 +38,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Not Allowed By Security"])
-def policy_node_mismatch(robot: Robot):
+def policy_node_mismatch(robot: Robot) -> Iterator[Finding]:
     for node, selected, enclave in robot.sros2.policed_nodes:
         names = {profile.fqn: profile for profile in enclave.profiles}
         if node.fqn in names:

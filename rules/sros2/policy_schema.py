@@ -27,6 +27,9 @@ had, after `create_enclave` those that allow everything.
 - sros2, policy schema 0.2.0; compared over 1,100 bred policies
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -47,7 +50,7 @@ MESSAGES = {
 
 
 @rule("error", fix="safe", symptoms=["No matching global declaration", "SCHEMAV_CVC"])
-def policy_schema(robot: Robot):
+def policy_schema(robot: Robot) -> Iterator[Finding]:
     for policy in robot.sros2.policies:
         for remark in policy.remarks:
             if remark.code not in MESSAGES:

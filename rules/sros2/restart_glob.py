@@ -21,13 +21,16 @@ systemctl restart robot-base.service robot-navigation.service
 - systemctl(1), "Parameter Syntax"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("info")
-def restart_glob(robot: Robot):
+def restart_glob(robot: Robot) -> Iterator[Finding]:
     for _, commands in robot.sros2.scripts("ros2 security"):
         for command in commands:
             words = [word for word in command.words if not word.startswith("-")]

@@ -25,14 +25,16 @@ ros2 security create_permission /etc/lawn/keystore /lawn/driver policy.xml
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error")
-def rotation_ineffective(robot: Robot):
+def rotation_ineffective(robot: Robot) -> Iterator[Finding]:
     for source, commands in robot.sros2.scripts("create_enclave"):
         if not re.search(r"rotat|renew|refresh|expir", source.name + source.text, re.I):
             continue

@@ -26,7 +26,9 @@ sros2 makes certificates and permissions for ten years: a key that is copied onc
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -36,7 +38,7 @@ ROTATES = re.compile(r"ros2[\s\"',]+security|create_enclave|create_permission|op
 
 
 @rule("warning", confidence="medium", tags=["CWE-324"])
-def rotation_missing(robot: Robot):
+def rotation_missing(robot: Robot) -> Iterator[Finding]:
     if not robot.tree.complete or not robot.sros2.keystores or not robot.sros2.switched_on:
         return
     kinds = ("sros2-governance", "sros2-permissions", "sros2-key", "sros2-certificate")

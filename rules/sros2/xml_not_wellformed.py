@@ -26,13 +26,16 @@ serves attacks with entities; nothing of it is ever loaded.
 - OMG DDS Security 1.1, clause 9.4.1
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Can not parse governance file", "Can not parse permissions file"])
-def xml_not_wellformed(robot: Robot):
+def xml_not_wellformed(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.sros2.remarks("xml"):
         yield _finding(remark, "The document", "no node of these enclaves starts", " and sign the document again")
     for policy in robot.sros2.policies:

@@ -25,6 +25,9 @@ User=robot
 - systemd.syntax(7): a trailing backslash joins the next line
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -32,7 +35,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", fix="safe")
-def continuation_at_eof(robot: Robot):
+def continuation_at_eof(robot: Robot) -> Iterator[Finding]:
     for file in robot.units.files:
         for problem in file.problems:
             if problem.code == "continuation-at-end":

@@ -26,7 +26,9 @@ ExecStart=/bin/bash -c 'source /opt/ros/${ROS_DISTRO}/setup.bash && exec ros2 la
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -35,7 +37,7 @@ from bringup_lint.api import rule
 
 
 @rule("info", fix="unsafe")
-def envfile_optional(robot: Robot):
+def envfile_optional(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     for unit in units.services:
         environment = units.environment(unit)

@@ -31,7 +31,9 @@ ExecStart=/opt/rover/bin/drivers
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -44,7 +46,7 @@ TEXT = re.compile(r"\.(?:sh|bash|py|pl)$")
 
 
 @rule("error", symptoms=["status=203/EXEC", "Failed to locate executable", "Exec format error"])
-def execstartpre_missing_script(robot: Robot):
+def execstartpre_missing_script(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         for process in robot.units.processes(unit):
             program = process.program

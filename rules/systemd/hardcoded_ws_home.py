@@ -27,7 +27,9 @@ ExecStart=/bin/bash -c 'source /opt/rover/install/setup.bash && exec ros2 launch
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -37,7 +39,7 @@ HOME = re.compile(r"/home/([^/$%]+)/")
 
 
 @rule("info")
-def hardcoded_ws_home(robot: Robot):
+def hardcoded_ws_home(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     for unit in units.services:
         user = unit.get("User")
