@@ -1,10 +1,10 @@
-"""The key of the certificate authority on the robot.
+"""The private key of the certificate authority is on the robot.
 
 ## What it finds
 In a root file system: a key below `private` of a keystore.
 
 ## Why it matters on a robot
-Whoever owns the robot can create identities for the whole fleet.
+Whoever gains control of the robot can create identities for the whole fleet.
 
 ## Bad
 ```text
@@ -15,6 +15,10 @@ Whoever owns the robot can create identities for the whole fleet.
 ```text
 /etc/lawn/keystore/public/ca.cert.pem
 ```
+
+## When to ignore it
+If the robot is its own authority, no other robot trusts its certificates, and it must create enclaves on
+site.
 
 ## References
 - ROS 2 documentation, "Deployment Guidelines" of security
@@ -34,7 +38,7 @@ def ca_key_on_robot(robot: Robot) -> Iterator[Finding]:
         if robot.tree.complete and "/private/" in f"/{source.name}" and source.judged:
             yield finding(
                 source,
-                "The key of the certificate authority is on the robot: whoever owns it can create identities for the "
-                "whole fleet",
-                advice="sign on a separate machine, and deploy public and enclaves only",
+                "The key of the certificate authority is on the robot: whoever controls it can create identities "
+                "for the whole fleet",
+                advice="sign on a separate machine, and deploy only public and enclaves",
             )

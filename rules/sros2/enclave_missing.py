@@ -1,11 +1,11 @@
-"""An enclave that the keystore does not have.
+"""A process selects an enclave that the keystore does not have.
 
 ## What it finds
-An enclave named by `--enclave` or `ROS_SECURITY_ENCLAVE_OVERRIDE` that none of the tree's keystores holds. Without
-a keystore in the tree nothing can be said.
+An enclave named by `--enclave` or `ROS_SECURITY_ENCLAVE_OVERRIDE` that none of the keystores in the tree
+contains. Without a keystore in the tree, nothing is reported.
 
 ## Why it matters on a robot
-With Enforce the process ends (`directory does not exist`); with Permissive it runs unsecured.
+With Enforce the process ends (`directory does not exist`). With Permissive it runs unsecured.
 
 ## Bad
 ```sh
@@ -18,6 +18,10 @@ ros2 run lawn driver --ros-args --enclave /lawn/motor
 ros2 run lawn driver --ros-args --enclave /lawn/driver
 # keystore/enclaves/lawn/driver
 ```
+
+## When to ignore it
+If the enclave is created on the robot when it is provisioned, and the keystore in the tree is only a part of
+it.
 
 ## References
 - rcl, security.c; tried with the real rcl of Jazzy

@@ -1,12 +1,12 @@
-"""A governance document whose elements are missing, unknown or out of order.
+"""Elements of a governance document are missing, unknown or out of order.
 
 ## What it finds
-Elements of a governance document that are missing, unknown, repeated, or not in the order of the
-specification. Cyclone DDS accepts another order, Fast DDS reads strictly in sequence.
+Elements of a governance document that are missing, unknown, repeated, empty, or not in the order of the
+specification. Cyclone DDS accepts another order; Fast DDS reads strictly in sequence.
 
 ## Why it matters on a robot
 The security plugin rejects the document when the participant is created (code 110): no node of the robot
-starts. `enable_liveliness_protection` is the one that examples forget.
+starts. Examples often omit `enable_liveliness_protection`.
 
 ## Bad
 ```xml
@@ -24,6 +24,9 @@ starts. `enable_liveliness_protection` is the one that examples forget.
   <enable_liveliness_protection>true</enable_liveliness_protection>
   <enable_read_access_control>true</enable_read_access_control>
 ```
+
+## When to ignore it
+Only for the order of elements, if every computer of the robot uses Cyclone DDS.
 
 ## References
 - Cyclone DDS 0.10.5 with security, tried with the real library
@@ -48,7 +51,7 @@ def governance_schema(robot: Robot) -> Iterator[Finding]:
         if remark.code == "missing":
             yield finding(
                 remark.where,
-                f"{remark.where} lacks {remark.detail}: the document is rejected (code 110), no node starts",
+                f"{remark.where} has no {remark.detail}: the document is rejected (code 110), no node starts",
                 advice=f"add {remark.detail}{_place(remark)}, and sign the document again",
                 fix=_insertion(remark),
             )
@@ -57,7 +60,7 @@ def governance_schema(robot: Robot) -> Iterator[Finding]:
         elif remark.code == "order":
             yield finding(
                 remark.where,
-                f"{remark.detail} is out of order: Cyclone DDS takes it, Fast DDS rejects the document and no node "
+                f"{remark.detail} is out of order: Cyclone DDS accepts it, Fast DDS rejects the document and no node "
                 "starts",
                 advice="keep the order of the specification, and sign the document again",
             )
@@ -68,7 +71,7 @@ def governance_schema(robot: Robot) -> Iterator[Finding]:
                 advice="write a topic name or a pattern, such as *",
             )
         else:
-            what = "is no element of a governance document" if remark.code == "unknown" else "stands here twice"
+            what = "is not an element of a governance document" if remark.code == "unknown" else "appears twice"
             yield finding(
                 remark.where,
                 f"{remark.detail} {what}: the document is rejected, no node starts",
@@ -77,7 +80,7 @@ def governance_schema(robot: Robot) -> Iterator[Finding]:
 
 
 def _place(remark):
-    return f" in front of {remark.before.local}" if remark.before is not None else ""
+    return f" before {remark.before.local}" if remark.before is not None else ""
 
 
 def _insertion(remark):

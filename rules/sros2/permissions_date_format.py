@@ -1,10 +1,11 @@
-"""A validity date that DDS libraries cannot read.
+"""DDS libraries cannot read a validity date.
 
 ## What it finds
 A `not_before` or `not_after` that is not `YYYY-MM-DDThh:mm:ss`, with or without `Z` or an offset.
 
 ## Why it matters on a robot
-A date without a time is read as expired (code 147): the participant is rejected and the node does not start.
+The library reads a date without a time as expired (code 147): the participant is rejected and the node does
+not start.
 
 ## Bad
 ```xml
@@ -15,6 +16,9 @@ A date without a time is read as expired (code 147): the participant is rejected
 ```xml
 <not_after>2036-11-17T00:00:00</not_after>
 ```
+
+## When to ignore it
+Never: the library cannot read the date.
 
 ## References
 - Cyclone DDS 0.10.5 with security, tried with the real library
@@ -38,7 +42,7 @@ def permissions_date_format(robot: Robot) -> Iterator[Finding]:
         short = re.fullmatch(r"\d{4}-\d\d-\d\d", text)
         yield finding(
             remark.where,
-            f"'{text}' is no date with a time: it is read as long past, the node does not start",
+            f"'{text}' is not a date with a time: it is read as expired, the node does not start",
             advice=f"write {text}T00:00:00, and sign the document again" if short else "write YYYY-MM-DDThh:mm:ss",
             fix=fix("add the time", (remark.where, f"{text}T00:00:00")) if short else None,
         )

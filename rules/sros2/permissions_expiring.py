@@ -1,10 +1,10 @@
-"""Permissions that end within 30 days.
+"""Permissions expire within 30 days.
 
 ## What it finds
-A grant whose `not_after` lies within 30 days of the day of the run (or the day given with `--now`).
+A grant whose `not_after` is at most 30 days after the day of the run (or after the day given with `--now`).
 
 ## Why it matters on a robot
-From that day on the participant is rejected (code 147) and the node does not start any more.
+After that day the participant is rejected (code 147) and the node no longer starts.
 
 ## Bad
 ```xml
@@ -15,6 +15,9 @@ From that day on the participant is rejected (code 147) and the node does not st
 ```xml
 <not_after>2027-06-01T00:00:00</not_after>
 ```
+
+## When to ignore it
+If permissions are deliberately short-lived and a job renews and deploys them in time.
 
 ## References
 - Cyclone DDS 0.10.5 with security, tried with the real library

@@ -1,8 +1,8 @@
-"""A security document that was changed and not signed again.
+"""A security document was changed but not signed again.
 
 ## What it finds
-A governance or permissions document that differs from the clear text inside the signed file beside it, blanks
-and line ends apart.
+A governance or permissions document whose text differs from the one inside the signed file beside it. Spaces
+and line ends are ignored.
 
 ## Why it matters on a robot
 The robot reads only the signed file: the change has no effect, and the old rules stay in force.
@@ -18,6 +18,9 @@ permissions.p7s   grants rt/odom
 permissions.xml   grants rt/odom
 permissions.p7s   grants rt/odom
 ```
+
+## When to ignore it
+If the documents in the tree are only sources, and the build signs them before they are deployed.
 
 ## References
 - Cyclone DDS 0.10.5 with security: a signed file that is changed gives a digest failure (code 127)
