@@ -169,9 +169,14 @@ class Located(str):
         return self.span.path
 
 
-class Problem(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Problem:
     """What a parser could not read: a stable code (``missing-equals``), the place, and what is known about it."""
 
     code: str
     where: Located | Span
     detail: str = ""
+
+    @property
+    def span(self) -> Span:
+        return self.where.span if isinstance(self.where, Located) else self.where

@@ -4,45 +4,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from dataclasses import field
-from typing import NamedTuple
 
+from bringup_lint.model.schema import Item
+from bringup_lint.model.schema import Remark
 from bringup_lint.model.xml import Document
 from bringup_lint.model.xml import Element
 from bringup_lint.source import Located
 from bringup_lint.source import Source
-from bringup_lint.source import Span
 
 VERSIONS = ("0.7", "0.8", "0.9", "0.10", "11")
 """The series that the tables know, oldest first."""
-
-
-@dataclass(frozen=True, eq=False, slots=True)
-class Item:
-    """An element or attribute that one version of the library knows."""
-
-    path: str
-    """``CycloneDDS/Domain/General/DontRoute``, an attribute after ``@``."""
-    name: str
-    type: str
-    """bool, enum, int, list, memsize, duration, bandwidth, string, group, moved or ignored."""
-    allowed: str
-    bare: str
-    """How a number without unit is read: B, ms, us, or error."""
-    default: str
-    many: bool
-    required: bool
-    aliases: tuple[str, ...]
-    deprecated: bool
-    moved_to: str
-    """The path where the library applies it, else empty."""
-    build: frozenset[str]
-    """Compile-time features without which the item does not exist."""
-    children: list[Item] = field(default_factory=list)
-    attributes: list[Item] = field(default_factory=list)
-
-    @property
-    def is_attribute(self) -> bool:
-        return "@" in self.path
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -61,23 +32,6 @@ class Setting:
     @property
     def path(self) -> str:
         return self.item.path
-
-
-class Remark(NamedTuple):
-    """Something that the library would say, or should have said."""
-
-    code: str
-    """Of names: ``unknown-element``, ``unknown-attribute``, ``ambiguous-name``, ``abbreviated``, ``alias``,
-    ``deprecated``, ``moved``, ``build``. Of structure: ``xml``, ``root``, ``duplicate``, ``unexpected-text``,
-    ``missing``. Of values: ``value``, ``unit``, ``range``, ``bare-number``, ``expansion``. Of values
-    together: ``mixed-interfaces``, ``anonymous``, ``autodetermined``, ``interface-twice``, ``watermarks``,
-    ``transport``, ``ports``, ``priority``, ``address``."""
-    where: Located | Span
-    fatal: bool
-    """Whether no participant can be created."""
-    detail: str = ""
-    item: Item | None = None
-    """What was meant, or, for an unknown name, the item inside which it stands."""
 
 
 @dataclass(eq=False, slots=True)

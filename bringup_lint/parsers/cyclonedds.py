@@ -1,31 +1,35 @@
 """Cyclone DDS configuration: read as a version of the library reads it, with every remark that it would make.
 
-The library refuses a configuration on the first error: no participant, so no ROS node, can be created. This
-reader goes on,
-so that all errors are found at once.
+The library refuses a configuration on the first error: no participant, so no ROS node, can be created. This reader goes
+on, so that all errors are found at once.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Iterator
 from collections.abc import Mapping
 
 from bringup_lint.model.cyclonedds import Configuration
 from bringup_lint.model.cyclonedds import Domain
-from bringup_lint.model.cyclonedds import Item
-from bringup_lint.model.cyclonedds import Remark
 from bringup_lint.model.cyclonedds import Setting
+from bringup_lint.model.schema import Code
+from bringup_lint.model.schema import Item
+from bringup_lint.model.schema import Remark
 from bringup_lint.model.xml import Document
 from bringup_lint.model.xml import Element
 from bringup_lint.parsers.cyclonedds_checks import check
 from bringup_lint.parsers.cyclonedds_checks import interfaces_twice
-from bringup_lint.parsers.cyclonedds_schema import match
+from bringup_lint.parsers.cyclonedds_schema import IN_FILES
+from bringup_lint.parsers.cyclonedds_schema import INLINE
+from bringup_lint.parsers.cyclonedds_schema import features_of
+from bringup_lint.parsers.cyclonedds_schema import repeats
 from bringup_lint.parsers.cyclonedds_schema import schema
-from bringup_lint.parsers.cyclonedds_values import complaint
+from bringup_lint.parsers.cyclonedds_values import fault_of
 from bringup_lint.parsers.environment import ExpansionError
 from bringup_lint.parsers.environment import UnknownVariable
 from bringup_lint.parsers.environment import expand
 from bringup_lint.parsers.xml import parse as parse_xml
+from bringup_lint.schema.walk import level
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.source import Span
@@ -52,8 +56,7 @@ TOLERATED = frozenset(
         "undeclared-prefix",
     }
 )
-"""XML problems that the library's own reader does not mind; duplicate attributes it reports as duplicate
-settings."""
+"""XML problems that the library's own reader does not mind; it reports duplicate attributes as duplicate settings."""
 INLINE_TOLERATED = TOLERATED | {"unclosed-element", "second-root", "text-outside-root"}
 """Inline XML may be cut off, and other documents may follow it."""
 
@@ -87,9 +90,9 @@ def read(
     for problem in document.problems:
         fatal = problem.code not in tolerated or (problem.code == "doctype" and _has_subset(document))
         if problem.code == "duplicate-attribute":
-            configuration.remarks.append(Remark("duplicate", problem.where, True, problem.detail))
+            configuration.remarks.append(Remark(Code.DUPLICATE, problem.where, problem.detail))
         elif fatal or problem.code == "doctype":
-            configuration.remarks.append(Remark("xml", problem.where, fatal, f"{problem.code}: {problem.detail}"))
+            configuration.remarks.append(Remark(Code.XML, problem.where, f"{problem.code}: {problem.detail}", fatal))
     if inline and document.root is not None and "</>" in document.root.span.text:
         # the shorthand end tag of inline XML is not read
         configuration.remarks.clear()
@@ -107,16 +110,19 @@ def _refused_by_its_xml_reader(document: Document, configuration: Configuration)
     """What is well-formed XML, and yet not for this library."""
     if document.source.text.startswith("\ufeff"):
         mark = document.source.span(0, 1)
-        configuration.remarks.append(Remark("xml", mark, True, "byte-order-mark: it stands before the first <"))
+        configuration.remarks.append(Remark(Code.XML, mark, "byte-order-mark: it appears before the first <"))
     for instruction in document.instructions:
         inside = [each for each in document.elements if each.span.start < instruction.start < each.span.end]
         if inside and inside[-1].text:
             detail = "instruction: a processing instruction inside a value"
-            configuration.remarks.append(Remark("xml", instruction, True, detail))
+            configuration.remarks.append(Remark(Code.XML, instruction, detail))
 
 
 def _has_subset(document: Document) -> bool:
     return document.doctype is not None and "[" in document.doctype.text
+
+
+DOMAIN = "CycloneDDS/Domain"
 
 
 class _Reader:
@@ -125,117 +131,95 @@ class _Reader:
         self.environment = environment
         self.features = features
         self.inline = configuration.inline
-        self.schema = schema(configuration.version)
+        self.spelling = INLINE if self.inline else IN_FILES
+        self.items = schema(configuration.version).items
         self.domain = Domain(None)
         self.counts: dict[tuple[str, int], int] = {}
 
-    def remark(self, code: str, where: Located | Span, fatal: bool, detail: str = "", item: Item | None = None) -> None:
-        self.domain.remarks.append(Remark(code, where, fatal, detail, item))
+    def remark(self, code: Code, where: Located | Span, detail: str, item: Item, fatal: bool = True) -> None:
+        self.domain.remarks.append(Remark(code, where, detail, fatal, item))
 
     def document(self, root: Element) -> None:
-        top = self.schema.root
+        top = self.items["CycloneDDS"]
         if root.name.lower() == "cyclonedds":
-            self.attributes(root, top, root, into=self.configuration.remarks.append)
+            self.attributes(root, top, root, self.configuration.remarks)
             self.text(root, top, root)
             for child in root.children:
                 self.block(child, root)
         elif self.inline:
             self.block(root, None)
         else:
-            self.configuration.remarks.append(Remark("root", root.name, True, root.name))
+            self.configuration.remarks.append(Remark(Code.ROOT, root.name, root.name))
             for child in root.find_all("Domain"):
                 self.block(child, root)
         if self.domain.element is None and (self.domain.settings or self.domain.remarks or self.domain.elements):
             self.configuration.domains.append(self.domain)
 
     def block(self, element: Element, parent: Element | None) -> None:
-        """A Domain, or a group that stands where Domain should."""
+        """A Domain, or a group in its place."""
+        top = self.items["CycloneDDS"]
         if element.name.lower() == "domain" or (not self.inline and parent is None):
             before, self.domain = self.domain, Domain(element)
             self.counts = {}
             self.configuration.domains.append(self.domain)
-            self.inside(element, self.schema.by_path["CycloneDDS/Domain"], element)
+            self.inside(element, self.items[DOMAIN], element)
             self.domain = before
-            return
-        items = self.schema.root.children
-        if parent is None:
-            items = self.schema.by_path["CycloneDDS/Domain"].children
-        self.child(element, items, self.schema.root, parent or element)
-
-    def child(self, element: Element, items: list[Item], inside: Item, owner: Element) -> None:
-        """Match one element and read it. ``owner`` is the nearest list element: what must be unique, is so
-        inside it."""
-        found = match(items, element.name, self.inline)
-        item = found.item
-        if item is None or (found.how == "prefix" and not self.inline):
-            self.unknown(
-                "unknown-element" if found.how != "ambiguous" else "ambiguous-name",
-                element.name,
-                found.item,
-                inside,
-            )
-            return
-        self.named(element.name, item, found.how)
-        if item.moved_to:
-            self.remark("moved", element.name, False, item.moved_to, item)
-            item = self.schema.by_path[item.moved_to]
-        self.inside(element, item, element if item.many else owner)
-
-    def unknown(self, code: str, name: Located, near: Item | None, inside: Item) -> None:
-        if near is not None:
-            self.remark("abbreviated", name, True, near.name, near)
+        elif parent is None:
+            self.children([element], self.items[DOMAIN].children, top, element)
         else:
-            self.remark(code, name, True, name, inside)
+            self.children([element], top.children, top, parent)
 
-    def named(self, name: Located, item: Item, how: str) -> None:
-        if how == "prefix":
-            self.remark("abbreviated", name, False, item.name, item)
-        elif how == "alias":
-            self.remark("alias", name, False, item.name, item)
-        elif item.deprecated:
-            self.remark("deprecated", name, False, item.name, item)
-        if item.build - self.features:
-            self.remark("build", name, True, ", ".join(sorted(item.build - self.features)), item)
+    def children(self, elements: list[Element], items: Mapping[str, Item], inside: Item, owner: Element) -> None:
+        """Match elements and read them. ``owner`` is the nearest list element: what must be unique, is so inside it."""
+        for element in elements:
+            found = level([(element.name, element)], items, inside, self.spelling)
+            self.domain.remarks.extend(found.remarks)
+            for _, known in found.known:
+                self.built(element.name, known)
+                item = known
+                if known.moved_to:
+                    self.remark(Code.MOVED, element.name, known.moved_to, known, False)
+                    item = self.items[known.moved_to]
+                self.inside(element, item, element if repeats(item) else owner)
+
+    def built(self, name: Located, item: Item) -> None:
+        lacking = features_of(item, self.configuration.version) - self.features
+        if lacking:
+            self.remark(Code.BUILD, name, ", ".join(sorted(lacking)), item)
 
     def inside(self, element: Element, item: Item, owner: Element) -> None:
         if item.is_attribute:
             # an element that became an attribute, such as Domain/Id
             for attribute in element.attributes:
-                self.remark("unknown-attribute", attribute.name, True, attribute.name, item)
+                self.remark(Code.UNKNOWN_ATTRIBUTE, attribute.name, attribute.name, item)
             for child in element.children:
-                self.remark("unknown-element", child.name, True, child.name, item)
+                self.remark(Code.UNKNOWN, child.name, child.name, item)
             if element.text:
                 self.value(element.name, element.text, item, element, owner)
             return
         self.domain.elements.append((item, element))
         before = len(self.domain.settings)
-        self.attributes(element, item, owner)
-        for child in element.children:
-            self.child(child, item.children, item, owner)
+        self.attributes(element, item, owner, self.domain.remarks)
+        self.children(element.children, item.children, item, owner)
         self.text(element, item, owner)
-        if item.many or item.name == "Security":
+        if repeats(item) or item.name == "Security":
             self.required(element, item, self.domain.settings[before:])
 
-    def attributes(
-        self, element: Element, item: Item, owner: Element, into: Callable[[Remark], None] | None = None
-    ) -> None:
+    def attributes(self, element: Element, item: Item, owner: Element, remarks: list[Remark]) -> None:
         for attribute in element.attributes:
-            found = match(item.attributes, attribute.name, self.inline)
-            if found.item is None or (found.how == "prefix" and not self.inline):
-                if into is not None:
-                    into(Remark("unknown-attribute", attribute.name, True, attribute.name, item))
-                else:
-                    self.unknown("unknown-attribute", attribute.name, found.item, item)
-                continue
-            self.named(attribute.name, found.item, found.how)
-            self.value(attribute.name, attribute.value, found.item, element, owner if not item.many else element)
+            written = [(attribute.name, attribute)]
+            found = level(written, item.attributes, item, self.spelling, Code.UNKNOWN_ATTRIBUTE)
+            remarks.extend(found.remarks)
+            for _, known in found.known:
+                self.built(attribute.name, known)
+                self.value(attribute.name, attribute.value, known, element, element if repeats(item) else owner)
 
     def text(self, element: Element, item: Item, owner: Element) -> None:
         text = element.text
         if not text:
             return
         if item.type == "group" or element.children:
-            self.remark("unexpected-text", text, True, text, item)
+            self.remark(Code.TEXT, text, text, item)
         else:
             self.value(element.name, text, item, element, owner)
 
@@ -244,17 +228,16 @@ class _Reader:
             return
         key = (item.path, id(owner))
         self.counts[key] = self.counts.get(key, 0) + 1
-        if self.counts[key] > 1 and item.path != "CycloneDDS/Domain@Id":
-            self.remark("duplicate", name, True, item.name, item)
+        is_id = item.path == f"{DOMAIN}@Id"
+        if self.counts[key] > 1 and not is_id:
+            self.remark(Code.DUPLICATE, name, item.name, item)
         setting = Setting(item, name, value, self.effective(value, item), element)
-        if item.path == "CycloneDDS/Domain@Id":
+        if is_id:
             self.domain.id = value
         self.domain.add(setting)
-        if setting.effective is None:
-            return
-        problem = complaint(item, setting.effective, self.configuration.version)
-        if problem:
-            self.remark(problem.code, value, problem.fatal, problem.detail, item)
+        fault = None if setting.effective is None else fault_of(item, setting.effective, self.configuration.version)
+        if fault is not None:
+            self.remark(fault.code, value, fault.detail, item, fault.fatal)
 
     def effective(self, value: Located, item: Item) -> str | None:
         try:
@@ -262,7 +245,7 @@ class _Reader:
         except UnknownVariable:
             return None
         except ExpansionError as error:
-            self.remark("expansion", value, True, str(error), item)
+            self.remark(Code.EXPANSION, value, str(error), item)
             return None
 
     def required(self, element: Element, item: Item, settings: list[Setting]) -> None:
@@ -270,12 +253,12 @@ class _Reader:
         held = {setting.path for setting in settings}
         for needed in _required(item):
             if needed.path not in held:
-                self.remark("missing", element.name, True, needed.name, needed)
+                self.remark(Code.MISSING, element.name, needed.name, needed)
 
 
-def _required(item: Item) -> list[Item]:
-    found = [each for each in (*item.attributes, *item.children) if each.required and each.type != "group"]
-    for child in item.children:
-        if not child.many:
-            found += [each for each in _required(child) if each not in found]
-    return found
+def _required(item: Item) -> Iterator[Item]:
+    siblings = (*item.attributes.values(), *item.children.values())
+    yield from (each for each in siblings if each.required and each.type != "group")
+    for child in item.children.values():
+        if not repeats(child):
+            yield from _required(child)

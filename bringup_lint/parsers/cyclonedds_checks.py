@@ -11,8 +11,10 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.model.cyclonedds import Domain
-from bringup_lint.model.cyclonedds import Remark
 from bringup_lint.model.cyclonedds import Setting
+from bringup_lint.model.schema import Code
+from bringup_lint.model.schema import Remark
+from bringup_lint.model.xml import Element
 from bringup_lint.parsers.cyclonedds_values import size
 
 INTERFACE = "General/Interfaces/NetworkInterface"
@@ -39,12 +41,12 @@ def _interfaces(domain: Domain) -> Iterator[Remark]:
         held = [each for each in (name, address) if each is not None and each.effective != ""]
         if automatic is not None and automatic.effective is None:
             continue
-        if automatic is not None and automatic.effective.lower() == "true":
+        if _word(automatic, "false") == "true":
             for each in held[:1]:
                 if each.effective is not None:
-                    yield Remark("autodetermined", each.value, True, each.effective, each.item)
+                    yield Remark(Code.AUTODETERMINED, each.value, each.effective, item=each.item)
         elif not held:
-            yield Remark("anonymous", element.name, True)
+            yield Remark(Code.ANONYMOUS, element.name)
 
 
 def interfaces_twice(domains: list[Domain]) -> None:
@@ -54,7 +56,7 @@ def interfaces_twice(domains: list[Domain]) -> None:
         names = seen if domain.applies_to_any else set()
         for setting in domain.all(f"{INTERFACE}@name"):
             if setting.effective and setting.effective in names:
-                domain.remarks.append(Remark("interface-twice", setting.value, True, setting.effective, setting.item))
+                domain.remarks.append(Remark(Code.INTERFACE_TWICE, setting.value, setting.effective, item=setting.item))
             names.add(setting.effective or "")
 
 
@@ -72,9 +74,9 @@ def _mixed_interfaces(domain: Domain) -> Iterator[Remark]:
     interfaces = domain.found(INTERFACE)
     for each in old:
         if interfaces:
-            yield Remark("mixed-interfaces", each.name, True, interfaces[0].name, each.item)
+            yield Remark(Code.MIXED_INTERFACES, each.name, interfaces[0].name, item=each.item)
         elif each.item.name == "AssumeMulticastCapable" and not _is_pattern(each.effective or ""):
-            yield Remark("mixed-interfaces", each.name, True, "", each.item)
+            yield Remark(Code.MIXED_INTERFACES, each.name, "", item=each.item)
 
 
 def _is_pattern(text: str) -> bool:
@@ -89,7 +91,7 @@ def _watermarks(domain: Domain) -> Iterator[Remark]:
         return
     written = [each for each in domain.settings if "/Watermarks/Whc" in each.path and each.item.type == "memsize"]
     detail = f"WhcLow {low} B, WhcHighInit {initial} B, WhcHigh {high} B"
-    yield Remark("watermarks", written[-1].value, True, detail, written[-1].item)
+    yield Remark(Code.WATERMARKS, written[-1].value, detail, item=written[-1].item)
 
 
 def _size(domain: Domain, name: str, default: int) -> int | None:
@@ -119,7 +121,7 @@ def _transport(domain: Domain) -> Iterator[Remark]:
     if any(value in ("true", "false") and value != want for value, want in zip((tcp, ipv6), expected, strict=True)):
         if transport in ("raweth", "none") and "true" not in (tcp, ipv6):
             return
-        yield Remark("transport", chosen.value, True, f"TCP/Enable {tcp}, UseIPv6 {ipv6}", chosen.item)
+        yield Remark(Code.TRANSPORT, chosen.value, f"TCP/Enable {tcp}, UseIPv6 {ipv6}", item=chosen.item)
 
 
 def _word(setting: Setting | None, default: str) -> str:
@@ -170,7 +172,7 @@ def _ports(domain: Domain) -> Iterator[Remark]:
     where = external or (written[-1] if written else index)
     if where is not None and (max(ports) > HIGHEST_PORT or min(ports) < 1):
         detail = f"domain {number} would use the ports {min(ports)} to {max(ports)}"
-        yield Remark("ports", where.value, True, detail, where.item)
+        yield Remark(Code.PORTS, where.value, detail, item=where.item)
 
 
 def _priorities(domain: Domain) -> Iterator[Remark]:
@@ -187,11 +189,11 @@ def _priorities(domain: Domain) -> Iterator[Remark]:
             continue
         number = priority.effective or ""
         if re.fullmatch(r"[+-]?[0-9]{1,18}", number) and int(number) & 0xFFFFFFFF:
-            yield Remark("priority", priority.value, True, priority.effective or "", priority.item)
+            yield Remark(Code.PRIORITY, priority.value, priority.effective or "", item=priority.item)
 
 
 def _below(setting: Setting, ancestor: object) -> bool:
-    element = setting.owner
+    element: Element | None = setting.owner
     while element is not None and element is not ancestor:
         element = element.parent
     return element is ancestor
@@ -205,4 +207,4 @@ def _multicast_addresses(domain: Domain) -> Iterator[Remark]:
             except ValueError:
                 continue
             if not address.is_multicast and not address.is_unspecified:
-                yield Remark("address", setting.value, True, str(address), setting.item)
+                yield Remark(Code.ADDRESS, setting.value, str(address), item=setting.item)

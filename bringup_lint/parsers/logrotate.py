@@ -7,6 +7,7 @@ What it does with an error is part of the meaning: inside a stanza most errors l
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from functools import cache
 
 from bringup_lint import facts
@@ -224,7 +225,7 @@ class _Reader:
         if kind in ("owner", "su"):
             found = self.judge_owner(name, kind, value)
         if found is not None:
-            self.file.problems.append(found._replace(detail=str(name)))
+            self.file.problems.append(replace(found, detail=str(name)))
             self.stop() if found.code == "bad-weekday" else self.fail()
 
     def judge_owner(self, name: Located, kind: str, value: Located) -> Problem | None:

@@ -28,9 +28,6 @@ BitRate=500K
 - systemd.network(5), "[CAN] Section Options"
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -40,7 +37,7 @@ from bringup_lint.api import rule
     "error",
     symptoms=["RTNETLINK answers: Invalid argument", "No valid settings found in the [Match] section"],
 )
-def not_configured(robot: Robot) -> Iterator[Finding]:
+def not_configured(robot: Robot):
     for file in robot.can.files:
         if not file.matches:
             yield finding(

@@ -26,9 +26,7 @@ restart: unless-stopped
 """
 
 import re
-from collections.abc import Iterator
 
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -38,7 +36,7 @@ REPLUGGED = re.compile(r"/dev/(?:tty(?:USB|ACM)\d+|serial/by-(?:id|path)/.+)")
 
 
 @rule("warning", symptoms=["error gathering device information while adding custom device"])
-def devices_pinned_restart(robot: Robot) -> Iterator[Finding]:
+def devices_pinned_restart(robot: Robot):
     for service in robot.compose.services:
         if not service.restarts:
             continue

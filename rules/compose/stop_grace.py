@@ -24,9 +24,6 @@ nav:
 - launch, ExecuteProcess: sigterm_timeout and sigkill_timeout
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -35,7 +32,7 @@ from bringup_lint.api.yaml import first_key
 
 
 @rule("info", fix="safe")
-def stop_grace(robot: Robot) -> Iterator[Finding]:
+def stop_grace(robot: Robot):
     for service in robot.compose.whole_services:
         text, seconds = service.scalar("stop_grace_period"), service.stop_grace
         if service.launches is None or (text is not None and (seconds is None or seconds >= 15)):

@@ -24,9 +24,6 @@ When the robot runs a cron that accepts such a file, such as cronie. The newline
 - crontab(5)
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -34,7 +31,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["Missing newline before EOF, this crontab file will be ignored"])
-def no_final_newline(robot: Robot) -> Iterator[Finding]:
+def no_final_newline(robot: Robot):
     for source in robot.of_kind("cron"):
         text = source.text
         if not text or text.endswith("\n"):

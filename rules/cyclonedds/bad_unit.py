@@ -23,17 +23,15 @@ starts.
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.schema import Code
 
 
 @rule("error", fix="safe", symptoms=["unrecognised unit", "unit is required"])
-def bad_unit(robot: Robot) -> Iterator[Finding]:
+def bad_unit(robot: Robot):
     sizes = ("B", "kB", "KiB", "MB", "MiB", "GB", "GiB")
     durations = ("ns", "us", "ms", "s", "min", "hr", "day")
     spelled = {
@@ -47,7 +45,7 @@ def bad_unit(robot: Robot) -> Iterator[Finding]:
         "h": "hr",
         "d": "day",
     }
-    for _, remark in robot.dds.remarks("unit"):
+    for _, remark in robot.dds.remarks(Code.UNIT):
         units = sizes if remark.item.type == "memsize" else durations
         value, unit = remark.where, remark.detail
         right = next((known for known in units if known.lower() == unit.lower()), None)

@@ -28,13 +28,11 @@ node.
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library; 0.9.1
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.schema import Code
 
 
 @rule(
@@ -42,17 +40,17 @@ from bringup_lint.api import rule
     fix="safe",
     symptoms=["deprecated element", "deprecated alias", "setting moved to", "settings moved to"],
 )
-def deprecated_element(robot: Robot) -> Iterator[Finding]:
-    for configuration, remark in robot.dds.remarks("deprecated", "alias", "moved"):
+def deprecated_element(robot: Robot):
+    for configuration, remark in robot.dds.remarks(Code.DEPRECATED, Code.ALIAS, Code.MOVED):
         library = robot.dds.cyclonedds
         change = None
-        if remark.code == "moved":
+        if remark.code == Code.MOVED:
             place = remark.detail.removeprefix("CycloneDDS/")
             message, advice = (
                 f"{remark.where} has moved in {library}: it still works, with a warning",
                 f"write it as {place}",
             )
-        elif remark.code == "alias":
+        elif remark.code == Code.ALIAS:
             message, advice = f"{remark.where} is the old name of {remark.detail}", f"write {remark.detail}"
             change = fix(f"rename to {remark.detail}", *robot.dds.renamed(remark.where, remark.detail))
         else:

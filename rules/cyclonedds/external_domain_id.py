@@ -20,9 +20,6 @@ Machines with the same ROS_DOMAIN_ID do not see the robot, and it shares a domai
 - Cyclone DDS, configuration reference: Domain/Discovery/ExternalDomainId
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -30,7 +27,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning")
-def external_domain_id(robot: Robot) -> Iterator[Finding]:
+def external_domain_id(robot: Robot):
     for configuration, domain in robot.dds.domains:
         setting = domain.get("Discovery/ExternalDomainId")
         text = (setting.effective or "").strip() if setting else ""

@@ -22,17 +22,15 @@ no ROS node starts.
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.schema import Code
 
 
 @rule("error", symptoms=["Nameless and address-less interface"])
-def interface_anonymous(robot: Robot) -> Iterator[Finding]:
-    for _, remark in robot.dds.remarks("anonymous"):
+def interface_anonymous(robot: Robot):
+    for _, remark in robot.dds.remarks(Code.ANONYMOUS):
         yield finding(
             remark.where,
             "The interface has neither name nor address: no participant can be created, no node starts",

@@ -20,12 +20,10 @@ The library refuses it and creates no participant: no ROS node starts.
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.schema import Code
 
 
 @rule(
@@ -35,14 +33,14 @@ from bringup_lint.api import rule
         "may not be selected twice",
     ],
 )
-def interface_contradiction(robot: Robot) -> Iterator[Finding]:
-    for _, remark in robot.dds.remarks("interface-twice"):
+def interface_contradiction(robot: Robot):
+    for _, remark in robot.dds.remarks(Code.INTERFACE_TWICE):
         yield finding(
             remark.where,
             f"Interface {remark.detail} is selected twice: no participant can be created, no node starts",
             advice="keep one of the two",
         )
-    for _, remark in robot.dds.remarks("autodetermined"):
+    for _, remark in robot.dds.remarks(Code.AUTODETERMINED):
         yield finding(
             remark.where,
             f"An interface with autodetermine must not have the {remark.item.name} '{remark.where}': no node starts",

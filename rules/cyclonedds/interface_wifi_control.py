@@ -22,9 +22,6 @@ seconds: velocity commands arrive late or not at all.
 - IEEE 802.11-2020, group addressed frames are sent at a basic rate without acknowledgement
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -32,7 +29,7 @@ from bringup_lint.api import rule
 
 
 @rule("info")
-def interface_wifi_control(robot: Robot) -> Iterator[Finding]:
+def interface_wifi_control(robot: Robot):
     for configuration, domain in robot.dds.domains:
         plan = robot.dds.plan_of(configuration)
         for setting in robot.dds.named_interfaces(domain) if plan else ():

@@ -23,13 +23,11 @@ The library stops there and creates no participant: no ROS node starts.
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library: every setting with some fifty values
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.schema import Code
 
 
 @rule(
@@ -37,23 +35,23 @@ from bringup_lint.api import rule
     fix="unsafe",
     symptoms=["undefined value", "not a decimal integer", "value out of range", "invalid value"],
 )
-def invalid_value(robot: Robot) -> Iterator[Finding]:
+def invalid_value(robot: Robot):
     booleans = {"no": "false", "off": "false", "0": "false", "yes": "true", "on": "true", "1": "true"}
-    for configuration, remark in robot.dds.remarks("value", "range", "expansion", "priority", "address"):
+    for configuration, remark in robot.dds.remarks(Code.VALUE, Code.RANGE, Code.EXPANSION, Code.PRIORITY, Code.ADDRESS):
         name = remark.item.name
         if name == "Id" or robot.dds.accepted_by(configuration, remark):
             continue
         taken = robot.dds.taken_by(remark.item)
         word = booleans.get(remark.where.lower()) if "true" in robot.dds.words_of(remark.item) else None
-        if remark.code == "expansion":
+        if remark.code == Code.EXPANSION:
             message = f"Cyclone DDS cannot expand '{remark.where}' ({remark.detail}): no node starts"
-        elif remark.code == "priority":
+        elif remark.code == Code.PRIORITY:
             message = f"Priority {remark.where} without a Class aborts the process: no node starts"
             taken = "add <Class>realtime</Class>, or delete the priority"
-        elif remark.code == "address":
+        elif remark.code == Code.ADDRESS:
             message = f"{name} '{remark.where}' is no multicast address: no node starts"
             taken = "write an address of 224.0.0.0/4"
-        elif remark.code == "range":
+        elif remark.code == Code.RANGE:
             message = f"{name} '{remark.where}' is out of range: no node starts"
         else:
             message = f"{name} '{remark.where}' is not a value that Cyclone DDS knows: no node starts"

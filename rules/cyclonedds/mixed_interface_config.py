@@ -29,17 +29,15 @@ For `AssumeMulticastCapable` alone it fails without saying anything.
 - https://github.com/eclipse-cyclonedds/cyclonedds/issues/1528
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.schema import Code
 
 
 @rule("error", symptoms=["do not pass deprecated configuration"])
-def mixed_interface_config(robot: Robot) -> Iterator[Finding]:
-    for _, remark in robot.dds.remarks("mixed-interfaces"):
+def mixed_interface_config(robot: Robot):
+    for _, remark in robot.dds.remarks(Code.MIXED_INTERFACES):
         if remark.detail:
             message = (
                 f"{remark.where} together with Interfaces is fatal ('do not pass deprecated "

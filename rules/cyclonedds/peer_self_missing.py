@@ -26,9 +26,6 @@ not see each other, while remote ones do.
 - Cyclone DDS, configuration guide, "Discovery addresses"
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import Span
 from bringup_lint.api import finding
@@ -38,7 +35,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", fix="safe", confidence="medium")
-def peer_self_missing(robot: Robot) -> Iterator[Finding]:
+def peer_self_missing(robot: Robot):
     for configuration, domain in robot.dds.domains:
         off = robot.dds.multicast_off(domain)
         peers = domain.all("Discovery/Peers/Peer@Address")

@@ -28,12 +28,10 @@ port mapping` and creates no participant: no ROS node starts.
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.schema import Code
 
 
 @rule(
@@ -44,14 +42,14 @@ from bringup_lint.api import rule
         "Invalid port mapping",
     ],
 )
-def settings_contradict(robot: Robot) -> Iterator[Finding]:
+def settings_contradict(robot: Robot):
     words = {
-        "watermarks": ("the watermarks are out of order", "keep WhcLow <= WhcHighInit <= WhcHigh"),
-        "transport": (
+        Code.WATERMARKS: ("the watermarks are out of order", "keep WhcLow <= WhcHighInit <= WhcHigh"),
+        Code.TRANSPORT: (
             "Transport contradicts the older switches",
             "delete TCP/Enable and UseIPv6: Transport says it all",
         ),
-        "ports": ("the port numbers leave 1 to 65535", "lower the port parameters or the domain number"),
+        Code.PORTS: ("the port numbers leave 1 to 65535", "lower the port parameters or the domain number"),
     }
     for _, remark in robot.dds.remarks(*words):
         what, advice = words[remark.code]

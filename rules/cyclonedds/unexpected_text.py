@@ -21,20 +21,18 @@ The library says `no data expected` and creates no participant: no ROS node star
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.schema import Code
 
 
 @rule("error", symptoms=["no data expected"])
-def unexpected_text(robot: Robot) -> Iterator[Finding]:
-    for _, remark in robot.dds.remarks("unexpected-text"):
+def unexpected_text(robot: Robot):
+    for _, remark in robot.dds.remarks(Code.TEXT):
         if remark.item.name == "Peer":
             continue
-        attributes = [item.name for item in remark.item.attributes]
+        attributes = [item.name for item in remark.item.attributes.values()]
         takes = f"attributes ({', '.join(attributes)})" if attributes else "other elements"
         if remark.item.type != "group":
             takes = "either a value or nothing beside it"

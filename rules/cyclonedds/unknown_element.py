@@ -28,23 +28,21 @@ The library stops at the first unknown element and creates no participant: no RO
 - https://github.com/eclipse-cyclonedds/cyclonedds/issues/2201
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.schema import Code
 
 
 @rule("error", fix="unsafe", symptoms=["unknown element"])
-def unknown_element(robot: Robot) -> Iterator[Finding]:
-    for configuration, remark in robot.dds.remarks("unknown-element", "ambiguous-name", "build"):
-        if robot.dds.accepted_by(configuration, remark) and remark.code != "build":
+def unknown_element(robot: Robot):
+    for configuration, remark in robot.dds.remarks(Code.UNKNOWN, Code.AMBIGUOUS, Code.BUILD):
+        if robot.dds.accepted_by(configuration, remark) and remark.code != Code.BUILD:
             continue
         library = robot.dds.cyclonedds
         message = f"'{remark.where}' is an unknown element for {library}: no participant can be created, no node starts"
-        if remark.code == "build":
+        if remark.code == Code.BUILD:
             message = (
                 f"'{remark.where}' exists only in builds with {remark.detail}; ROS packages have none: no node starts"
             )

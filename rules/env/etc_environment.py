@@ -27,9 +27,7 @@ EnvironmentFile=/etc/environment
 """
 
 import re
-from collections.abc import Iterator
 
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -40,7 +38,7 @@ OF_ROS = re.compile(r"(?:ROS|RMW|CYCLONEDDS|FASTRTPS|FASTDDS|RCUTILS)_|AMENT_PRE
 
 
 @rule("warning")
-def etc_environment(robot: Robot) -> Iterator[Finding]:
+def etc_environment(robot: Robot):
     units = robot.units
     file = robot.environment_file(PATH) if units.ros else None
     if file is None:

@@ -22,9 +22,6 @@ FASTRTPS_DEFAULT_PROFILES_FILE=/etc/robot/fastdds.xml
 - https://github.com/ros2/ros2_documentation/pull/6098
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -35,7 +32,7 @@ OLD, NEW = "FASTRTPS_DEFAULT_PROFILES_FILE", "FASTDDS_DEFAULT_PROFILES_FILE"
 
 
 @rule("error")
-def fastdds_profiles_var_wrong_for_distro(robot: Robot) -> Iterator[Finding]:
+def fastdds_profiles_var_wrong_for_distro(robot: Robot):
     newer = at_least(robot.target.ros, "kilted")
     if newer is None:
         return

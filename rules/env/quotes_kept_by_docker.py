@@ -22,9 +22,6 @@ RMW_IMPLEMENTATION=rmw_cyclonedds_cpp
 - docker run reference, "--env-file"; systemd.exec(5), "EnvironmentFile="
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -33,7 +30,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", fix="safe")
-def quotes_kept_by_docker(robot: Robot) -> Iterator[Finding]:
+def quotes_kept_by_docker(robot: Robot):
     for file in robot.env_files:
         reader = file.docker_run
         if reader is None:

@@ -21,9 +21,7 @@ RCUTILS_CONSOLE_OUTPUT_FORMAT=[{severity}] {message}
 """
 
 import re
-from collections.abc import Iterator
 
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -34,7 +32,7 @@ from bringup_lint.api.spelling import nearest
 
 
 @rule("warning")
-def rcutils_format_unknown_token(robot: Robot) -> Iterator[Finding]:
+def rcutils_format_unknown_token(robot: Robot):
     for setting in robot.ros.of("RCUTILS_CONSOLE_OUTPUT_FORMAT"):
         for token in re.finditer(r"\{(\w+)\}", setting.value):
             since = FORMAT_TOKENS_SINCE.get(token[1])

@@ -22,9 +22,6 @@ RCUTILS_COLORIZED_OUTPUT=1
 - rcutils, `logging.c`: the value must be 0 or 1
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -38,7 +35,7 @@ SYMPTOMS = ["unexpected value [", "error initializing logging", "failed to confi
 
 
 @rule("error", fix="safe", symptoms=SYMPTOMS)
-def rcutils_logging_bool(robot: Robot) -> Iterator[Finding]:
+def rcutils_logging_bool(robot: Robot):
     for setting in robot.ros.of(*LOGGING_SWITCHES):
         if setting.text in ("", "0", "1"):
             continue

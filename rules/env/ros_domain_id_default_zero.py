@@ -23,9 +23,6 @@ ROS_DOMAIN_ID=17
 - ROS 2 documentation, "The ROS_DOMAIN_ID"
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -33,7 +30,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning")
-def ros_domain_id_default_zero(robot: Robot) -> Iterator[Finding]:
+def ros_domain_id_default_zero(robot: Robot):
     said = set()
     for process in robot.ros.processes:
         environment = process.environment

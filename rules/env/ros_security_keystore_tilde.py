@@ -22,9 +22,7 @@ ROS_SECURITY_KEYSTORE=/etc/robot/keystore
 """
 
 import re
-from collections.abc import Iterator
 
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -34,7 +32,7 @@ ORIGINS = ("Environment=", "EnvironmentFile=", "env_file:", "SetEnvironmentVaria
 
 
 @rule("error", symptoms=["SECURITY ERROR: directory"])
-def ros_security_keystore_tilde(robot: Robot) -> Iterator[Finding]:
+def ros_security_keystore_tilde(robot: Robot):
     for setting in robot.ros.settings:
         if setting.name != "ROS_SECURITY_KEYSTORE" or setting.origin not in ORIGINS:
             continue

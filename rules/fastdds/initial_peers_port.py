@@ -23,9 +23,6 @@ A peer without a port stands for the participants 0 to 3 of that host: later nod
 - Fast DDS documentation, "Initial peers"
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -35,7 +32,7 @@ RANGE = 4
 
 
 @rule("info", confidence="medium")
-def initial_peers_port(robot: Robot) -> Iterator[Finding]:
+def initial_peers_port(robot: Robot):
     for profiles in robot.dds.profile_files:
         if profiles.dropped or "maxInitialPeersRange" in profiles.source.text:
             continue

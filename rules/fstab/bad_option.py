@@ -24,9 +24,6 @@ UUID=… /data ext4 defaults,nofail 0 2
 - ext4(5), tmpfs(5)
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -34,7 +31,7 @@ from bringup_lint.api.spelling import nearest
 
 
 @rule("error", symptoms=["Unknown parameter", "bad option"])
-def bad_option(robot: Robot) -> Iterator[Finding]:
+def bad_option(robot: Robot):
     for fstab in robot.fstabs:
         for mount in fstab.mounts:
             known = robot.mount_options(str(mount.type or ""))

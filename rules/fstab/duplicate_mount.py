@@ -23,9 +23,6 @@ UUID=b /maps ext4 …
 - systemd-fstab-generator(8)
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -33,7 +30,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Duplicate entry in /etc/fstab?"])
-def duplicate_mount(robot: Robot) -> Iterator[Finding]:
+def duplicate_mount(robot: Robot):
     for fstab in robot.fstabs:
         first = {}
         for mount in fstab.mounts:

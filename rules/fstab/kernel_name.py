@@ -22,9 +22,7 @@ UUID=… /data ext4 defaults,nofail 0 2
 """
 
 import re
-from collections.abc import Iterator
 
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -33,7 +31,7 @@ KERNEL_NAME = re.compile(r"/dev/[sh]d[a-z]\d*")
 
 
 @rule("info")
-def kernel_name(robot: Robot) -> Iterator[Finding]:
+def kernel_name(robot: Robot):
     for fstab in robot.fstabs:
         for mount in fstab.mounts:
             if KERNEL_NAME.fullmatch(mount.device):

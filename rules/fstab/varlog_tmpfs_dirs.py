@@ -24,9 +24,6 @@ LogsDirectory=ros2          Environment=ROS_LOG_DIR=/var/log/ros2
 - tmpfiles.d(5)
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -34,7 +31,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Failed at step STDOUT spawning", "Failed to set up mount namespacing"])
-def varlog_tmpfs_dirs(robot: Robot) -> Iterator[Finding]:
+def varlog_tmpfs_dirs(robot: Robot):
     for mount, path, where, unit in robot.lost_directories:
         yield finding(
             where,

@@ -27,9 +27,7 @@ Unattended-Upgrade::Allowed-Origins {
 """
 
 import re
-from collections.abc import Iterator
 
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -43,7 +41,7 @@ COMMENT = re.compile(r"(?://|#)[^\n]*|/\*.*?\*/", re.S)
 
 
 @rule("info")
-def apt_no_security_origin(robot: Robot) -> Iterator[Finding]:
+def apt_no_security_origin(robot: Robot):
     for source in robot.of_kind("apt-conf"):
         blocks = list(BLOCK.finditer(source.text))
         if blocks and not any("security" in COMMENT.sub("", match[1]).lower() for match in blocks):

@@ -23,9 +23,7 @@ overlayroot="tmpfs"      Storage=volatile
 """
 
 import re
-from collections.abc import Iterator
 
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -35,7 +33,7 @@ OVERLAY = re.compile(r"^[ \t]*overlayroot=[\"']?(tmpfs)", re.M)
 
 
 @rule("warning")
-def overlayroot_persistent_journal(robot: Robot) -> Iterator[Finding]:
+def overlayroot_persistent_journal(robot: Robot):
     for source in robot.of_kind("overlayroot"):
         overlay = OVERLAY.search(source.text)
         for journald in robot.journald if overlay else ():

@@ -22,9 +22,7 @@ apt-get purge -y avahi-daemon cups
 """
 
 import re
-from collections.abc import Iterator
 
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -40,7 +38,7 @@ USES = {
 
 
 @rule("info", confidence="medium")
-def packages_unneeded(robot: Robot) -> Iterator[Finding]:
+def packages_unneeded(robot: Robot):
     for source, command in robot.installations:
         for word in command.words:
             uses = USES.get(word.lower())

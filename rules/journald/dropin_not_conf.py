@@ -25,9 +25,6 @@ delete the file.
 - journald.conf(5)
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -49,7 +46,7 @@ BACKUPS = (
 
 
 @rule("warning")
-def dropin_not_conf(robot: Robot) -> Iterator[Finding]:
+def dropin_not_conf(robot: Robot):
     for source in robot.of_kind("daemon-misnamed"):
         if source.judged and not source.basename.endswith(BACKUPS):
             yield finding(

@@ -36,9 +36,6 @@ copy is acceptable.
 - tmpfs(5), "size"
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -46,7 +43,7 @@ from bringup_lint.api import rule
 
 
 @rule("error")
-def persistent_on_tmpfs(robot: Robot) -> Iterator[Finding]:
+def persistent_on_tmpfs(robot: Robot):
     if len(robot.fstabs) != 1 or len(robot.journald) != 1:
         return
     (fstab,), (daemon,) = robot.fstabs, robot.journald

@@ -28,9 +28,6 @@ journal.
 - journald.conf(5), "RateLimitIntervalSec="
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import daemons
 from bringup_lint.api import finding
@@ -38,7 +35,7 @@ from bringup_lint.api import rule
 
 
 @rule("info")
-def ratelimit_off(robot: Robot) -> Iterator[Finding]:
+def ratelimit_off(robot: Robot):
     for daemon in robot.journald:
         for keys in (("RateLimitIntervalSec", "RateLimitInterval"), ("RateLimitBurst",)):
             found = daemon.get(*keys, read=daemons.watchdog_seconds)

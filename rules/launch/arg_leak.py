@@ -24,9 +24,6 @@ loads the wrong parameters, without a word.
 - launch, `GroupAction(scoped=True)`
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
@@ -35,7 +32,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning")
-def arg_leak(robot: Robot) -> Iterator[Finding]:
+def arg_leak(robot: Robot):
     for expansion in robot.launch.expansions:
         for declared in expansion.declared:
             before = declared.before

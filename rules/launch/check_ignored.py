@@ -25,9 +25,6 @@ RegisterEventHandler(OnProcessExit(target_action=check, on_exit=lambda event, co
 - launch, `ExecuteProcess` and `OnProcessExit`
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
@@ -35,7 +32,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", confidence="medium")
-def check_ignored(robot: Robot) -> Iterator[Finding]:
+def check_ignored(robot: Robot):
     for file in robot.launch.judged:
         expansion = robot.launch.expansion(file)
         for node in expansion.nodes:

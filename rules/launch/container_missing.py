@@ -20,9 +20,6 @@ LoadComposableNodes(target_container='vision', composable_node_descriptions=[...
 - launch_ros, `LoadComposableNodes`
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
@@ -32,7 +29,7 @@ from bringup_lint.api.spelling import nearest
 
 
 @rule("error")
-def container_missing(robot: Robot) -> Iterator[Finding]:
+def container_missing(robot: Robot):
     for expansion in robot.launch.entries:
         if expansion.open:
             continue

@@ -21,16 +21,13 @@ config = LaunchConfiguration('config')   # passed by the unit, below /etc or the
 - systemd.exec(5), "User=" and `$HOME`
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("info")
-def expanduser(robot: Robot) -> Iterator[Finding]:
+def expanduser(robot: Robot):
     for file in robot.launch.judged:
         if robot.launch.simulated(file):
             continue

@@ -22,9 +22,7 @@ IncludeLaunchDescription(PathJoinSubstitution([FindPackageShare('my_robot'), 'la
 """
 
 import os
-from collections.abc import Iterator
 
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -33,7 +31,7 @@ from bringup_lint.api.spelling import nearest
 
 
 @rule("error", symptoms=["FileNotFoundError", "Caught exception in launch"])
-def include_not_found(robot: Robot) -> Iterator[Finding]:
+def include_not_found(robot: Robot):
     for file in robot.launch.judged:
         for reference in robot.launch.references(file):
             if reference.kind != "include" or reference.found.file is not None or not reference.name:

@@ -23,9 +23,6 @@ IncludeLaunchDescription(slam, launch_arguments={'use_sim_time': 'true'}.items()
 - launch, `IncludeLaunchDescription`
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -36,7 +33,7 @@ from bringup_lint.api.spelling import nearest
 
 
 @rule("warning", fix="unsafe")
-def include_unknown_arg(robot: Robot) -> Iterator[Finding]:
+def include_unknown_arg(robot: Robot):
     for file in robot.launch.judged:
         for include in robot.launch.expansion(file).includes:
             if include.source is not file or include.target is None:

@@ -24,9 +24,6 @@ Node(package='nav2_lifecycle_manager', executable='lifecycle_manager', name='lif
 - nav2, lifecycle manager
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
@@ -35,7 +32,7 @@ from bringup_lint.api import rule
 
 
 @rule("error")
-def lifecycle_node_unmanaged(robot: Robot) -> Iterator[Finding]:
+def lifecycle_node_unmanaged(robot: Robot):
     elsewhere = robot.launch.managed_names
     if elsewhere is None:
         return

@@ -21,9 +21,6 @@ activation fails and the whole bring-up is aborted.
 - nav2, lifecycle manager
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
@@ -40,7 +37,7 @@ BEFORE = {
 
 
 @rule("warning")
-def lifecycle_order(robot: Robot) -> Iterator[Finding]:
+def lifecycle_order(robot: Robot):
     for expansion in robot.launch.expansions:
         for manager in launch.managers(expansion):
             managed = manager.managed if manager.node.file is expansion.entry else None

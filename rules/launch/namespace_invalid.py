@@ -22,9 +22,7 @@ PushRosNamespace('robot_1')
 """
 
 import re
-from collections.abc import Iterator
 
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
@@ -37,7 +35,7 @@ VALID = re.compile(r"/?(?:[A-Za-z_][A-Za-z0-9_]*(?:/[A-Za-z_][A-Za-z0-9_]*)*/?)?
     "error",
     symptoms=["namespace must not contain characters other than alphanumerics", "The resulting namespace is invalid"],
 )
-def namespace_invalid(robot: Robot) -> Iterator[Finding]:
+def namespace_invalid(robot: Robot):
     for file in robot.launch.judged:
         for action, _ in robot.launch.visited(file):
             namespace = robot.launch.resolved(getattr(action, "namespace", None), file)

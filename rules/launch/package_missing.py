@@ -24,9 +24,7 @@ Node(package='my_robot_driver', executable='motor')
 """
 
 import re
-from collections.abc import Iterator
 
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -37,7 +35,7 @@ from bringup_lint.api.spelling import nearest
 
 
 @rule("error", fix="safe", symptoms=["PackageNotFoundError", "not found, searching"])
-def package_missing(robot: Robot) -> Iterator[Finding]:
+def package_missing(robot: Robot):
     workspace = robot.launch.workspace
     seen = set()
     for node in robot.launch.nodes:

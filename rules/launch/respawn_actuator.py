@@ -21,9 +21,6 @@ Node(package='controller_manager', executable='ros2_control_node', on_exit=Shutd
 - ISO 12100, prevention of unexpected start-up
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
@@ -31,7 +28,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning")
-def respawn_actuator(robot: Robot) -> Iterator[Finding]:
+def respawn_actuator(robot: Robot):
     for node in robot.launch.nodes:
         if not isinstance(node.action, launch.Node) or robot.launch.simulated(node.file):
             continue

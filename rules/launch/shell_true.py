@@ -21,9 +21,6 @@ ExecuteProcess(cmd=['ros2', 'bag', 'record', '-o', LaunchConfiguration('bag')])
 - CWE-78
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
@@ -32,7 +29,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", tags=["CWE-78"])
-def shell_true(robot: Robot) -> Iterator[Finding]:
+def shell_true(robot: Robot):
     for _, action in robot.launch.actions(launch.Process):
         shell = action.options.get("shell")
         if shell is None or launch.truth(shell) is not True:

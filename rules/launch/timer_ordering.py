@@ -21,9 +21,6 @@ RegisterEventHandler(OnStateTransition(target_lifecycle_node=driver, goal_state=
 - launch, event handlers; nav2 lifecycle manager
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
@@ -32,7 +29,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning")
-def timer_ordering(robot: Robot) -> Iterator[Finding]:
+def timer_ordering(robot: Robot):
     for file in robot.launch.judged:
         if robot.launch.simulated(file):
             continue

@@ -21,9 +21,6 @@ from launch_ros.actions import LoadComposableNodes
 - launch and launch_ros, public names of each distribution
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -32,7 +29,7 @@ from bringup_lint.api.spelling import nearest
 
 
 @rule("error", fix="unsafe", symptoms=["ImportError: cannot import name"])
-def unknown_import(robot: Robot) -> Iterator[Finding]:
+def unknown_import(robot: Robot):
     for file in robot.launch.judged:
         for imported in file.imports:
             known = robot.launch.names_of(imported.module)

@@ -27,9 +27,6 @@ endpoints:
 - twist_mux, README
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -39,7 +36,7 @@ BY_TURNS = ("controller_server", "behavior_server", "recoveries_server", "dockin
 
 
 @rule("error", tags=["CWE-362"])
-def cmd_vel_publishers(robot: Robot) -> Iterator[Finding]:
+def cmd_vel_publishers(robot: Robot):
     living = robot.living
     for topic in living.velocities:
         sources = {source(each.node): each for each in reversed(topic.publishers)}

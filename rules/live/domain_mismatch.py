@@ -25,9 +25,6 @@ ROS_DOMAIN_ID=42
 - ROS 2 documentation, "The ROS_DOMAIN_ID"
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -35,7 +32,7 @@ from bringup_lint.api import rule
 
 
 @rule("error")
-def domain_mismatch(robot: Robot) -> Iterator[Finding]:
+def domain_mismatch(robot: Robot):
     living = robot.living
     configured = living.configured
     if configured is None:

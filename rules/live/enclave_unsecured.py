@@ -27,9 +27,6 @@ nodes:
 - ROS 2 design, "ROS 2 Security Enclaves"
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -37,7 +34,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", tags=["CWE-306"])
-def enclave_unsecured(robot: Robot) -> Iterator[Finding]:
+def enclave_unsecured(robot: Robot):
     living = robot.living
     seen = [node for node in living.nodes if living.expected.named(node.name) or not living.expected.nodes]
     if living.security and seen and not living.seen.secured:

@@ -27,9 +27,6 @@ nodes:
 - nav2, lifecycle manager
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -39,7 +36,7 @@ PASSING = ("configuring", "activating", "deactivating", "cleaningup", "shuttingd
 
 
 @rule("error", symptoms=["Failed to bring up all requested nodes. Aborting bringup", "Failed to change state for node"])
-def lifecycle_not_active(robot: Robot) -> Iterator[Finding]:
+def lifecycle_not_active(robot: Robot):
     living = robot.living
     for node in living.nodes:
         if node.state in (None, "active") or living.stays_inactive(node.name):

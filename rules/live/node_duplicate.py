@@ -26,9 +26,6 @@ nodes:
 - https://github.com/ros2/launch_ros/issues/124
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -36,7 +33,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Publisher already registered for node name"])
-def node_duplicate(robot: Robot) -> Iterator[Finding]:
+def node_duplicate(robot: Robot):
     living = robot.living
     for nodes in living.duplicates:
         name = nodes[0].name

@@ -28,9 +28,6 @@ nodes:
 - ROS 2 documentation, "Understanding nodes"
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -40,7 +37,7 @@ CRASHED = "look at its log: it crashed or was never started"
 
 
 @rule("error")
-def node_missing(robot: Robot) -> Iterator[Finding]:
+def node_missing(robot: Robot):
     living = robot.living
     domain = living.seen.domain
     count = len({node.name for nodes in living.missing.values() for node in nodes})

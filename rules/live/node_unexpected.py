@@ -26,9 +26,6 @@ nodes:
 - ROS 2 documentation, "The ROS_DOMAIN_ID"
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -36,7 +33,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", confidence="medium")
-def node_unexpected(robot: Robot) -> Iterator[Finding]:
+def node_unexpected(robot: Robot):
     living = robot.living
     if living.expected.gaps or not living.expected.nodes:
         return

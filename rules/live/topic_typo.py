@@ -25,9 +25,6 @@ endpoints:
 - ROS 2 documentation, "Remapping names"
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -35,7 +32,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", confidence="medium")
-def topic_typo(robot: Robot) -> Iterator[Finding]:
+def topic_typo(robot: Robot):
     living = robot.living
     for subscription, publisher, why in living.meant:
         topic = publisher.topic

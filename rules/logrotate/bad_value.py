@@ -33,9 +33,7 @@ Never: logrotate skips the stanza, whatever else it says.
 """
 
 import re
-from collections.abc import Iterator
 
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -62,7 +60,7 @@ SIZE = re.compile(r"(\d+)\s*([kKmMgG])(?:i?[bB])?")
     fix="safe",
     symptoms=["found error in", "unknown unit", "bad size", "bad rotation count", "argument expected after"],
 )
-def bad_value(robot: Robot) -> Iterator[Finding]:
+def bad_value(robot: Robot):
     for file in robot.logs.files:
         for problem in file.problems:
             if problem.code not in WHAT:

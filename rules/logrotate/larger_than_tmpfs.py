@@ -36,9 +36,7 @@ When the sizes are a safety margin that the logs never reach, for example becaus
 """
 
 import re
-from collections.abc import Iterator
 
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -48,7 +46,7 @@ UNITS = {"": 1, "k": 1024, "m": 1024**2, "g": 1024**3}
 
 
 @rule("warning", symptoms=["No space left on device"])
-def larger_than_tmpfs(robot: Robot) -> Iterator[Finding]:
+def larger_than_tmpfs(robot: Robot):
     fstab = robot.fstabs[0] if len(robot.fstabs) == 1 else None
     for stanza in robot.logs.stanzas if fstab else ():
         limit = stanza.get("size", "minsize") or stanza.get("maxsize")

@@ -34,9 +34,6 @@ Never: logrotate does not apply the file as written.
 - logrotate: "unexpected log filename", "missing '{' after log files definition"
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -50,7 +47,7 @@ WHAT = {
 
 
 @rule("error", symptoms=["unexpected log filename", "missing '{' after log files definition", "unexpected }"])
-def missing_brace(robot: Robot) -> Iterator[Finding]:
+def missing_brace(robot: Robot):
     for file in robot.logs.files:
         for problem in file.problems:
             if problem.code in WHAT:

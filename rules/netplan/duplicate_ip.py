@@ -24,9 +24,6 @@ eth1: {addresses: [10.0.1.10/24]}
 - netplan YAML reference, "addresses"
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -34,7 +31,7 @@ from bringup_lint.api import rule
 
 
 @rule("error")
-def duplicate_ip(robot: Robot) -> Iterator[Finding]:
+def duplicate_ip(robot: Robot):
     for plan in robot.netplan.plans:
         owners = {}
         for interface in plan.interfaces.values():

@@ -26,9 +26,6 @@ ethernets:
 - netplan YAML reference
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
@@ -70,7 +67,7 @@ def _explain(code: str, where: str, detail: str) -> tuple[str, str]:
 
 
 @rule("error", symptoms=["Error in network definition"])
-def invalid_value(robot: Robot) -> Iterator[Finding]:
+def invalid_value(robot: Robot):
     for code, where, detail in robot.netplan.problems(*CODES):
         text = where if isinstance(where, Located) else where.text.partition("\n")[0]
         message, advice = _explain(code, text, detail)

@@ -22,16 +22,13 @@ addresses: [10.0.0.10/24]
 - RFC 1122, section 3.2.1.3
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("warning")
-def network_address(robot: Robot) -> Iterator[Finding]:
+def network_address(robot: Robot):
     for interface in robot.netplan.interfaces:
         for address in interface.addresses:
             ip = address.ip

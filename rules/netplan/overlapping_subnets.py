@@ -25,9 +25,6 @@ wlan0: {addresses: [10.0.1.11/24]}
 - Linux kernel documentation, ip-sysctl, arp_filter
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -35,7 +32,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning")
-def overlapping_subnets(robot: Robot) -> Iterator[Finding]:
+def overlapping_subnets(robot: Robot):
     for plan in robot.netplan.plans:
         seen = []
         for interface in plan.interfaces.values():

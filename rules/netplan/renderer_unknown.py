@@ -20,9 +20,6 @@ renderer: NetworkManager
 - netplan YAML reference, "renderer"
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -31,7 +28,7 @@ from bringup_lint.api.spelling import nearest
 
 
 @rule("error", fix="safe", symptoms=["unknown renderer"])
-def renderer_unknown(robot: Robot) -> Iterator[Finding]:
+def renderer_unknown(robot: Robot):
     for problem in robot.netplan.problems("bad-renderer"):
         word = problem.where
         near = nearest(str(word), ["networkd", "NetworkManager"]) or (["networkd"] if "systemd" in word.lower() else [])

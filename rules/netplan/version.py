@@ -23,9 +23,6 @@ network:
 - netplan YAML reference, "version"
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -33,7 +30,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["Only version 2 is supported"])
-def version(robot: Robot) -> Iterator[Finding]:
+def version(robot: Robot):
     for problem in robot.netplan.problems("bad-version"):
         change = fix("write version 2", (problem.where, "2"))
         yield finding(

@@ -25,9 +25,7 @@ vlans:
 """
 
 import re
-from collections.abc import Iterator
 
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -37,7 +35,7 @@ CONTROL = re.compile(r"(?:^|[^a-z])(?:control|ctrl|motion|safety|estop|e-stop)(?
 
 
 @rule("warning", confidence="medium")
-def wifi_control_plane(robot: Robot) -> Iterator[Finding]:
+def wifi_control_plane(robot: Robot):
     for plan in robot.netplan.plans:
         wifi = {str(i.name): i for i in plan.interfaces.values() if i.is_wifi}
         for interface in plan.interfaces.values():

@@ -23,9 +23,6 @@ access-points:
 - CWE-319
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -33,7 +30,7 @@ from bringup_lint.api.templates import is_example
 
 
 @rule("warning", tags=["CWE-319"])
-def wifi_open(robot: Robot) -> Iterator[Finding]:
+def wifi_open(robot: Robot):
     for interface in robot.netplan.interfaces:
         for point in interface.access_points:
             if point.is_open and not point.ssid.span.source.template and not point.is_passed_through:

@@ -24,9 +24,6 @@ access-points:
 - wpa_supplicant.conf(5)
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -40,7 +37,7 @@ from bringup_lint.api.templates import is_stand_in
         "PSK length of 64 is only supported for hex-digit",
     ],
 )
-def wifi_passphrase_length(robot: Robot) -> Iterator[Finding]:
+def wifi_passphrase_length(robot: Robot):
     for _, where, detail in robot.netplan.problems("passphrase"):
         if is_stand_in(where):
             continue

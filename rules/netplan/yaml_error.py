@@ -31,9 +31,6 @@ network:
 - YAML 1.2.2, section 6.1, "Indentation Spaces"
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -43,7 +40,7 @@ from bringup_lint.api import rule
     "error",
     symptoms=["Invalid YAML: tabs are not allowed for indent", "Invalid YAML: inconsistent indentation"],
 )
-def yaml_error(robot: Robot) -> Iterator[Finding]:
+def yaml_error(robot: Robot):
     for file in robot.netplan.files:
         if file.source.template:
             continue

@@ -24,9 +24,6 @@ async def execute(self, goal):
 - https://github.com/ros2/rclpy/issues/962
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import nodes
@@ -35,7 +32,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["RuntimeError: no running event loop"])
-def asyncio_in_callback(robot: Robot) -> Iterator[Finding]:
+def asyncio_in_callback(robot: Robot):
     for file, node in robot.nodes.with_callbacks:
         for callback, name, call, function in nodes.awaits_asyncio(robot.nodes.ending(file), node):
             yield finding(

@@ -23,9 +23,6 @@ Node(package="mower", executable="safety", remappings=[("scan", "scan_filtered")
 - ROS 2 documentation, "Understanding topics"
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -34,7 +31,7 @@ from bringup_lint.api import topics
 
 
 @rule("warning", confidence="medium")
-def topic_unconnected(robot: Robot) -> Iterator[Finding]:
+def topic_unconnected(robot: Robot):
     for running in robot.topics.runs:
         near = {each.use.topic for each in topics.misspelt(running)}
         for use in topics.unserved(running) if running.whole else ():

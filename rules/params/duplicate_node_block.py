@@ -24,9 +24,6 @@ motors:
 - rcl_yaml_param_parser, `find_node`
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -34,7 +31,7 @@ from bringup_lint.api import rule
 
 
 @rule("info")
-def duplicate_node_block(robot: Robot) -> Iterator[Finding]:
+def duplicate_node_block(robot: Robot):
     for file in robot.params.judged:
         seen = {}
         for block in file.blocks:

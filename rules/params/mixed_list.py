@@ -26,9 +26,7 @@ motors:
 """
 
 import re
-from collections.abc import Iterator
 
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -38,7 +36,7 @@ _DECIMAL = re.compile(r"[+-]?(?:0|[1-9][0-9]*)\Z")
 
 
 @rule("error", fix="safe", symptoms=["Sequence should be of same type"])
-def mixed_list(robot: Robot) -> Iterator[Finding]:
+def mixed_list(robot: Robot):
     for file, problem in robot.params.problems("mixed-list"):
         parameter = robot.params.at(file, problem.where)
         if parameter is None:

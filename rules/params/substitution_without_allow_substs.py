@@ -24,9 +24,7 @@ Node(package='demo', executable='map', name='map', parameters=[ParameterFile('co
 """
 
 import re
-from collections.abc import Iterator
 
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -40,7 +38,7 @@ _SUBSTITUTION = re.compile(
 
 
 @rule("error", fix="unsafe")
-def substitution_without_allow_substs(robot: Robot) -> Iterator[Finding]:
+def substitution_without_allow_substs(robot: Robot):
     for file, parameter in robot.params.parameters:
         if "$(" not in parameter.text or any(load.substitutes is not False for load in robot.params.loads(file)):
             continue

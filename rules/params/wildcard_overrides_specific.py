@@ -27,9 +27,6 @@ motors:
 - rclcpp, `parameter_map_from`
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -37,7 +34,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning")
-def wildcard_overrides_specific(robot: Robot) -> Iterator[Finding]:
+def wildcard_overrides_specific(robot: Robot):
     for file in robot.params.judged:
         for specific, general in robot.params.taken_back(file) if file.accepted else ():
             yield finding(

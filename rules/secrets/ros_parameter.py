@@ -28,16 +28,13 @@ bridge:
 - systemd.exec(5), "LoadCredential="
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("warning", tags=["CWE-200"])
-def ros_parameter(robot: Robot) -> Iterator[Finding]:
+def ros_parameter(robot: Robot):
     for found in robot.exposed_secrets:
         yield finding(
             found.where,

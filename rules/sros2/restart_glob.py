@@ -1,12 +1,11 @@
-"""A rotation script restarts units by a pattern, which matches loaded units only.
+"""A rotation restarts units by a pattern, which matches only those that are loaded.
 
 ## What it finds
-`systemctl restart`, `try-restart` or `reload-or-restart` with a wildcard in a shell script that runs `ros2
-security`.
+`systemctl restart` or `try-restart` with a wildcard in a shell script that works with keys of SROS2.
 
 ## Why it matters on a robot
-systemctl compares the pattern with the units in memory. A stopped unit is usually not in memory: systemctl
-skips it without a message, and it stays down although the rotation should bring it back with new keys.
+systemctl matches units in memory: one that is stopped or has failed is left out without a word, and comes back with the
+old credentials.
 
 ## Bad
 ```sh
@@ -18,23 +17,17 @@ systemctl restart 'robot-*.service'
 systemctl restart robot-base.service robot-navigation.service
 ```
 
-## When to ignore it
-With `try-restart`, or if stopped units should stay stopped: they read the new keys when they start.
-
 ## References
 - systemctl(1), "Parameter Syntax"
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("info")
-def restart_glob(robot: Robot) -> Iterator[Finding]:
+def restart_glob(robot: Robot):
     for _, commands in robot.sros2.scripts("ros2 security"):
         for command in commands:
             words = [word for word in command.words if not word.startswith("-")]
@@ -45,6 +38,6 @@ def restart_glob(robot: Robot) -> Iterator[Finding]:
                 if "*" in word and "$" not in word:
                     yield finding(
                         word,
-                        f"{word} matches loaded units only: a unit that is not loaded stays stopped",
+                        f"{word} matches loaded units only: one that is stopped or failed keeps its old credentials",
                         advice="name the units, or restart a target that they are part of",
                     )

@@ -25,9 +25,6 @@ Never for files that are installed together. Ignore it when one of them replaces
 - sshd: "Subsystem 'sftp' already defined."
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -35,7 +32,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["already defined"])
-def duplicate_subsystem(robot: Robot) -> Iterator[Finding]:
+def duplicate_subsystem(robot: Robot):
     for sshd in robot.sshd:
         known = {}
         for option in sshd.all("Subsystem"):

@@ -23,9 +23,6 @@ On an emulator or a test container that no network but its host's can reach. Nev
 - sshd_config(5), "PermitEmptyPasswords"
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -33,7 +30,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", tags=["CWE-258"])
-def empty_passwords(robot: Robot) -> Iterator[Finding]:
+def empty_passwords(robot: Robot):
     for sshd in robot.sshd:
         first = sshd.get("PermitEmptyPasswords")
         for option in sshd.all("PermitEmptyPasswords"):

@@ -29,9 +29,6 @@ long boot. Say so in the comment.
 - systemd-system.conf(5), "RuntimeWatchdogSec="
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import daemons
 from bringup_lint.api import finding
@@ -47,7 +44,7 @@ DEFAULTS = {
 
 
 @rule("warning", fix="unsafe")
-def watchdog_commented(robot: Robot) -> Iterator[Finding]:
+def watchdog_commented(robot: Robot):
     for daemon in robot.system_conf:
         seen = set()
         for file, line, key, value in daemon.commented():

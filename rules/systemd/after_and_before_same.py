@@ -27,9 +27,6 @@ PartOf=perception.service
 - systemd.unit(5), "Before=, After="
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -40,7 +37,7 @@ DEPENDS = ("Requires", "BindsTo", "PartOf", "Requisite", "Wants")
 
 
 @rule("error", fix="safe", symptoms=["Transaction order is cyclic", "Found ordering cycle on"])
-def after_and_before_same(robot: Robot) -> Iterator[Finding]:
+def after_and_before_same(robot: Robot):
     for unit in robot.units.judged:
         before = {str(word): word for word in unit.words("After")}
         for line in unit.assignments("Before"):

@@ -27,9 +27,6 @@ ExecStart=/usr/bin/robot-drivers \
 - journal: "Missing '=', ignoring line."
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -37,7 +34,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["Missing '=', ignoring line"])
-def backslash_space(robot: Robot) -> Iterator[Finding]:
+def backslash_space(robot: Robot):
     for file in robot.units.files:
         for problem in file.problems:
             if problem.code == "backslash-blank":

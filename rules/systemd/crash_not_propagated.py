@@ -27,9 +27,6 @@ After=base-driver.service
 - systemd.unit(5), "Requires=", "BindsTo="
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -38,7 +35,7 @@ from bringup_lint.api import rule
 
 
 @rule("info", fix="unsafe")
-def crash_not_propagated(robot: Robot) -> Iterator[Finding]:
+def crash_not_propagated(robot: Robot):
     units = robot.units
     layers = units.layers(units.ros)
     for unit in units.ros:

@@ -26,16 +26,13 @@ ExecStart=/usr/bin/robot-battery
 - journal: "Service is of type D-Bus but no D-Bus service name has been specified. Refusing."
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["no D-Bus service name has been specified"])
-def dbus_no_busname(robot: Robot) -> Iterator[Finding]:
+def dbus_no_busname(robot: Robot):
     for unit in robot.units.services:
         kind = unit.get("Type")
         if kind == "dbus" and unit.fragment and not unit.uncertain and not unit.has("BusName"):

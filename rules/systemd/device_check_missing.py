@@ -30,9 +30,7 @@ ExecStart=/opt/ros/jazzy/lib/rover_lidar/driver
 """
 
 import re
-from collections.abc import Iterator
 
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -47,7 +45,7 @@ PULLS = ("BindsTo", "Requires", "Wants", "After", "Requisite")
 
 
 @rule("info")
-def device_check_missing(robot: Robot) -> Iterator[Finding]:
+def device_check_missing(robot: Robot):
     for unit in robot.units.ros:
         if not unit.complete or unit.get("Type") == "oneshot" or not DRIVER.search(unit.stem):
             continue

@@ -27,9 +27,6 @@ BindsTo=dev-robot-camera.device
 - systemd.device(5), "The udev Database"
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -40,7 +37,7 @@ _KEYS = ("BindsTo", "Requires", "Requisite", "Wants", "After")
 
 
 @rule("warning", fix="safe", symptoms=["Timed out waiting for device", "Job dev-", "Dependency failed for"])
-def device_dep_needs_tag(robot: Robot) -> Iterator[Finding]:
+def device_dep_needs_tag(robot: Robot):
     for unit in robot.units.judged:
         seen = set()
         for key in _KEYS:

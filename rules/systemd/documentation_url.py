@@ -23,16 +23,13 @@ Documentation=https://www.example.org/robot
 - journal: "Invalid URL, ignoring"
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("warning", symptoms=["Invalid URL, ignoring"])
-def documentation_url(robot: Robot) -> Iterator[Finding]:
+def documentation_url(robot: Robot):
     for line in robot.units.lines:
         for problem in line.problems:
             if line.directive.type == "documentation" and problem.code == "invalid":

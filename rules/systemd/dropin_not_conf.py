@@ -24,9 +24,7 @@ rover.service.d/override.conf
 """
 
 import re
-from collections.abc import Iterator
 
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -38,7 +36,7 @@ MEANT = re.compile(
 
 
 @rule("warning")
-def dropin_not_conf(robot: Robot) -> Iterator[Finding]:
+def dropin_not_conf(robot: Robot):
     for source in robot.of_kind("systemd-dropin"):
         name = source.basename
         if ".conf" in name or MEANT.search(name) or not re.search(r"^\s*\[\w+\]\s*$", source.text, re.M):

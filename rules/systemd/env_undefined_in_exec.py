@@ -29,9 +29,7 @@ ExecStart=/bin/bash -c 'source /opt/ros/${ROS_DISTRO}/setup.bash && exec ros2 la
 """
 
 import re
-from collections.abc import Iterator
 
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -45,7 +43,7 @@ OF_SYSTEMD = re.compile(
 
 
 @rule("error", symptoms=["Referenced but unset environment variable evaluates to an empty string"])
-def env_undefined_in_exec(robot: Robot) -> Iterator[Finding]:
+def env_undefined_in_exec(robot: Robot):
     units = robot.units
     for unit in units.services:
         environment = units.environment(unit)

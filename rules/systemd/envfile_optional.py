@@ -26,9 +26,7 @@ ExecStart=/bin/bash -c 'source /opt/ros/${ROS_DISTRO}/setup.bash && exec ros2 la
 """
 
 import re
-from collections.abc import Iterator
 
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -37,7 +35,7 @@ from bringup_lint.api import rule
 
 
 @rule("info", fix="unsafe")
-def envfile_optional(robot: Robot) -> Iterator[Finding]:
+def envfile_optional(robot: Robot):
     units = robot.units
     for unit in units.services:
         environment = units.environment(unit)

@@ -26,9 +26,6 @@ ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rob
 - journal: "Failed to locate executable ros2: No such file or directory"
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -53,7 +50,7 @@ _SHELL_WORDS = (
 
 
 @rule("error", fix="unsafe", symptoms=["status=203/EXEC", "Failed to locate executable", "is not executable"])
-def exec_bare_ros2(robot: Robot) -> Iterator[Finding]:
+def exec_bare_ros2(robot: Robot):
     for line in robot.units.lines:
         searched = any(other.key == "ExecSearchPath" for other in line.file.assignments)
         for command in line.commands:

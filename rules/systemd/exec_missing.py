@@ -27,9 +27,6 @@ ExecStop=/usr/bin/robot-park
 - journal: "Service has no ExecStart=, ExecStop=, or SuccessAction=. Refusing."
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -37,7 +34,7 @@ from bringup_lint.api.systemd import directives
 
 
 @rule("error", symptoms=["Service has no ExecStart=", "has a bad unit file setting"])
-def exec_missing(robot: Robot) -> Iterator[Finding]:
+def exec_missing(robot: Robot):
     for unit in robot.units.services:
         if unit.fragment is None or unit.uncertain or unit.has("ExecStart") or _misplaced(unit):
             continue

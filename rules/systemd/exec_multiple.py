@@ -27,9 +27,6 @@ ExecStart=/usr/bin/robot-drivers --simulate
 - journal: "Service has more than one ExecStart= setting, which is only allowed for Type=oneshot services. Refusing."
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -38,7 +35,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["Service has more than one ExecStart= setting"])
-def exec_multiple(robot: Robot) -> Iterator[Finding]:
+def exec_multiple(robot: Robot):
     lines = {line.value.span: line for line in robot.units.lines if line.key == "ExecStart"}
     for unit in robot.units.services:
         if unit.uncertain or unit.get("Type") == "oneshot":

@@ -27,16 +27,13 @@ ExecStart=/opt/robot/start.sh
 - journal: "Neither a valid executable name nor an absolute path"
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Neither a valid executable name nor an absolute path", "has a bad unit file setting"])
-def exec_not_absolute(robot: Robot) -> Iterator[Finding]:
+def exec_not_absolute(robot: Robot):
     for line in robot.units.lines:
         if line.directive.type != "command" or line.value == ".":
             continue

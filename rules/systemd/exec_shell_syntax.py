@@ -27,9 +27,7 @@ StandardOutput=append:/var/log/robot.log
 """
 
 import re
-from collections.abc import Iterator
 
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -56,7 +54,7 @@ _HANDS_ON = (
 
 
 @rule("error", fix="unsafe")
-def exec_shell_syntax(robot: Robot) -> Iterator[Finding]:
+def exec_shell_syntax(robot: Robot):
     for line in robot.units.lines:
         for command in line.commands:
             names = [word.rpartition("/")[2] for word in command.argv]

@@ -31,9 +31,7 @@ ExecStart=/opt/rover/bin/drivers
 """
 
 import re
-from collections.abc import Iterator
 
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -46,7 +44,7 @@ TEXT = re.compile(r"\.(?:sh|bash|py|pl)$")
 
 
 @rule("error", symptoms=["status=203/EXEC", "Failed to locate executable", "Exec format error"])
-def execstartpre_missing_script(robot: Robot) -> Iterator[Finding]:
+def execstartpre_missing_script(robot: Robot):
     for unit in robot.units.services:
         for process in robot.units.processes(unit):
             program = process.program

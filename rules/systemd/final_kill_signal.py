@@ -26,9 +26,6 @@ TimeoutStopSec=20
 - systemd.kill(5), FinalKillSignal= and SendSIGKILL=
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -37,7 +34,7 @@ from bringup_lint.api.systemd import delete_lines
 
 
 @rule("error", fix="safe", symptoms=["Processes still around after final SIGTERM. Entering failed mode."])
-def final_kill_signal(robot: Robot) -> Iterator[Finding]:
+def final_kill_signal(robot: Robot):
     for unit in robot.units.ros:
         service = robot.units.supervision(unit)
         if service.final_signal.value not in ("SIGKILL", None) and service.sends_kill.value:

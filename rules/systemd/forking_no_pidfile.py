@@ -26,16 +26,13 @@ ExecStart=/usr/sbin/gpsd -P /run/gpsd.pid /dev/ttyUSB0
 - systemd.service(5), "PIDFile=", "GuessMainPID="
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("info")
-def forking_no_pidfile(robot: Robot) -> Iterator[Finding]:
+def forking_no_pidfile(robot: Robot):
     for unit in robot.units.services:
         kind = unit.get("Type")
         if kind != "forking" or unit.fragment is None or unit.uncertain:

@@ -27,9 +27,6 @@ ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rob
 - journal: "start operation timed out. Terminating."
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -38,7 +35,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="unsafe", symptoms=["start operation timed out. Terminating"])
-def forking_with_ros(robot: Robot) -> Iterator[Finding]:
+def forking_with_ros(robot: Robot):
     for unit in robot.units.services:
         kind = unit.get("Type")
         if kind != "forking":

@@ -27,9 +27,7 @@ ExecStart=/bin/bash -c 'source /opt/rover/install/setup.bash && exec ros2 launch
 """
 
 import re
-from collections.abc import Iterator
 
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -39,7 +37,7 @@ HOME = re.compile(r"/home/([^/$%]+)/")
 
 
 @rule("info")
-def hardcoded_ws_home(robot: Robot) -> Iterator[Finding]:
+def hardcoded_ws_home(robot: Robot):
     units = robot.units
     for unit in units.services:
         user = unit.get("User")

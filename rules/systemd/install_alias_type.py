@@ -26,16 +26,13 @@ Alias=drivers.service
 - systemctl: "Failed to enable unit, cannot alias robot-drivers.service as drivers.target."
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Failed to enable unit, cannot alias"])
-def install_alias_type(robot: Robot) -> Iterator[Finding]:
+def install_alias_type(robot: Robot):
     for line in robot.units.lines:
         if line.directive.type != "aliases" or line.assignment.opaque:
             continue

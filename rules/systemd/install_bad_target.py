@@ -26,9 +26,6 @@ WantedBy=multi-user.target
 - systemd.unit(5), "WantedBy="
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -51,7 +48,7 @@ COMMON = (
     fix="unsafe",
     symptoms=["added as a dependency to a non-existent unit", "is not a valid unit name"],
 )
-def install_bad_target(robot: Robot) -> Iterator[Finding]:
+def install_bad_target(robot: Robot):
     units = robot.units
     for unit in units.judged:
         known = sorted(

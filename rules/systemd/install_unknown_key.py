@@ -23,9 +23,6 @@ WantedBy=multi-user.target
 - journal: "Unknown key name 'WantBy' in section 'Install', ignoring."
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -35,7 +32,7 @@ from bringup_lint.api.systemd import directives
 
 
 @rule("error", fix="safe", symptoms=["Unknown key name", "The unit files have no installation config"])
-def install_unknown_key(robot: Robot) -> Iterator[Finding]:
+def install_unknown_key(robot: Robot):
     known = directives.sections()["Install"]
     for file in robot.units.files:
         allowed = directives.sections_of_type(file.type)

@@ -33,9 +33,6 @@ KillSignal=SIGINT
 - journal: "Failed to parse", "Invalid memory limit", "path is not absolute, ignoring"
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -43,7 +40,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["Failed to parse", "Invalid memory limit", "is not absolute", "ignoring:"])
-def invalid_value(robot: Robot) -> Iterator[Finding]:
+def invalid_value(robot: Robot):
     for line in robot.units.lines:
         for problem in line.problems:
             if line.directive.type in ELSEWHERE or problem.code not in CODES:

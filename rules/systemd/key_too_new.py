@@ -30,9 +30,6 @@ RestartSec=5
 - journal: "Unknown key name 'RestartSteps' in section 'Service', ignoring."
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -42,7 +39,7 @@ from bringup_lint.api import rule
     "warning",
     symptoms=["Unknown key name", "Failed to parse service type", "Failed to resolve unit specifiers"],
 )
-def key_too_new(robot: Robot) -> Iterator[Finding]:
+def key_too_new(robot: Robot):
     target = robot.target
     if not target.systemd_known:
         return

@@ -30,9 +30,6 @@ MemoryMax=2G
 - journal: "Standard output type syslog is obsolete"
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -43,7 +40,7 @@ from bringup_lint.api.systemd import move_lines
 
 
 @rule("warning", fix="safe", symptoms=["is obsolete", "please use", "Support for option", "deprecated"])
-def legacy_key(robot: Robot) -> Iterator[Finding]:
+def legacy_key(robot: Robot):
     table = directives.legacy()
     for line in robot.units.lines:
         section = str(line.assignment.section)

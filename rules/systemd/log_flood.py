@@ -24,16 +24,13 @@ ExecStart=/opt/rover/setup-and-run ros2 launch rover base.launch.py log_level:=i
 - systemd.exec(5), LogRateLimitIntervalSec=; journald.conf(5), RateLimitBurst=
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("info", symptoms=["Suppressed", "messages from"])
-def log_flood(robot: Robot) -> Iterator[Finding]:
+def log_flood(robot: Robot):
     for unit in robot.units.ros:
         if unit.get("LogRateLimitIntervalSec") or unit.get("LogRateLimitBurst"):
             continue

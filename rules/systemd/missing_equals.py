@@ -27,16 +27,13 @@ ExecStart=/usr/bin/robot-drivers \
 - journal: "Missing '=', ignoring line."
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Missing '=', ignoring line", "Missing key name before '='"])
-def missing_equals(robot: Robot) -> Iterator[Finding]:
+def missing_equals(robot: Robot):
     for file in robot.units.files:
         if file.source.template:
             continue

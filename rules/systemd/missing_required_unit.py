@@ -29,9 +29,6 @@ After=rover-hw.target
 - systemd.unit(5), "Requires="
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -41,7 +38,7 @@ KEYS = ("Requires", "Requisite", "BindsTo")
 
 
 @rule("error", fix="unsafe", symptoms=["not found.", "Failed to start: Unit not found"])
-def missing_required_unit(robot: Robot) -> Iterator[Finding]:
+def missing_required_unit(robot: Robot):
     units = robot.units
     for unit in units.judged:
         for key in KEYS:

@@ -25,9 +25,6 @@ After=rover-drivers.service
 - systemd.unit(5), "Wants=", "After="
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -37,7 +34,7 @@ KEYS = ("Wants", "Upholds", "After", "Before", "PartOf")
 
 
 @rule("warning", fix="unsafe")
-def missing_wanted_unit(robot: Robot) -> Iterator[Finding]:
+def missing_wanted_unit(robot: Robot):
     units = robot.units
     for unit in units.judged:
         required = {word for key in ("Requires", "Requisite", "BindsTo") for word in unit.words(key)}

@@ -34,9 +34,7 @@ After=network-online.target
 """
 
 import re
-from collections.abc import Iterator
 
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -56,7 +54,7 @@ WAITS = re.compile(
     fix="safe",
     symptoms=["does not match an available interface", 'failed to find interfaces for "udp"'],
 )
-def network_target(robot: Robot) -> Iterator[Finding]:
+def network_target(robot: Robot):
     units = robot.units
     for unit in (*units.dds, *units.presumed_ros):
         lines = [

@@ -30,9 +30,6 @@ NoNewPrivileges=yes
 - systemd.exec(5), NoNewPrivileges=; capabilities(7), "File capabilities"
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -42,7 +39,7 @@ from bringup_lint.api.systemd import flag
 
 
 @rule("warning", symptoms=["Operation not permitted", "could not open raw socket"])
-def nnp_filecaps(robot: Robot) -> Iterator[Finding]:
+def nnp_filecaps(robot: Robot):
     units = [
         unit
         for unit in robot.units.services

@@ -26,9 +26,6 @@ WantedBy=multi-user.target
 - systemd.unit(5), "[Install] Section Options"
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -36,7 +33,7 @@ from bringup_lint.api import rule
 
 
 @rule("info", fix="unsafe", symptoms=["The unit files have no installation config"])
-def no_install_section(robot: Robot) -> Iterator[Finding]:
+def no_install_section(robot: Robot):
     units = robot.units
     for unit in units.services:
         if unit.fragment is None or unit.uncertain or not unit.fragment.source.judged or units.is_started(unit):

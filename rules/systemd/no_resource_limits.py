@@ -26,9 +26,6 @@ CPUQuota=300%
 - systemd.resource-control(5)
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -37,7 +34,7 @@ LIMITS = ("MemoryMax", "MemoryHigh", "MemoryLimit", "CPUQuota")
 
 
 @rule("info")
-def no_resource_limits(robot: Robot) -> Iterator[Finding]:
+def no_resource_limits(robot: Robot):
     for unit in robot.units.ros:
         service = robot.units.supervision(unit)
         if not unit.complete or unit.get("Type") == "oneshot" or service.in_container:

@@ -29,9 +29,6 @@ After=rover-drivers.service
 - systemd.unit(5), "After="
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -41,7 +38,7 @@ RANK = {"hardware": 0, "perception": 1, "application": 2}
 
 
 @rule("warning", confidence="medium")
-def no_startup_order(robot: Robot) -> Iterator[Finding]:
+def no_startup_order(robot: Robot):
     units = robot.units
     for stack in units.stacks:
         layers = units.layers(stack)

@@ -32,9 +32,7 @@ After=chrony-wait.service
 """
 
 import re
-from collections.abc import Iterator
 
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -58,7 +56,7 @@ SIMULATED = re.compile(r"use_sim_time:=[Tt]rue|(?:^|[-_/])(?:sim|simulation|gaze
     confidence="medium",
     symptoms=["Lookup would require extrapolation into the future", "TF_OLD_DATA"],
 )
-def no_time_sync_gate(robot: Robot) -> Iterator[Finding]:
+def no_time_sync_gate(robot: Robot):
     units = robot.units
     daemon = next((path for path in DAEMONS if units.ros and configures(robot, path)), None)
     if daemon is None:

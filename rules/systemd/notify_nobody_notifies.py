@@ -27,9 +27,6 @@ ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rov
 - sd_notify(3); systemd.service(5), Type=notify
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -43,7 +40,7 @@ from bringup_lint.api.systemd import duration
     symptoms=["start operation timed out. Terminating."],
     aliases=["node/sd-notify-missing"],
 )
-def notify_nobody_notifies(robot: Robot) -> Iterator[Finding]:
+def notify_nobody_notifies(robot: Robot):
     for unit in robot.units.ros:
         service = robot.units.supervision(unit)
         if not unit.complete or not service.notifies or service.access.value not in ("all", "exec"):

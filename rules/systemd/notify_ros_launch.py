@@ -31,9 +31,6 @@ or, when no node reports readiness, `Type=exec`.
   PID"
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -47,7 +44,7 @@ from bringup_lint.api.systemd import duration
     fix="unsafe",
     symptoms=["reception only permitted for main PID", "start operation timed out. Terminating."],
 )
-def notify_ros_launch(robot: Robot) -> Iterator[Finding]:
+def notify_ros_launch(robot: Robot):
     for unit in robot.units.ros:
         service = robot.units.supervision(unit)
         if not unit.complete or not service.notifies or service.access.value in ("all", None) or service.main is None:

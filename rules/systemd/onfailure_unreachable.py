@@ -38,9 +38,6 @@ RestartSec=5
 - <https://github.com/systemd/systemd/issues/33710>: the change of behaviour in 254
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -49,7 +46,7 @@ from bringup_lint.api.systemd import duration
 
 
 @rule("warning")
-def onfailure_unreachable(robot: Robot) -> Iterator[Finding]:
+def onfailure_unreachable(robot: Robot):
     for unit in robot.units.services:
         policy = robot.units.restart(unit)
         handlers = [*unit.values("OnFailure", "Unit"), *unit.values("OnFailure", "Service")]

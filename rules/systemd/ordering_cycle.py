@@ -36,9 +36,6 @@ After=drivers.service
 - bootup(7)
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -53,7 +50,7 @@ from bringup_lint.api import rule
         "Transaction order is cyclic",
     ],
 )
-def ordering_cycle(robot: Robot) -> Iterator[Finding]:
+def ordering_cycle(robot: Robot):
     for cycle in robot.units.cycles:
         lines = [edge for edge in cycle.waits if edge.where and edge.where.source.judged]
         if not lines or cycle.against_targets:

@@ -28,9 +28,7 @@ DeviceAllow=char-ttyUSB rw
 """
 
 import re
-from collections.abc import Iterator
 
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -50,7 +48,7 @@ PSEUDO = re.compile(
     fix="unsafe",
     symptoms=["Operation not permitted", "could not open port", "No such file or directory: '/dev/"],
 )
-def private_devices(robot: Robot) -> Iterator[Finding]:
+def private_devices(robot: Robot):
     for unit in robot.units.services:
         closed = _closed(unit)
         if closed is None or robot.units.supervision(unit).in_container:

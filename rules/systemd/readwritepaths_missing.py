@@ -29,9 +29,6 @@ LogsDirectory=rover
 - tmpfiles.d(5)
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -61,7 +58,7 @@ BASES = {
 
 
 @rule("warning", fix="safe", symptoms=["Failed to set up mount namespacing", "status=226/NAMESPACE"])
-def readwritepaths_missing(robot: Robot) -> Iterator[Finding]:
+def readwritepaths_missing(robot: Robot):
     for unit in robot.units.judged:
         box = sandbox(unit, robot)
         if not unit.complete or box.own_root:

@@ -24,9 +24,6 @@ Wants=base.service
 - systemctl(1), "mask"
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -34,7 +31,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["is masked."])
-def requires_masked(robot: Robot) -> Iterator[Finding]:
+def requires_masked(robot: Robot):
     units = robot.units
     for unit in units.judged:
         for key in ("Requires", "Requisite", "BindsTo"):

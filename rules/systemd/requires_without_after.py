@@ -27,9 +27,6 @@ After=base-driver.service
 - systemd.unit(5), "Requires=", "BindsTo="
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -40,7 +37,7 @@ EARLY = ("sysinit.target", "basic.target", "network-online.target", "local-fs.ta
 
 
 @rule("warning", fix="safe")
-def requires_without_after(robot: Robot) -> Iterator[Finding]:
+def requires_without_after(robot: Robot):
     units = robot.units
     for unit in units.judged:
         if unit.type == "target" or unit.unsure_of("After", "Before"):

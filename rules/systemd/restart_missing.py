@@ -31,9 +31,6 @@ RestartSec=2
 - systemd.service(5), Restart=: the default is no
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -43,7 +40,7 @@ TOOLS = "cli"
 
 
 @rule("warning", fix="unsafe")
-def restart_missing(robot: Robot) -> Iterator[Finding]:
+def restart_missing(robot: Robot):
     units = robot.units
     for unit in (*units.ros, *units.presumed_ros):
         policy = units.restart(unit)

@@ -33,9 +33,7 @@ Conflicts=rover-drivers.service
 """
 
 import re
-from collections.abc import Iterator
 
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -49,7 +47,7 @@ LAYER = re.compile(
 
 
 @rule("warning", symptoms=["Be aware that are nodes in the graph that share an exact name"])
-def robot_launch_overlap(robot: Robot) -> Iterator[Finding]:
+def robot_launch_overlap(robot: Robot):
     units = robot.units
     for stack in units.stacks:
         started = [(unit, ros) for unit in stack for process in units.started(unit) for _, ros in process.launches]

@@ -33,9 +33,7 @@ ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rov
 """
 
 import re
-from collections.abc import Iterator
 
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -58,7 +56,7 @@ DROPPERS = frozenset({"setpriv", "runuser", "su", "sudo", "gosu", "su-exec", "ch
     tags=["CWE-250"],
     symptoms=["$HOME is not set", "Failed to get logging directory"],
 )
-def root_user(robot: Robot) -> Iterator[Finding]:
+def root_user(robot: Robot):
     units = robot.units
     for unit in units.services:
         if unit.manager == "user" or unit.unsure_of("User", "DynamicUser", section="Service"):

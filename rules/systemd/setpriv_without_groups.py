@@ -25,9 +25,6 @@ ExecStart=/opt/rover/bin/base
 - setpriv(1)
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -35,7 +32,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", symptoms=["Permission denied: '/dev/ttyUSB0'"])
-def setpriv_without_groups(robot: Robot) -> Iterator[Finding]:
+def setpriv_without_groups(robot: Robot):
     for unit in robot.units.services:
         for process in robot.units.processes(unit):
             for step in process.steps:

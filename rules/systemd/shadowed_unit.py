@@ -24,9 +24,6 @@ drop-in keeps the packaged file and changes only what it names.
 - systemd.unit(5), "Unit File Load Path"
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -34,7 +31,7 @@ from bringup_lint.api import rule
 
 
 @rule("info")
-def shadowed_unit(robot: Robot) -> Iterator[Finding]:
+def shadowed_unit(robot: Robot):
     for hidden, unit in robot.units.shadowed:
         if unit.fragment is None or unit.fragment.source.link or not hidden.source.robot_path:
             continue

@@ -28,9 +28,6 @@ exec ros2 launch rover base.launch.py
 - bash(1), exec
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -41,7 +38,7 @@ ALONE = ("mixed", "process")
 
 
 @rule("warning", fix="safe")
-def shell_wrapper_no_exec(robot: Robot) -> Iterator[Finding]:
+def shell_wrapper_no_exec(robot: Robot):
     for unit in robot.units.ros:
         service = robot.units.supervision(unit)
         if not unit.complete or service.main is None or service.main.kind != "shell" or service.kill_mode.unknown:

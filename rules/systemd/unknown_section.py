@@ -25,9 +25,6 @@ ExecStart=/usr/bin/robot-drivers
 - journal: "Unknown section 'service'. Ignoring."
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -37,7 +34,7 @@ from bringup_lint.api.systemd import directives
 
 
 @rule("error", fix="safe", symptoms=["Unknown section", "Invalid section header"])
-def unknown_section(robot: Robot) -> Iterator[Finding]:
+def unknown_section(robot: Robot):
     for file in robot.units.files:
         allowed = directives.sections_of_type(file.type)
         for section in file.sections:

@@ -24,9 +24,7 @@ logged in; in the field nobody is, and the service does not run, or stops when t
 """
 
 import re
-from collections.abc import Iterator
 
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -37,7 +35,7 @@ LINGER = "/var/lib/systemd/linger"
 
 
 @rule("warning")
-def user_unit_no_linger(robot: Robot) -> Iterator[Finding]:
+def user_unit_no_linger(robot: Robot):
     lingering = robot.tree.entries(LINGER)
     if lingering is None:
         return

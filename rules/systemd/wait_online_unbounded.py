@@ -31,9 +31,7 @@ ExecStart=/usr/lib/systemd/systemd-networkd-wait-online --interface=eth0 --timeo
 
 import itertools
 import re
-from collections.abc import Iterator
 
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -43,7 +41,7 @@ FOREVER = re.compile(r"--timeout=0$")
 
 
 @rule("warning", symptoms=["A start job is running for Wait for Network to be Configured"])
-def wait_online_unbounded(robot: Robot) -> Iterator[Finding]:
+def wait_online_unbounded(robot: Robot):
     for unit in robot.units.services:
         for process in robot.units.started(unit):
             if not WAITER.search(process.program):

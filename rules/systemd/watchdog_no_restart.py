@@ -30,9 +30,6 @@ RestartSec=2
 - systemd.service(5), table "Exit causes and the effect of the Restart= settings"
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -43,7 +40,7 @@ IDLE = ("no", "on-success", "on-abort")
 
 
 @rule("warning", symptoms=["Failed with result 'watchdog'"])
-def watchdog_no_restart(robot: Robot) -> Iterator[Finding]:
+def watchdog_no_restart(robot: Robot):
     for unit in robot.units.services:
         service, policy = robot.units.supervision(unit), robot.units.restart(unit)
         if not unit.complete or not service.watchdog_on or policy.restart not in IDLE:

@@ -27,9 +27,7 @@ WorkingDirectory=~
 """
 
 import re
-from collections.abc import Iterator
 
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -39,7 +37,7 @@ HOME = re.compile(r"(/home/[^/]+)(?:/|$)")
 
 
 @rule("info", symptoms=["status=200/CHDIR", "Changing to the requested working directory failed"])
-def workdir_missing_user_home(robot: Robot) -> Iterator[Finding]:
+def workdir_missing_user_home(robot: Robot):
     if not robot.tree.complete:
         return
     for unit in robot.units.services:

@@ -35,9 +35,6 @@ later.
 - systemd.device(5)
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -48,7 +45,7 @@ _READ_AT_EVERY_EVENT = ("ID_MM_DEVICE_IGNORE", "ID_MM_PORT_IGNORE", "NM_UNMANAGE
 
 
 @rule("warning", fix="safe")
-def action_add_only_symlink(robot: Robot) -> Iterator[Finding]:
+def action_add_only_symlink(robot: Robot):
     for line in robot.udev.judged:
         if "add" not in line.actions or "change" in line.actions:
             continue

@@ -29,9 +29,6 @@ express that.
 - udev(7), SYMLINK and OPTIONS "link_priority="
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -39,7 +36,7 @@ from bringup_lint.api import rule
 
 
 @rule("error")
-def duplicate_symlink(robot: Robot) -> Iterator[Finding]:
+def duplicate_symlink(robot: Robot):
     for rules in robot.udev.sets:
         seen = set()
         for first, second in rules.same_links:

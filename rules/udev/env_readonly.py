@@ -25,16 +25,13 @@ Never: udev rejects the assignment and drops everything else on the line with it
 - `udevadm verify`: Invalid ENV attribute
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Invalid ENV attribute"])
-def env_readonly(robot: Robot) -> Iterator[Finding]:
+def env_readonly(robot: Robot):
     for problem, _ in robot.udev.problems("read-only-property"):
         yield finding(
             problem.where,

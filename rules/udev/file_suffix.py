@@ -25,9 +25,7 @@ If the file is a template or a deliberately disabled variant that a script renam
 """
 
 import re
-from collections.abc import Iterator
 
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -36,7 +34,7 @@ _LEFTOVER = re.compile(r"~$|\.(?:bak|orig|rej|swp|save|old|disabled|off|dpkg-\w+
 
 
 @rule("warning")
-def file_suffix(robot: Robot) -> Iterator[Finding]:
+def file_suffix(robot: Robot):
     for source in robot.of_kind("udev-misnamed"):
         yield finding(
             source,

@@ -25,16 +25,13 @@ Never: udev drops the whole line.
 - `udevadm verify`: Invalid operator
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Invalid operator for GROUP", "Invalid operator for MODE", "Invalid operator for RUN"])
-def invalid_operator(robot: Robot) -> Iterator[Finding]:
+def invalid_operator(robot: Robot):
     for problem, _ in robot.udev.problems("invalid-operator"):
         yield finding(
             problem.where,

@@ -25,16 +25,13 @@ If the label only marks the end of the file by convention and no jump is missing
 - `udevadm verify`: LABEL is unused
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("info")
-def label_unused(robot: Robot) -> Iterator[Finding]:
+def label_unused(robot: Robot):
     for problem, _ in robot.udev.problems("label-unused"):
         yield finding(
             problem.where,

@@ -27,9 +27,7 @@ single user and no network services.
 """
 
 import re
-from collections.abc import Iterator
 
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -37,7 +35,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", fix="safe", tags=["CWE-732"])
-def mode_world_writable(robot: Robot) -> Iterator[Finding]:
+def mode_world_writable(robot: Robot):
     for line in robot.udev.judged:
         if line.is_open_by_design:
             continue

@@ -27,9 +27,7 @@ reach, such as `ttyUSB99`.
 """
 
 import re
-from collections.abc import Iterator
 
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -38,7 +36,7 @@ _KERNEL_NAME = re.compile(r"/dev/(?:ttyUSB|ttyACM|video|hidraw|media|input/(?:js
 
 
 @rule("error", symptoms=["conflicting device node", "Not replacing existing device node"])
-def symlink_kernel_name(robot: Robot) -> Iterator[Finding]:
+def symlink_kernel_name(robot: Robot):
     for line in robot.udev.judged:
         for link in line.links:
             if _KERNEL_NAME.fullmatch(link.path):

@@ -24,9 +24,6 @@ Never: udev drops the line when it loads the rules.
 - `udevadm verify`: The line has no effect
 """
 
-from collections.abc import Iterator
-
-from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -34,7 +31,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["The line has no effect, ignoring"])
-def symlink_match(robot: Robot) -> Iterator[Finding]:
+def symlink_match(robot: Robot):
     for _, line in robot.udev.problems("no-effect"):
         for token in line.matches("SYMLINK"):
             yield finding(

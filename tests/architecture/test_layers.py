@@ -23,6 +23,7 @@ LAYERS = (
     {"graph"},
     {"discover"},
     {"parsers"},
+    {"schema"},
     {"model", "finding", "facts"},
     {"source", "spelling", "templates", "toml"},
 )

@@ -71,7 +71,7 @@ def test_any_text_is_read(text: str) -> None:
 
 @pytest.mark.parametrize("version", VERSIONS)
 def test_moved_items_lead_to_items(version: str) -> None:
-    known = schema(version).by_path
+    known = schema(version).items
     assert all(item.moved_to in known for item in known.values() if item.moved_to)
 
 

@@ -9,11 +9,12 @@ from bringup_lint.finding import Edit
 from bringup_lint.finding import Fix
 from bringup_lint.model.cyclonedds import VERSIONS
 from bringup_lint.model.cyclonedds import Configuration
-from bringup_lint.model.cyclonedds import Item
-from bringup_lint.model.cyclonedds import Remark
+from bringup_lint.model.schema import Code
+from bringup_lint.model.schema import Item
+from bringup_lint.model.schema import Remark
 from bringup_lint.parsers.cyclonedds_schema import schema
 from bringup_lint.parsers.cyclonedds_values import THREADS
-from bringup_lint.parsers.cyclonedds_values import complaint
+from bringup_lint.parsers.cyclonedds_values import fault_of
 from bringup_lint.parsers.cyclonedds_values import words
 from bringup_lint.parsers.xml import parse
 from bringup_lint.source import Located
@@ -25,33 +26,33 @@ def accepted_by(configuration: Configuration, remark: Remark) -> list[str]:
     """The other versions that take what this version refuses."""
     if remark.item is None:
         return []
-    if remark.code in ("value", "range"):
+    if remark.code in (Code.VALUE, Code.RANGE):
         return [version for version in VERSIONS if _takes(version, remark.item, str(remark.where))]
-    mark = "@" if remark.code == "unknown-attribute" else "/"
+    mark = "@" if remark.code == Code.UNKNOWN_ATTRIBUTE else "/"
     path = f"{remark.item.path}{mark}{remark.detail}".lower()
-    return [version for version in VERSIONS if path in {known.lower() for known in schema(version).by_path}]
+    return [version for version in VERSIONS if path in {known.lower() for known in schema(version).items}]
 
 
 def _takes(version: str, item: Item, text: str) -> bool:
-    other = schema(version).by_path.get(item.path)
-    return other is not None and not other.moved_to and complaint(other, text, version) is None
+    other = schema(version).items.get(item.path)
+    return other is not None and not other.moved_to and fault_of(other, text, version) is None
 
 
 def spelling(configuration: Configuration, remark: Remark) -> Item | None:
     """The one item of the same place that a misspelt name means."""
     if remark.item is None:
         return None
-    items = remark.item.attributes if remark.code == "unknown-attribute" else remark.item.children
+    items = remark.item.attributes if remark.code == Code.UNKNOWN_ATTRIBUTE else remark.item.children
     if remark.item.path == "CycloneDDS":
-        items = [item for item in items if not item.moved_to]
-    found = nearest(remark.detail, [item.name for item in items])
-    return next((item for item in items if item.name == found[0]), None) if len(found) == 1 else None
+        items = {name: item for name, item in items.items() if not item.moved_to}
+    found = nearest(remark.detail, items)
+    return items[found[0]] if len(found) == 1 else None
 
 
 def place(configuration: Configuration, remark: Remark) -> str:
     """Where an item of this name may stand, such as ``General``; empty when nowhere or in several places."""
-    known = schema(configuration.version).elsewhere(remark.detail)
-    wanted = [item for item in known if item.is_attribute == (remark.code == "unknown-attribute")]
+    known = [item for item in schema(configuration.version).named(remark.detail) if not item.moved_to]
+    wanted = [item for item in known if item.is_attribute == (remark.code == Code.UNKNOWN_ATTRIBUTE)]
     if len(wanted) != 1:
         return ""
     parent = wanted[0].path.rpartition("@" if wanted[0].is_attribute else "/")[0]

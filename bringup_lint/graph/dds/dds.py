@@ -26,9 +26,10 @@ from bringup_lint.graph.dds.selection import user_of
 from bringup_lint.graph.environment.effective import stays_local
 from bringup_lint.model.cyclonedds import Configuration
 from bringup_lint.model.cyclonedds import Domain
-from bringup_lint.model.cyclonedds import Remark
 from bringup_lint.model.fastdds import Profiles
 from bringup_lint.model.fastdds import Remark as ProfileRemark
+from bringup_lint.model.schema import Code
+from bringup_lint.model.schema import Remark
 from bringup_lint.parsers import cyclonedds
 from bringup_lint.parsers import fastdds
 from bringup_lint.parsers.cyclonedds_values import words
@@ -211,7 +212,7 @@ class Dds:
         """The processes that read a configuration file."""
         return [each for each in self.selections if configuration.source in each.files]
 
-    def remarks(self, *codes: str) -> Iterator[tuple[Configuration, Remark]]:
+    def remarks(self, *codes: Code) -> Iterator[tuple[Configuration, Remark]]:
         """What the library would say about the Cyclone DDS files, by code."""
         for configuration in self.configurations:
             for remark in configuration.all_remarks:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from collections.abc import Iterator
 from dataclasses import dataclass
+from dataclasses import replace
 
 from bringup_lint.parsers.systemd_values.paths import is_absolute
 from bringup_lint.parsers.systemd_values.problems import LINE
@@ -107,7 +108,7 @@ def _arguments(value: Located, at: int) -> tuple[list[Located], int, int, list[V
 
 def _relaxed(problems: Iterable[ValueProblem], effect: str) -> Iterator[ValueProblem]:
     for problem in problems:
-        yield problem._replace(effect=NOTHING if problem.code == "unknown-escape" else effect)
+        yield replace(problem, effect=NOTHING if problem.code == "unknown-escape" else effect)
 
 
 def _prefix_length(word: str) -> int:

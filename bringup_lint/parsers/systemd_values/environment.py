@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import NamedTuple
 
 from bringup_lint.parsers.systemd_values.problems import LINE
@@ -42,7 +43,7 @@ def split_environment(value: Located) -> tuple[Variable, ...]:
 
 def _checked_words(value: Located, version: int, escapes: str = DECODE) -> Iterator[ValueProblem | Located]:
     found = split_words(value, escapes=escapes)
-    yield from (problem._replace(effect=LINE) for problem in found.problems)
+    yield from (replace(problem, effect=LINE) for problem in found.problems)
     for word in found.words:
         bad = list(check_specifiers(word, version, WORD))
         if bad:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 
 from bringup_lint.parsers.systemd_values.enumerations import closest
 from bringup_lint.parsers.systemd_values.enumerations import enumerations
@@ -89,7 +90,7 @@ def check_namespaces(value: Located, version: int) -> Iterator[ValueProblem]:
     """A boolean, or a list of namespace types, with ``~`` in front to turn it round."""
     if parse_bool(value) is None:
         for problem in check_words_of("namespace", _without_tilde(value), version):
-            yield problem._replace(effect="line")
+            yield replace(problem, effect="line")
 
 
 def check_address_families(value: Located, version: int) -> Iterator[ValueProblem]:

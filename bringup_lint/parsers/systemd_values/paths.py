@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from bringup_lint.parsers.systemd_values.problems import LINE
 from bringup_lint.parsers.systemd_values.problems import UNIT
@@ -66,7 +67,7 @@ def check_environment_file(value: Located, version: int) -> Iterator[ValueProble
 def check_pid_file(value: Located, version: int) -> Iterator[ValueProblem]:
     """A relative path is taken below /run; one with ``..`` stops the unit."""
     for problem in check_path(value, version, absolute=None):
-        yield problem._replace(effect=UNIT) if problem.code == "not-normalized" else problem
+        yield replace(problem, effect=UNIT) if problem.code == "not-normalized" else problem
 
 
 def check_condition_path(value: Located, version: int) -> Iterator[ValueProblem]:

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from dataclasses import dataclass
 
 from bringup_lint.source import Located
+from bringup_lint.source import Problem
 
 LINE = "line"
 """The assignment is ignored: the earlier value or the default applies."""
@@ -16,14 +17,14 @@ NOTHING = "nothing"
 """The value is taken as it stands, with a message in the log."""
 
 
-class ValueProblem(NamedTuple):
-    code: str
-    """``invalid``, ``out-of-range``, ``not-absolute``, ``not-relative``, ``not-normalized``, ``bad-unit-name``,
-    ``unknown-specifier``, ``specifier-too-new``, ``too-new``, ``unbalanced-quotes``, ``unknown-escape``,
-    ``empty-command``, ``bad-program`` or ``odd-name``."""
+@dataclass(frozen=True, slots=True)
+class ValueProblem(Problem):
+    """The codes are ``invalid``, ``out-of-range``, ``not-absolute``, ``not-relative``, ``not-normalized``,
+    ``bad-unit-name``, ``unknown-specifier``, ``specifier-too-new``, ``too-new``, ``unbalanced-quotes``,
+    ``unknown-escape``, ``empty-command``, ``bad-program`` or ``odd-name``. The detail is what is expected, such as
+    ``a size such as 512M or 2G``."""
+
     where: Located
-    expected: str = ""
-    """What may stand here: ``a size such as 512M or 2G``."""
     effect: str = LINE
     suggestion: str | None = None
     """The text that belongs in place of ``where``."""
@@ -31,3 +32,8 @@ class ValueProblem(NamedTuple):
     """Whether the suggestion is certainly what was meant."""
     since: int = 0
     """The first release that knows the word or specifier, for the codes that end in ``too-new``."""
+
+    @property
+    def expected(self) -> str:
+        """What may be written here."""
+        return self.detail

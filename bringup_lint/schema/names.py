@@ -1,0 +1,68 @@
+"""Which item a written name means: exactly, in another case, by an alias, or shortened."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from collections.abc import Mapping
+from enum import Enum
+from typing import NamedTuple
+
+from bringup_lint.model.schema import Item
+from bringup_lint.spelling import nearest
+
+
+class How(Enum):
+    EXACT = "exact"
+    ALIAS = "alias"
+    PREFIX = "prefix"
+    AMBIGUOUS = "ambiguous"
+    UNKNOWN = "unknown"
+
+
+class Match(NamedTuple):
+    item: Item | None
+    how: How
+
+
+class Spelling(NamedTuple):
+    """How a program compares names."""
+
+    folds: bool = False
+    """Case does not count."""
+    shortens: bool = False
+    """A unique prefix of a name counts as the name."""
+
+
+EXACT = Spelling()
+
+
+def find(items: Mapping[str, Item], name: str, spelling: Spelling = EXACT) -> Match:
+    """The item among siblings that a written name means. A prefix is told even where the program takes none."""
+    item = items.get(name)
+    if item is not None:
+        return Match(item, How.EXACT)
+    wanted = name.lower() if spelling.folds else name
+    for item in items.values():
+        if spelling.folds and item.name.lower() == wanted:
+            return Match(item, How.EXACT)
+        if any((alias.lower() if spelling.folds else alias) == wanted for alias in item.aliases):
+            return Match(item, How.ALIAS)
+    prefixed = [item for item in items.values() if _begins(item, wanted)] if spelling.folds else []
+    if len(prefixed) == 1:
+        return Match(prefixed[0], How.PREFIX)
+    return Match(None, How.AMBIGUOUS if prefixed and spelling.shortens else How.UNKNOWN)
+
+
+def _begins(item: Item, wanted: str) -> bool:
+    """Whether a name is the beginning of an item's. In Cyclone DDS, the name of an item with aliases may also be the
+    beginning of what is written."""
+    if item.deprecated:
+        return False
+    name = item.name.lower()
+    return name.startswith(wanted) or (bool(item.aliases) and wanted.startswith(name))
+
+
+def suggestions(items: Iterable[Item], name: str) -> list[str]:
+    """The names that a misspelt one may mean: the same in another case, else the nearest ones."""
+    known = [each for item in items for each in (item.name, *item.aliases)]
+    return [each for each in known if each.lower() == name.lower()] or nearest(name, known)
