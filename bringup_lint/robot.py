@@ -27,7 +27,6 @@ if TYPE_CHECKING:
     from bringup_lint.graph.graph import Graph
     from bringup_lint.graph.host.accounts import Accounts
     from bringup_lint.graph.host.can import Can
-    from bringup_lint.graph.host.daemons import Daemon
     from bringup_lint.graph.host.device_access import ClosedDevice
     from bringup_lint.graph.host.devices import Devices
     from bringup_lint.graph.host.files import Jail
@@ -36,19 +35,20 @@ if TYPE_CHECKING:
     from bringup_lint.graph.host.sshd import Sshd
     from bringup_lint.graph.host.sysctl import Sysctl
     from bringup_lint.graph.launch.launch import Launch
-    from bringup_lint.graph.living.expected import Expected
-    from bringup_lint.graph.living.living import LivingRobot
     from bringup_lint.graph.nodes.nodes import Nodes
+    from bringup_lint.graph.observed.expected import Expected
+    from bringup_lint.graph.observed.observed import LivingRobot
     from bringup_lint.graph.params.params import Params
+    from bringup_lint.graph.provenance import Ways
     from bringup_lint.graph.secrets.in_clear import Secret
     from bringup_lint.graph.secrets.ros import Indirect
     from bringup_lint.graph.sros2.sros2 import Sros2
-    from bringup_lint.graph.systemd.notify import Notify
+    from bringup_lint.graph.supervision.notify import Notify
+    from bringup_lint.graph.supervision.watchdog import Watchdog
+    from bringup_lint.graph.systemd.daemons import Daemon
     from bringup_lint.graph.systemd.units import Units
-    from bringup_lint.graph.systemd.watchdog import Watchdog
     from bringup_lint.graph.topics.topics import Topics
     from bringup_lint.graph.udev.udev import Udev
-    from bringup_lint.graph.ways import Ways
     from bringup_lint.model.dockerfile import Dockerfile
     from bringup_lint.model.env_file import EnvFile
     from bringup_lint.model.firewall import Firewall
@@ -226,7 +226,7 @@ class Robot:
 
     @cached_property
     def notify(self) -> Notify:
-        from bringup_lint.graph.systemd.notify import Notify
+        from bringup_lint.graph.supervision.notify import Notify
 
         return Notify(self)
 
@@ -264,19 +264,19 @@ class Robot:
 
     @cached_property
     def journald(self) -> list[Daemon]:
-        from bringup_lint.graph.host.daemons import load_daemons
+        from bringup_lint.graph.systemd.daemons import load_daemons
 
         return load_daemons(self, "journald")
 
     @cached_property
     def system_conf(self) -> list[Daemon]:
-        from bringup_lint.graph.host.daemons import load_daemons
+        from bringup_lint.graph.systemd.daemons import load_daemons
 
         return load_daemons(self, "system")
 
     @cached_property
     def logind(self) -> list[Daemon]:
-        from bringup_lint.graph.host.daemons import load_daemons
+        from bringup_lint.graph.systemd.daemons import load_daemons
 
         return load_daemons(self, "logind")
 
@@ -288,7 +288,7 @@ class Robot:
 
     @cached_property
     def watchdog(self) -> Watchdog:
-        from bringup_lint.graph.systemd.watchdog import Watchdog
+        from bringup_lint.graph.supervision.watchdog import Watchdog
 
         return Watchdog(self)
 
@@ -386,7 +386,7 @@ class Robot:
     @cached_property
     def graph(self) -> Graph:
         """Everything that the files of the tree name, and how it depends on each other: from units to topics."""
-        from bringup_lint.graph.joined import joined_graph
+        from bringup_lint.graph.edges.joined import joined_graph
 
         return joined_graph(self)
 
@@ -407,21 +407,21 @@ class Robot:
     @cached_property
     def ways(self) -> Ways:
         """How things come into effect: the chain of lines from a unit to a place."""
-        from bringup_lint.graph.ways import Ways
+        from bringup_lint.graph.provenance import Ways
 
         return Ways(self)
 
     @cached_property
     def expected(self) -> Expected:
         """The nodes that the files start, for a comparison with the running graph."""
-        from bringup_lint.graph.living.expected import expected
+        from bringup_lint.graph.observed.expected import expected
 
         return expected(self)
 
     @cached_property
     def living(self) -> LivingRobot | None:
         """The running graph held against the files; None in a run that looks at files only."""
-        from bringup_lint.graph.living.living import load_living
+        from bringup_lint.graph.observed.observed import load_living
 
         return load_living(self)
 

@@ -8,14 +8,14 @@ from collections.abc import Iterator
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.finding import Finding
-from bringup_lint.graph.host.daemons import Daemon
-from bringup_lint.graph.host.daemons import bad_values
-from bringup_lint.graph.host.daemons import headless
-from bringup_lint.graph.host.daemons import newer_keys
-from bringup_lint.graph.host.daemons import other_sections
-from bringup_lint.graph.host.daemons import setting_names
-from bringup_lint.graph.host.daemons import unknown_keys as keys_unknown_to
-from bringup_lint.graph.host.daemons import watchdog_seconds
+from bringup_lint.graph.systemd.daemons import Daemon
+from bringup_lint.graph.systemd.daemons import bad_values
+from bringup_lint.graph.systemd.daemons import headless
+from bringup_lint.graph.systemd.daemons import newer_keys
+from bringup_lint.graph.systemd.daemons import other_sections
+from bringup_lint.graph.systemd.daemons import setting_names
+from bringup_lint.graph.systemd.daemons import unknown_keys as keys_unknown_to
+from bringup_lint.graph.systemd.daemons import watchdog_seconds
 from bringup_lint.graph.target import Target
 from bringup_lint.spelling import nearest
 

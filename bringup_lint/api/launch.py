@@ -14,9 +14,9 @@ from bringup_lint.graph.launch.resolve import truth
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import exclusive
 from bringup_lint.graph.launch.started import literal_text
-from bringup_lint.graph.launch.supervision import check_of
-from bringup_lint.graph.launch.supervision import respawns
-from bringup_lint.graph.launch.supervision import watched
+from bringup_lint.graph.supervision.launched_processes import check_of
+from bringup_lint.graph.supervision.launched_processes import respawns
+from bringup_lint.graph.supervision.launched_processes import watched
 from bringup_lint.model.launch import ComposableNode
 from bringup_lint.model.launch import DeclareArgument
 from bringup_lint.model.launch import Emit

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from bringup_lint.graph.launch.of_units import all_respawn
-from bringup_lint.graph.launch.of_units import devices_of
-from bringup_lint.graph.launch.of_units import launched
-from bringup_lint.graph.launch.supervision import stop_time
+from bringup_lint.graph.supervision.launched_by_unit import all_respawn
+from bringup_lint.graph.supervision.launched_by_unit import devices_of
+from bringup_lint.graph.supervision.launched_by_unit import launched
+from bringup_lint.graph.supervision.launched_processes import stop_time
 
 __all__ = [
     "all_respawn",

@@ -109,7 +109,7 @@ def _known(robot: Robot) -> None:
     """Raises ConfigError when ``--launch`` names no launch file of the tree."""
     import shlex
 
-    from bringup_lint.graph.living.expected import launch_file
+    from bringup_lint.graph.observed.expected import launch_file
 
     for command in robot.launch_commands:
         try:
@@ -132,15 +132,15 @@ def loaded(path: str) -> Source:
 
 def seen(robot: Robot, options: dict[str, Any]) -> Source:
     """The running graph. Raises LiveError when it cannot be looked at."""
-    from bringup_lint.graph.living.domains import mentioned
-    from bringup_lint.graph.living.domains import middleware
-    from bringup_lint.graph.living.living import LivingRobot
+    from bringup_lint.graph.observed.domains import mentioned
+    from bringup_lint.graph.observed.domains import middleware
+    from bringup_lint.graph.observed.observed import LivingRobot
     from bringup_lint.live.run import AGAIN
     from bringup_lint.live.run import AT_MOST
     from bringup_lint.live.run import look
     from bringup_lint.live.run import merged
     from bringup_lint.live.text import graph_text
-    from bringup_lint.parsers.living import parse
+    from bringup_lint.parsers.observed import parse
     from bringup_lint.source import Source
 
     domain, told = chosen(robot, options["domain_id"])
@@ -170,7 +170,7 @@ def seen(robot: Robot, options: dict[str, Any]) -> Source:
 
 def chosen(robot: Robot, given: int | None) -> tuple[int, str]:
     """The domain to look at, and what says so. Raises ConfigError for a ``ROS_DOMAIN_ID`` that is none."""
-    from bringup_lint.graph.living.domains import configured
+    from bringup_lint.graph.observed.domains import configured
     from bringup_lint.parsers.ros_values import MAX_DOMAIN
     from bringup_lint.parsers.ros_values import domain_id
 

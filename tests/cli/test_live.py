@@ -21,7 +21,7 @@ from bringup_lint.live import observe
 from bringup_lint.live import run as live_run
 from bringup_lint.live.text import graph_text
 from bringup_lint.model.node_source import INFINITE
-from bringup_lint.parsers.living import parse
+from bringup_lint.parsers.observed import parse
 from bringup_lint.registry import Registry
 from bringup_lint.source import Source
 from tests.conftest import PROJECT

@@ -23,7 +23,7 @@ from bringup_lint.graph.dds.selection import selections
 from bringup_lint.graph.dds.selection import sharing_memory
 from bringup_lint.graph.dds.selection import together
 from bringup_lint.graph.dds.selection import user_of
-from bringup_lint.graph.environment.effective import stays_local
+from bringup_lint.graph.systemd.environment import stays_local
 from bringup_lint.model.cyclonedds import Configuration
 from bringup_lint.model.cyclonedds import Domain
 from bringup_lint.model.fastdds import Profiles

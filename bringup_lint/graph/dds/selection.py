@@ -10,15 +10,15 @@ from dataclasses import field
 from functools import partial
 from typing import TYPE_CHECKING
 
-from bringup_lint.graph.environment.effective import process_environment
+from bringup_lint.graph.systemd.environment import process_environment
 from bringup_lint.parsers.cyclonedds_uri import split_uri
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
-    from bringup_lint.graph.environment.effective import Environment
     from bringup_lint.graph.environment.ros import RosProcess
+    from bringup_lint.graph.systemd.environment import Environment
     from bringup_lint.graph.systemd.unit import Unit
     from bringup_lint.model.compose import Service
     from bringup_lint.robot import Robot

@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 
-from bringup_lint.graph.environment.effective import environment_files
+from bringup_lint.graph.systemd.environment import environment_files
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.model.env_file import Entry
 from bringup_lint.model.env_file import EnvFile

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 from typing import NamedTuple
 
 from bringup_lint.facts.ros import distros
-from bringup_lint.graph.environment.effective import Variable
 from bringup_lint.graph.environment.ros import image_variables
+from bringup_lint.graph.systemd.environment import Variable
 from bringup_lint.source import Located
 
 if TYPE_CHECKING:

@@ -9,13 +9,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from bringup_lint.graph.environment.effective import Environment
-from bringup_lint.graph.environment.effective import Variable
 from bringup_lint.graph.launch.resolve import Resolver
 from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.scope import EnvChange
 from bringup_lint.graph.launch.scope import Scope
 from bringup_lint.graph.launch.started import Started
+from bringup_lint.graph.systemd.environment import Environment
+from bringup_lint.graph.systemd.environment import Variable
 from bringup_lint.model.launch import Action
 from bringup_lint.model.launch import Process
 from bringup_lint.model.launch import SetEnv

@@ -8,14 +8,14 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 
-from bringup_lint.graph.environment.effective import SETUP_FILE
-from bringup_lint.graph.environment.effective import Environment
-from bringup_lint.graph.environment.effective import after_commands
-from bringup_lint.graph.environment.effective import assign_before
-from bringup_lint.graph.environment.effective import process_environment
 from bringup_lint.graph.environment.launched import launched_environment
 from bringup_lint.graph.launch.expansion import Expansion
 from bringup_lint.graph.launch.started import Started
+from bringup_lint.graph.systemd.environment import SETUP_FILE
+from bringup_lint.graph.systemd.environment import Environment
+from bringup_lint.graph.systemd.environment import after_commands
+from bringup_lint.graph.systemd.environment import assign_before
+from bringup_lint.graph.systemd.environment import process_environment
 from bringup_lint.graph.systemd.process import SHELLS
 from bringup_lint.graph.systemd.process import Process
 from bringup_lint.graph.systemd.process import Ros

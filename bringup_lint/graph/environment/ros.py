@@ -12,9 +12,6 @@ from typing import NamedTuple
 
 from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.discover.tree import display_name
-from bringup_lint.graph.environment.effective import Environment
-from bringup_lint.graph.environment.effective import Variable
-from bringup_lint.graph.environment.effective import process_environment
 from bringup_lint.graph.environment.launched import UNKNOWN
 from bringup_lint.graph.environment.launched import launch_variables
 from bringup_lint.graph.environment.launching import Launched
@@ -26,6 +23,9 @@ from bringup_lint.graph.environment.launching import of_script
 from bringup_lint.graph.environment.launching import of_service
 from bringup_lint.graph.environment.launching import of_unit
 from bringup_lint.graph.environment.launching import view
+from bringup_lint.graph.systemd.environment import Environment
+from bringup_lint.graph.systemd.environment import Variable
+from bringup_lint.graph.systemd.environment import process_environment
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.graph.target import mentions_of
 from bringup_lint.parsers.env_file import parse

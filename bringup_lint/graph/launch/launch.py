@@ -15,10 +15,10 @@ from bringup_lint.facts.ros.node_roles import HARDWARE
 from bringup_lint.facts.ros.node_roles import Role
 from bringup_lint.facts.ros.node_roles import packages
 from bringup_lint.facts.ros.node_roles import role_of
+from bringup_lint.graph.edges.launch import launch_edges
 from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.launch.commands import LaunchCommand
 from bringup_lint.graph.launch.commands import launch_commands
-from bringup_lint.graph.launch.edges import launch_edges
 from bringup_lint.graph.launch.expand import Expander
 from bringup_lint.graph.launch.expansion import Expansion
 from bringup_lint.graph.launch.expansion import Included

@@ -7,12 +7,12 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 
-from bringup_lint.graph.environment.effective import environment_files
 from bringup_lint.graph.secrets.programs import assigned
 from bringup_lint.graph.secrets.ros import Indirect
 from bringup_lint.graph.secrets.ros import indirect
 from bringup_lint.graph.secrets.ros import launch_words
 from bringup_lint.graph.secrets.ros import named_values
+from bringup_lint.graph.systemd.environment import environment_files
 from bringup_lint.parsers.env_file import parse
 from bringup_lint.parsers.systemd_values import split_environment
 from bringup_lint.source import Located

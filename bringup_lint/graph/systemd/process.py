@@ -14,7 +14,7 @@ from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from bringup_lint.graph.environment.effective import SETUP_FILE
+from bringup_lint.graph.systemd.environment import SETUP_FILE
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.model.shell import Command
 from bringup_lint.parsers.shell import commands

@@ -13,8 +13,8 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 
-from bringup_lint.graph.environment.effective import Environment
-from bringup_lint.graph.environment.effective import process_environment
+from bringup_lint.graph.systemd.environment import Environment
+from bringup_lint.graph.systemd.environment import process_environment
 from bringup_lint.graph.systemd.filesystem import absolute
 from bringup_lint.graph.systemd.filesystem import directories
 from bringup_lint.graph.systemd.process import Process

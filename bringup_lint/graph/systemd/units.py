@@ -9,12 +9,6 @@ from dataclasses import field
 from functools import cached_property
 
 from bringup_lint.facts.systemd.directives import NEWEST
-from bringup_lint.graph.environment.effective import Environment
-from bringup_lint.graph.environment.effective import EnvironmentFile
-from bringup_lint.graph.environment.effective import environment_files
-from bringup_lint.graph.environment.effective import process_environment
-from bringup_lint.graph.environment.effective import stays_local
-from bringup_lint.graph.environment.effective import unit_environment
 from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.graph import Graph
 from bringup_lint.graph.systemd import boot
@@ -23,6 +17,12 @@ from bringup_lint.graph.systemd.cycles import ROOTS
 from bringup_lint.graph.systemd.cycles import Cycle
 from bringup_lint.graph.systemd.cycles import ordering_cycles
 from bringup_lint.graph.systemd.dependencies import dependency_graph
+from bringup_lint.graph.systemd.environment import Environment
+from bringup_lint.graph.systemd.environment import EnvironmentFile
+from bringup_lint.graph.systemd.environment import environment_files
+from bringup_lint.graph.systemd.environment import process_environment
+from bringup_lint.graph.systemd.environment import stays_local
+from bringup_lint.graph.systemd.environment import unit_environment
 from bringup_lint.graph.systemd.named_units import NamedUnits
 from bringup_lint.graph.systemd.process import Process
 from bringup_lint.graph.systemd.process import processes

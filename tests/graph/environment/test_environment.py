@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import settings
 from hypothesis import strategies as st
 
-from bringup_lint.graph.environment.effective import process_environment
+from bringup_lint.graph.systemd.environment import process_environment
 from bringup_lint.parsers.env_file import parse
 from bringup_lint.source import Source
 from tests.graph.systemd.test_units import load

@@ -12,9 +12,9 @@ from hypothesis import strategies as st
 
 from bringup_lint.discover.walk import discover
 from bringup_lint.facts import table
+from bringup_lint.graph.edges.topics import topic_edges
 from bringup_lint.graph.topics.commands import is_stop
 from bringup_lint.graph.topics.commands import is_velocity
-from bringup_lint.graph.topics.edges import topic_edges
 from bringup_lint.graph.topics.known import known_node
 from bringup_lint.graph.topics.names import complaint
 from bringup_lint.graph.topics.names import expand

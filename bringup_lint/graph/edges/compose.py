@@ -6,12 +6,12 @@ from collections.abc import Iterator
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from bringup_lint.graph.files import file_node
-from bringup_lint.graph.files import file_place
-from bringup_lint.graph.files import is_plain
+from bringup_lint.graph.edges.systemd import own_units
+from bringup_lint.graph.file_nodes import file_node
+from bringup_lint.graph.file_nodes import file_place
+from bringup_lint.graph.file_nodes import is_plain
 from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.graph import Node
-from bringup_lint.graph.systemd.edges import own_units
 from bringup_lint.model.compose import Service
 from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.model.yaml_node import Sequence

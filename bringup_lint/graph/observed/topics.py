@@ -15,7 +15,7 @@ from bringup_lint.graph.topics.compatible import Conflict
 from bringup_lint.graph.topics.compatible import conflicts
 from bringup_lint.graph.topics.names import tail
 from bringup_lint.graph.topics.unconnected import alike
-from bringup_lint.model.living import Endpoint
+from bringup_lint.model.observed import Endpoint
 
 _OF_ROS = frozenset(("/rosout", "/parameter_events"))
 _HIDDEN = re.compile(r"/_")

@@ -11,7 +11,7 @@ from bringup_lint.parsers.ros_values import domain_id
 from bringup_lint.source import Located
 
 if TYPE_CHECKING:
-    from bringup_lint.graph.environment.effective import Environment
+    from bringup_lint.graph.systemd.environment import Environment
     from bringup_lint.robot import Robot
 
 

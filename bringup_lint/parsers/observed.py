@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from bringup_lint.model.living import Endpoint
-from bringup_lint.model.living import Living
-from bringup_lint.model.living import RunningNode
 from bringup_lint.model.node_source import INFINITE
 from bringup_lint.model.node_source import Qos
+from bringup_lint.model.observed import Endpoint
+from bringup_lint.model.observed import Living
+from bringup_lint.model.observed import RunningNode
 from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.model.yaml_node import Scalar
 from bringup_lint.parsers import yaml_nodes

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from bringup_lint.graph.environment.effective import environment_files
-from bringup_lint.graph.files import file_node
-from bringup_lint.graph.files import file_place
+from bringup_lint.graph.edges.systemd import own_units
+from bringup_lint.graph.file_nodes import file_node
+from bringup_lint.graph.file_nodes import file_place
 from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.graph import Node
-from bringup_lint.graph.systemd.edges import own_units
+from bringup_lint.graph.systemd.environment import environment_files
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:

@@ -14,22 +14,22 @@ from bringup_lint.graph.launch.lifecycle import managers
 from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.resolve import truth
 from bringup_lint.graph.launch.started import literal_text
-from bringup_lint.graph.living.domains import Domain
-from bringup_lint.graph.living.domains import configured
-from bringup_lint.graph.living.domains import of_environment
-from bringup_lint.graph.living.expected import Entry
-from bringup_lint.graph.living.expected import Expected
-from bringup_lint.graph.living.expected import ExpectedNode
-from bringup_lint.graph.living.tools import comes_with
-from bringup_lint.graph.living.tools import is_tool
-from bringup_lint.graph.living.topics import Meant
-from bringup_lint.graph.living.topics import Topic
-from bringup_lint.graph.living.topics import meant
-from bringup_lint.graph.living.topics import topics
+from bringup_lint.graph.observed.domains import Domain
+from bringup_lint.graph.observed.domains import configured
+from bringup_lint.graph.observed.domains import of_environment
+from bringup_lint.graph.observed.expected import Entry
+from bringup_lint.graph.observed.expected import Expected
+from bringup_lint.graph.observed.expected import ExpectedNode
+from bringup_lint.graph.observed.tools import comes_with
+from bringup_lint.graph.observed.tools import is_tool
+from bringup_lint.graph.observed.topics import Meant
+from bringup_lint.graph.observed.topics import Topic
+from bringup_lint.graph.observed.topics import meant
+from bringup_lint.graph.observed.topics import topics
 from bringup_lint.graph.topics.use import Use
-from bringup_lint.model.living import Endpoint
-from bringup_lint.model.living import Living
-from bringup_lint.model.living import RunningNode
+from bringup_lint.model.observed import Endpoint
+from bringup_lint.model.observed import Living
+from bringup_lint.model.observed import RunningNode
 from bringup_lint.source import Located
 from bringup_lint.source import Span
 
@@ -218,8 +218,8 @@ class LivingRobot:
 
 def load_living(robot: Robot) -> LivingRobot | None:
     """None in a run that looks at files only."""
-    from bringup_lint.parsers.living import KIND
-    from bringup_lint.parsers.living import parse
+    from bringup_lint.parsers.observed import KIND
+    from bringup_lint.parsers.observed import parse
 
     graphs = robot.parsed(parse, robot.of_kind(KIND))
     return LivingRobot(robot, graphs[0]) if graphs else None

@@ -11,8 +11,8 @@ from functools import cache
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 
-from bringup_lint.graph.files import file_place
-from bringup_lint.graph.files import is_plain
+from bringup_lint.graph.file_nodes import file_place
+from bringup_lint.graph.file_nodes import is_plain
 from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.graph import Node
 from bringup_lint.graph.systemd.dependencies import instances

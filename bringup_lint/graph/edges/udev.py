@@ -6,10 +6,10 @@ from collections.abc import Iterable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.graph.edges.launch import ros_node
 from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.graph import Node
 from bringup_lint.graph.host.devices import device_path
-from bringup_lint.graph.launch.edges import ros_node
 from bringup_lint.graph.udev.rule import Link
 from bringup_lint.source import Span
 

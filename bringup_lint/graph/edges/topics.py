@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from bringup_lint.graph.files import file_place
+from bringup_lint.graph.edges.launch import ros_node
+from bringup_lint.graph.file_nodes import file_place
 from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.graph import Node
-from bringup_lint.graph.launch.edges import ros_node
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:

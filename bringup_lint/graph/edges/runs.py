@@ -6,12 +6,12 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from bringup_lint.graph.files import file_node
-from bringup_lint.graph.files import file_place
-from bringup_lint.graph.files import is_plain
+from bringup_lint.graph.edges.systemd import own_units
+from bringup_lint.graph.file_nodes import file_node
+from bringup_lint.graph.file_nodes import file_place
+from bringup_lint.graph.file_nodes import is_plain
 from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.graph import Node
-from bringup_lint.graph.systemd.edges import own_units
 from bringup_lint.graph.systemd.process import unwrapped
 from bringup_lint.source import Located
 from bringup_lint.source import Source

@@ -12,16 +12,16 @@ from typing import TYPE_CHECKING
 from typing import NamedTuple
 
 from bringup_lint.finding import Related
-from bringup_lint.graph.environment.effective import Environment
 from bringup_lint.graph.environment.launching import expansion_of
 from bringup_lint.graph.launch.expansion import Expansion
 from bringup_lint.graph.launch.launch import SIMULATION
 from bringup_lint.graph.launch.lifecycle import full_name
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import literal_text
-from bringup_lint.graph.living.tools import OPEN_ENDED
-from bringup_lint.graph.living.tools import PASSING
-from bringup_lint.graph.living.tools import is_on_screen
+from bringup_lint.graph.observed.tools import OPEN_ENDED
+from bringup_lint.graph.observed.tools import PASSING
+from bringup_lint.graph.observed.tools import is_on_screen
+from bringup_lint.graph.systemd.environment import Environment
 from bringup_lint.graph.systemd.process import Ros
 from bringup_lint.graph.topics.process_arguments import ros_arguments
 from bringup_lint.model.launch import LaunchFile

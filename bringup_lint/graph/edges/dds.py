@@ -6,12 +6,12 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.dds import network
-from bringup_lint.graph.files import file_node
-from bringup_lint.graph.files import file_place
-from bringup_lint.graph.files import is_plain
+from bringup_lint.graph.edges.netplan import interface_node
+from bringup_lint.graph.file_nodes import file_node
+from bringup_lint.graph.file_nodes import file_place
+from bringup_lint.graph.file_nodes import is_plain
 from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.graph import Node
-from bringup_lint.graph.netplan.edges import interface_node
 from bringup_lint.model.cyclonedds import Configuration
 from bringup_lint.model.fastdds import Profiles
 from bringup_lint.parsers.cyclonedds_uri import split_uri

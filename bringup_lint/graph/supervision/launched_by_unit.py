@@ -26,7 +26,7 @@ def launched(ros: Ros, robot: Robot) -> Expansion | None:
 
 def all_respawn(expansion: Expansion) -> bool:
     """Whether launch itself starts every process again that ends."""
-    from bringup_lint.graph.launch.supervision import respawns
+    from bringup_lint.graph.supervision.launched_processes import respawns
 
     return bool(expansion.nodes) and all(respawns(node) for node in expansion.nodes)
 

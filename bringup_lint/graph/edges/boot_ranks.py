@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
+from bringup_lint.graph.edges.systemd import is_certain
+from bringup_lint.graph.edges.systemd import naming
 from bringup_lint.graph.graph import Node
-from bringup_lint.graph.systemd.edges import is_certain
-from bringup_lint.graph.systemd.edges import naming
 
 if TYPE_CHECKING:
     from bringup_lint.graph.systemd.units import Units

@@ -40,15 +40,15 @@ def _try(add: Callable[..., None], graph: Graph, robot: Robot, *more: Places) ->
 def _add_units(graph: Graph, robot: Robot) -> None:
     if not robot.of_kind(*UNITS):
         return
-    from bringup_lint.graph.environment.edges import environment_edges
-    from bringup_lint.graph.environment.edges import environment_places
-    from bringup_lint.graph.systemd.edges import KINDS
-    from bringup_lint.graph.systemd.edges import unit_edges
-    from bringup_lint.graph.systemd.edges import unit_places
-    from bringup_lint.graph.systemd.edges import user_edges
-    from bringup_lint.graph.systemd.ranks import boot_ranks
-    from bringup_lint.graph.systemd.runs import run_edges
-    from bringup_lint.graph.systemd.runs import script_places
+    from bringup_lint.graph.edges.boot_ranks import boot_ranks
+    from bringup_lint.graph.edges.environment import environment_edges
+    from bringup_lint.graph.edges.environment import environment_places
+    from bringup_lint.graph.edges.runs import run_edges
+    from bringup_lint.graph.edges.runs import script_places
+    from bringup_lint.graph.edges.systemd import KINDS
+    from bringup_lint.graph.edges.systemd import unit_edges
+    from bringup_lint.graph.edges.systemd import unit_places
+    from bringup_lint.graph.edges.systemd import user_edges
 
     graph.add(unit_edges(robot.units))
     graph.define(unit_places(robot.units, set(graph.nodes)))
@@ -63,9 +63,9 @@ def _add_units(graph: Graph, robot: Robot) -> None:
 def _add_services(graph: Graph, robot: Robot) -> None:
     if not robot.of_kind("compose"):
         return
-    from bringup_lint.graph.compose_edges import compose_edges
-    from bringup_lint.graph.compose_edges import compose_places
-    from bringup_lint.graph.compose_edges import starting_units
+    from bringup_lint.graph.edges.compose import compose_edges
+    from bringup_lint.graph.edges.compose import compose_places
+    from bringup_lint.graph.edges.compose import starting_units
 
     graph.add(compose_edges(robot))
     graph.define(compose_places(robot))
@@ -76,8 +76,8 @@ def _add_services(graph: Graph, robot: Robot) -> None:
 def _add_launch(graph: Graph, robot: Robot) -> None:
     if not robot.of_kind(*LAUNCH):
         return
-    from bringup_lint.graph.launch.edges import launch_edges
-    from bringup_lint.graph.launch.edges import launch_places
+    from bringup_lint.graph.edges.launch import launch_edges
+    from bringup_lint.graph.edges.launch import launch_places
 
     graph.add(launch_edges(robot.launch))
     graph.define(launch_places(robot.launch))
@@ -85,8 +85,8 @@ def _add_launch(graph: Graph, robot: Robot) -> None:
 
 
 def _add_topics(graph: Graph, robot: Robot) -> None:
-    from bringup_lint.graph.topics.edges import program_places
-    from bringup_lint.graph.topics.edges import topic_edges
+    from bringup_lint.graph.edges.topics import program_places
+    from bringup_lint.graph.edges.topics import topic_edges
 
     graph.add(topic_edges(robot))
     graph.define(program_places(robot))
@@ -94,8 +94,8 @@ def _add_topics(graph: Graph, robot: Robot) -> None:
 
 def _add_files(graph: Graph, robot: Robot) -> None:
     """Files that lines of other layers are looked up in, whoever reads them."""
-    from bringup_lint.graph.files import file_node
-    from bringup_lint.graph.files import file_place
+    from bringup_lint.graph.file_nodes import file_node
+    from bringup_lint.graph.file_nodes import file_place
 
     for source in robot.of_kind("params"):
         if source.judged:
@@ -108,17 +108,17 @@ def _add_files(graph: Graph, robot: Robot) -> None:
 def _add_network(graph: Graph, robot: Robot, places: Places) -> None:
     if not robot.of_kind("netplan"):
         return
-    from bringup_lint.graph.netplan.edges import network_edges
-    from bringup_lint.graph.netplan.edges import network_places
+    from bringup_lint.graph.edges.netplan import network_edges
+    from bringup_lint.graph.edges.netplan import network_places
 
     graph.add(network_edges(robot))
     graph.define(network_places(robot))
 
 
 def _add_dds(graph: Graph, robot: Robot, places: Places) -> None:
-    from bringup_lint.graph.dds.edges import binding_edges
-    from bringup_lint.graph.dds.edges import dds_places
-    from bringup_lint.graph.dds.edges import selection_edges
+    from bringup_lint.graph.edges.dds import binding_edges
+    from bringup_lint.graph.edges.dds import dds_places
+    from bringup_lint.graph.edges.dds import selection_edges
 
     graph.define(dds_places(robot))
     graph.add(selection_edges(robot, places))
@@ -126,9 +126,9 @@ def _add_dds(graph: Graph, robot: Robot, places: Places) -> None:
 
 
 def _add_security(graph: Graph, robot: Robot, places: Places) -> None:
-    from bringup_lint.graph.sros2.edges import document_edges
-    from bringup_lint.graph.sros2.edges import keystore_edges
-    from bringup_lint.graph.sros2.edges import security_places
+    from bringup_lint.graph.edges.sros2 import document_edges
+    from bringup_lint.graph.edges.sros2 import keystore_edges
+    from bringup_lint.graph.edges.sros2 import security_places
 
     graph.add(keystore_edges(robot, places))
     graph.add(document_edges(robot))
@@ -136,10 +136,10 @@ def _add_security(graph: Graph, robot: Robot, places: Places) -> None:
 
 
 def _add_devices(graph: Graph, robot: Robot, places: Places) -> None:
-    from bringup_lint.graph.udev.edges import device_edges
-    from bringup_lint.graph.udev.edges import device_units
-    from bringup_lint.graph.udev.edges import rule_edges
-    from bringup_lint.graph.udev.edges import rule_places
+    from bringup_lint.graph.edges.udev import device_edges
+    from bringup_lint.graph.edges.udev import device_units
+    from bringup_lint.graph.edges.udev import rule_edges
+    from bringup_lint.graph.edges.udev import rule_places
 
     graph.add(device_edges(robot, places))
     graph.add(device_units(graph.nodes))

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.discover.tree import display_name
-from bringup_lint.graph.files import file_node
-from bringup_lint.graph.files import file_place
+from bringup_lint.graph.file_nodes import file_node
+from bringup_lint.graph.file_nodes import file_place
 from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.graph import Node
 from bringup_lint.graph.sros2.keystore import Keystore

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from bringup_lint.graph.files import file_node
-from bringup_lint.graph.files import file_place
+from bringup_lint.graph.file_nodes import file_node
+from bringup_lint.graph.file_nodes import file_place
 from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.graph import Node
 from bringup_lint.graph.netplan.netplan import references

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from bringup_lint.graph.launch.of_units import launched
+from bringup_lint.graph.supervision.launched_by_unit import launched
 from bringup_lint.graph.systemd.process import Process
 from bringup_lint.graph.systemd.process import Ros
 from bringup_lint.source import Located
