@@ -1,22 +1,30 @@
-"""Robot: all that is known about one robot. This is what rules ask."""
+"""Robot: all that is known about one robot. This is what rules ask.
+
+It is the only module that knows all layers. A layer takes what it needs as arguments: ``Files``, and the layers below
+it that it asks; none takes a ``Robot``. To construct a layer costs nothing, because all that it holds is computed on
+first use (``cached_property``), so layers are passed as they are::
+
+    @cached_property
+    def params(self) -> Params:
+        from bringup_lint.graph.params.params import Params
+
+        return Params(self.files, self.launch)
+
+Where a layer is asked in rare cases only, and its modules would be imported in vain in most runs, a function is passed
+that gives it: ``Units(self.files, lambda: self.launch)``, with the parameter ``launch: Callable[[], Launch]``.
+"""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Callable
 from collections.abc import Iterable
-from dataclasses import dataclass
-from dataclasses import field
 from datetime import date
 from functools import cached_property
 from typing import TYPE_CHECKING
 from typing import TypeVar
 
-from bringup_lint.graph.target import Target
-from bringup_lint.graph.target import find_target
-from bringup_lint.source import Located
-from bringup_lint.source import Problem
-from bringup_lint.source import Source
+from bringup_lint.graph.files import Files
 
 if TYPE_CHECKING:
     from bringup_lint.discover.tree import Tree
@@ -37,9 +45,9 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.launch import Launch
     from bringup_lint.graph.nodes.nodes import Nodes
     from bringup_lint.graph.observed.expected import Expected
-    from bringup_lint.graph.observed.observed import LivingRobot
+    from bringup_lint.graph.observed.observed import Observed
     from bringup_lint.graph.params.params import Params
-    from bringup_lint.graph.provenance import Ways
+    from bringup_lint.graph.provenance import Provenance
     from bringup_lint.graph.secrets.in_clear import Secret
     from bringup_lint.graph.secrets.ros import Indirect
     from bringup_lint.graph.sros2.sros2 import Sros2
@@ -47,6 +55,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.supervision.watchdog import Watchdog
     from bringup_lint.graph.systemd.daemons import Daemon
     from bringup_lint.graph.systemd.units import Units
+    from bringup_lint.graph.target import Target
     from bringup_lint.graph.topics.topics import Topics
     from bringup_lint.graph.udev.udev import Udev
     from bringup_lint.model.dockerfile import Dockerfile
@@ -55,102 +64,91 @@ if TYPE_CHECKING:
     from bringup_lint.model.fstab import Fstab
     from bringup_lint.model.netplan import Netplan
     from bringup_lint.model.shell import Command
+    from bringup_lint.source import Located
+    from bringup_lint.source import Problem
+    from bringup_lint.source import Source
 
 Model = TypeVar("Model")
 
-_CONFIGURES_MIDDLEWARE = re.compile(
-    r"""CYCLONEDDS_URI["']?\s*[:=][^\n]*<|RMW_IMPLEMENTATION["']?\s*[:=]\s*["']?rmw_fastrtps_"""
-)
-_ROS_KINDS = (
-    "launch-python",
-    "launch-xml",
-    "launch-yaml",
-    "python-node",
-    "ros-param",
-    "params",
-    "cyclonedds",
-    "fastdds",
-    "sros2",
-)
 
-
-@dataclass(eq=False)
 class Robot:
-    """The sources of one run and everything derived from them, each layer on first use."""
+    """The files of one run and everything derived from them, each layer on first use."""
 
-    tree: Tree
-    configured_ros: str | None = None
-    configured_systemd: int | None = None
-    today: date = field(default_factory=date.today)
-    """The day for which validity dates are judged."""
-    launch_commands: tuple[str, ...] = ()
-    """For a comparison with the running graph: what was launched, as behind ``ros2 launch``."""
-    failures: list[tuple[Source, Exception]] = field(default_factory=list)
-    """Sources on which a parser failed inside."""
+    def __init__(
+        self,
+        tree: Tree,
+        configured_ros: str | None = None,
+        configured_systemd: int | None = None,
+        today: date | None = None,
+    ) -> None:
+        self.files = Files(tree, configured_ros, configured_systemd, today or date.today())
+        self.launch_commands: tuple[str, ...] = ()
+        """For a comparison with the running graph: what was launched, as after ``ros2 launch``."""
+
+    @property
+    def tree(self) -> Tree:
+        return self.files.tree
+
+    @property
+    def today(self) -> date:
+        """The day for which validity dates are judged."""
+        return self.files.today
+
+    @property
+    def failures(self) -> list[tuple[Source, Exception]]:
+        """Sources on which a parser failed inside."""
+        return self.files.failures
 
     @property
     def sources(self) -> list[Source]:
-        return self.tree.sources
-
-    @cached_property
-    def _by_kind(self) -> dict[str, list[Source]]:
-        by_kind: dict[str, list[Source]] = {}
-        for source in self.sources:
-            by_kind.setdefault(source.kind, []).append(source)
-        return by_kind
+        return self.files.sources
 
     def join(self, source: Source) -> None:
         """Take in a source that comes later, of a kind that nothing asked for before."""
-        self._by_kind.setdefault(source.kind, []).append(source)
-        self.sources.append(source)
+        self.files.join(source)
 
     def of_kind(self, *kinds: str) -> list[Source]:
-        return [source for kind in kinds for source in self._by_kind.get(kind, ())]
+        return self.files.of_kind(*kinds)
 
     def parsed(self, parse: Callable[[Source], Model], sources: Iterable[Source]) -> list[Model]:
-        """The models of the sources. A parser that fails costs its own source: it is noted in ``failures``."""
-        models = []
-        for source in sources:
-            try:
-                models.append(parse(source))
-            except Exception as error:
-                self.failures.append((source, error))
-        return models
+        """The models of the sources; of none on which the parser fails."""
+        return self.files.parsed(parse, sources)
 
     @property
     def kinds(self) -> frozenset[str]:
         """The kinds of file in the tree."""
-        return frozenset(self._by_kind)
+        return self.files.kinds
 
     def mentions(self, pattern: re.Pattern[str]) -> bool:
         """Whether the text of a judged file matches."""
-        return any(pattern.search(source.text) for source in self.sources if source.judged)
+        return self.files.mentions(pattern)
 
     @property
     def problems(self) -> list[Problem]:
         """What could not be read at all: unreadable, oversized or binary files."""
-        return self.tree.problems
+        return self.files.problems
 
-    @cached_property
+    @property
     def target(self) -> Target:
-        return find_target(self.sources, self.configured_ros, self.configured_systemd)
+        """The ROS distribution and the systemd version of the robot."""
+        return self.files.target
 
-    @cached_property
+    @property
     def is_ros(self) -> bool:
-        """Whether the tree has to do with ROS 2: something of it names a distribution, configures a middleware in the
-        environment, or is a kind that only ROS has."""
-        return (
-            self.target.ros_why != "not known"
-            or any(kind.startswith(_ROS_KINDS) for kind in self.kinds)
-            or self.mentions(_CONFIGURES_MIDDLEWARE)
-        )
+        """Whether the tree has to do with ROS 2."""
+        return self.files.is_ros
+
+    def same_robot(self, one: Source | Located, other: Source | Located) -> bool:
+        """Whether two files may be joined though neither names the other: they are for the same robot."""
+        return self.files.same_robot(one, other)
+
+    def find(self, robot_path: str, asked_by: Source) -> Source | None:
+        """The file at a path on the robot that another file names; none of another robot or variant."""
+        return self.files.find(robot_path, asked_by)
 
     def environment_file(self, robot_path: str) -> EnvFile | None:
         """The environment file at a path on the robot, when the tree holds it."""
-        from bringup_lint.parsers.env_file import parse
-
-        source = self.tree.find(robot_path)
-        return next(iter(self.parsed(parse, [source])), None) if source else None
+        return self.files.environment_file(robot_path)
 
     @cached_property
     def secrets(self) -> list[Secret]:
@@ -222,7 +220,7 @@ class Robot:
 
         plan = self.netplan.only_plan
         found = waiting_for_network(self.units)
-        return [each for each in found if plan is None or self.together(each[1], plan.files[0].source)]
+        return [each for each in found if plan is None or self.same_robot(each[1], plan.files[0].source)]
 
     @cached_property
     def notify(self) -> Notify:
@@ -405,11 +403,11 @@ class Robot:
         return load_sros2(self)
 
     @cached_property
-    def ways(self) -> Ways:
+    def provenance(self) -> Provenance:
         """How things come into effect: the chain of lines from a unit to a place."""
-        from bringup_lint.graph.provenance import Ways
+        from bringup_lint.graph.provenance import Provenance
 
-        return Ways(self)
+        return Provenance(self)
 
     @cached_property
     def expected(self) -> Expected:
@@ -419,29 +417,8 @@ class Robot:
         return expected(self)
 
     @cached_property
-    def living(self) -> LivingRobot | None:
+    def observed(self) -> Observed | None:
         """The running graph held against the files; None in a run that looks at files only."""
-        from bringup_lint.graph.observed.observed import load_living
+        from bringup_lint.graph.observed.observed import load_observed
 
-        return load_living(self)
-
-    @cached_property
-    def kinds_below(self) -> dict[str, set[str]]:
-        """The kinds of files below every folder that tell robots and variants apart."""
-        from bringup_lint.graph.variants import kinds_below
-
-        return kinds_below(self)
-
-    def together(self, one: Source | Located, other: Source | Located) -> bool:
-        """Whether two files may be joined though neither names the other: they are for the same robot."""
-        from bringup_lint.graph.variants import together
-
-        sources = (each.span.source if isinstance(each, Located) else each for each in (one, other))
-        return together(self, *sources)
-
-    def find(self, robot_path: str, asked_by: Source) -> Source | None:
-        """The file at a path on the robot that another file names; none of another robot or variant."""
-        from bringup_lint.graph.variants import names
-
-        found = self.tree.find(robot_path)
-        return found if found is not None and names(self, robot_path, asked_by, found) else None
+        return load_observed(self)

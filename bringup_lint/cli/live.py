@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     from bringup_lint.source import Source
 
 FAMILY = "live"
-KIND = "living-graph"
+KIND = "observed-graph"
 
 
 @click.command(cls=PairedOptions, context_settings={"help_option_names": ["-h", "--help"]})
@@ -98,7 +98,7 @@ def _compare(outputs: list[Output], paths: tuple[str, ...], options: dict[str, A
     robot.launch_commands = options["launched"]
     _known(robot)
     robot.join(loaded(options["load"]) if options["load"] else seen(robot, options))
-    if robot.living.seen.problems:
+    if robot.observed.graph.problems:
         raise ConfigError(f"{options['load']}: not a graph that bringup-lint live --save wrote")
     _tell(robot)
     outcome = run(robot, Registry.of(), config, ignores=not options["no_ignores"])
@@ -134,7 +134,7 @@ def seen(robot: Robot, options: dict[str, Any]) -> Source:
     """The running graph. Raises LiveError when it cannot be looked at."""
     from bringup_lint.graph.observed.domains import mentioned
     from bringup_lint.graph.observed.domains import middleware
-    from bringup_lint.graph.observed.observed import LivingRobot
+    from bringup_lint.graph.observed.observed import Observed
     from bringup_lint.live.run import AGAIN
     from bringup_lint.live.run import AT_MOST
     from bringup_lint.live.run import look
@@ -155,8 +155,8 @@ def seen(robot: Robot, options: dict[str, Any]) -> Source:
         (graph,) = looking.result()
     secured = os.environ.get("ROS_SECURITY_ENABLE") == "true"
     text = graph_text(graph, [], told, secured)
-    living = LivingRobot(robot, parse(Source("", text)))
-    if living.wants or (living.configured and living.configured.number != domain):
+    observed = Observed(robot, parse(Source("", text)))
+    if observed.wants or (observed.configured and observed.configured.number != domain):
         others = [each for each in mentioned(robot) if each != domain][:AT_MOST]
         also = f", and at {', '.join(map(str, others))}" if others else ""
         click.echo(f"Looking longer, for what is not there{also} ...", err=True)
@@ -192,8 +192,10 @@ def _at(where: Located) -> str:
 
 def _tell(robot: Robot) -> None:
     """What the files leave open, so that a rule stays silent; on standard error."""
-    expected, nodes = robot.expected, len(robot.living.nodes)
-    click.echo(f"Domain {robot.living.seen.domain} shows {nodes} node{'s' * (nodes != 1)}, tools left out.", err=True)
+    expected, nodes = robot.expected, len(robot.observed.nodes)
+    click.echo(
+        f"Domain {robot.observed.graph.domain} shows {nodes} node{'s' * (nodes != 1)}, tools left out.", err=True
+    )
     if expected.ambiguous:
         said = "Several launch files, and nothing says which one runs: name it with --launch to hear of missing nodes."
         click.echo(said, err=True)

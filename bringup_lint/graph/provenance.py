@@ -1,6 +1,6 @@
-"""The way by which something comes into effect: unit, script, launch files, node, parameter file, value.
+"""The chain of lines by which something comes into effect: unit, script, launch files, node, parameter file, value.
 
-Every step is a line of the tree that names the next one. Where no line leads to a place, there is no way.
+Every step is a line of the tree that names the next one. Where no line leads to a place, the chain is empty.
 """
 
 from __future__ import annotations
@@ -34,30 +34,30 @@ Steps = tuple[Related, ...]
 
 
 @dataclass(frozen=True, eq=False)
-class Ways:
-    """Ways to places of one robot; each is empty when nothing in the tree leads there."""
+class Provenance:
+    """The chains of one robot; each is empty when nothing in the tree leads there."""
 
     robot: Robot
 
-    def to(self, where: Located | Span | Source, last: str) -> Steps:
-        """The way to a place, which is the last step and does what ``last`` says."""
+    def chain_to(self, where: Located | Span | Source, last: str) -> Steps:
+        """The chain to a place, which is the last step and does what ``last`` says."""
         span = span_of(where)
         find = self._finders.get(span.source.kind)
         steps = find(span) if find else ()
         return (*steps, Related(span, last)) if steps else ()
 
-    def to_node(self, node: Started, *more: Related) -> Steps:
-        """The way to a node that a launch file starts."""
+    def chain_to_node(self, node: Started, *more: Related) -> Steps:
+        """The chain to a node that a launch file starts."""
         steps = self._to_node(node)
         return (*steps, *more) if len(steps) > 1 or (steps and more) else ()
 
-    def to_load(self, load: Load, *more: Related) -> Steps:
-        """The way to a node and the parameter file that it gets."""
+    def chain_to_load(self, load: Load, *more: Related) -> Steps:
+        """The chain to a node and the parameter file that it gets."""
         name = load.path.rpartition("/")[2]
         return (*self._to_node(load.node), Related(load.where, f"{load.node.label()} gets {name}"), *more)
 
-    def to_variable(self, process: RosProcess | Selection, value: Located, *more: Related) -> Steps:
-        """The way to the place that gives a process the value of a variable, and on from there."""
+    def chain_to_variable(self, process: RosProcess | Selection, value: Located, *more: Related) -> Steps:
+        """The chain to the place that gives a process the value of a variable, and on from there."""
         steps = (*self._to_variable(process, value), *more)
         return steps if len(steps) > 1 else ()
 
@@ -76,7 +76,7 @@ class Ways:
 
     @cached_property
     def _nodes(self) -> dict[int, tuple[Steps, Started]]:
-        """The way to the launch file of every node, by its action, and the node as it is started there."""
+        """The chain to the launch file of every node, by its action, and the node as it is started there."""
         found: dict[int, tuple[Steps, Started]] = {}
         for steps, expansion in self._all_expansions:
             for node in expansion.nodes:
@@ -161,7 +161,7 @@ class Ways:
         parameter = next((each for each in file.parameters if _holds(each.span, span)), None)
         loads = params.effective(file, parameter) if parameter else params.loads(file)
         load = next((load for load in loads if id(load.node.action) in self._nodes), None)
-        return self.to_load(load) if load else ()
+        return self.chain_to_load(load) if load else ()
 
     def _in_dds_file(self, span: Span) -> Steps:
         dds = self.robot.dds

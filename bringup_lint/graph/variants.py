@@ -7,12 +7,14 @@ the folders below their common one are alike: when both hold units, launch files
 from __future__ import annotations
 
 import os
+from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
-    from bringup_lint.robot import Robot
+    from bringup_lint.discover.tree import Tree
 
 TELLING = frozenset(
     {
@@ -46,42 +48,46 @@ def overlay_of(source: Source) -> str | None:
     return source.name[: -len(path.lstrip("/"))]
 
 
-def together(robot: Robot, one: Source, other: Source) -> bool:
-    """Whether two files are for the same robot, as far as their places tell."""
-    if one is other or robot.tree.complete:
-        return True
-    roots = overlay_of(one), overlay_of(other)
-    if None not in roots:
-        return roots[0] == roots[1]
-    ours, theirs = (os.path.abspath(source.name).split("/") for source in (one, other))
-    depth = next((at for at, (our, their) in enumerate(zip(ours, theirs)) if our != their), 0)
-    if depth in (len(ours) - 1, len(theirs) - 1):
-        return True
-    nothing: set[str] = set()
-    one_side, other_side = (robot.kinds_below.get("/".join(path[: depth + 1]), nothing) for path in (ours, theirs))
-    return not (one_side & other_side)
+@dataclass(eq=False)
+class Variants:
+    """The robots and variants of one tree."""
 
+    tree: Tree
 
-def names(robot: Robot, robot_path: str, asked_by: Source, found: Source) -> bool:
-    """Whether a path on the robot that a file names is this file: not one of another overlay, and not just one of the
-    same name in another variant."""
-    roots = overlay_of(asked_by), overlay_of(found)
-    if None not in roots:
-        return roots[0] == roots[1]
-    tail = robot_path.strip("/").split("/")[-2:]
-    return found.name.split("/")[-2:] == tail or together(robot, asked_by, found)
+    def same_robot(self, one: Source, other: Source) -> bool:
+        """Whether two files are for the same robot, as far as their places tell."""
+        if one is other or self.tree.complete:
+            return True
+        roots = overlay_of(one), overlay_of(other)
+        if None not in roots:
+            return roots[0] == roots[1]
+        ours, theirs = (os.path.abspath(source.name).split("/") for source in (one, other))
+        depth = next((at for at, (our, their) in enumerate(zip(ours, theirs)) if our != their), 0)
+        if depth in (len(ours) - 1, len(theirs) - 1):
+            return True
+        one_side, other_side = (self._kinds_below.get("/".join(path[: depth + 1]), set()) for path in (ours, theirs))
+        return not (one_side & other_side)
 
+    def names(self, robot_path: str, asked_by: Source, found: Source) -> bool:
+        """Whether a path on the robot that a file names is this file: not one of another overlay, and not just one of
+        the same name in another variant."""
+        roots = overlay_of(asked_by), overlay_of(found)
+        if None not in roots:
+            return roots[0] == roots[1]
+        tail = robot_path.strip("/").split("/")[-2:]
+        return found.name.split("/")[-2:] == tail or self.same_robot(asked_by, found)
 
-def kinds_below(robot: Robot) -> dict[str, set[str]]:
-    """The telling kinds of the files below every folder."""
-    found: dict[str, set[str]] = {}
-    for source in robot.sources:
-        if source.kind in TELLING:
-            folder = os.path.abspath(source.name)
-            while len(folder) > 1:
-                folder = os.path.dirname(folder)
-                kinds = found.setdefault(folder, set())
-                if source.kind in kinds:
-                    break
-                kinds.add(source.kind)
-    return found
+    @cached_property
+    def _kinds_below(self) -> dict[str, set[str]]:
+        """The telling kinds of the files below every folder."""
+        found: dict[str, set[str]] = {}
+        for source in self.tree.sources:
+            if source.kind in TELLING:
+                folder = os.path.abspath(source.name)
+                while len(folder) > 1:
+                    folder = os.path.dirname(folder)
+                    kinds = found.setdefault(folder, set())
+                    if source.kind in kinds:
+                        break
+                    kinds.add(source.kind)
+        return found

@@ -15,7 +15,7 @@ import time
 NAME = "_bringup_lint"
 NO_RCLPY = 3
 FAILED = 4
-MARK = "@@living-graph "
+MARK = "@@observed-graph "
 """Begins the line of the answer; anything else on stdout comes from the libraries."""
 QUIET = 0.5
 """Seconds without a change after which discovery counts as done, once the wait is over."""

@@ -1,4 +1,4 @@
-"""What was seen, as text that people read and ``parsers.living`` reads again: YAML, one node or endpoint a line."""
+"""What was seen, as text that people read and ``parsers.observed`` reads again: YAML, one node or endpoint a line."""
 
 from __future__ import annotations
 

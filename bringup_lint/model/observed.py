@@ -34,7 +34,7 @@ class Endpoint(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class Living:
+class ObservedGraph:
     source: Source
     domain: int
     domain_from: str = ""

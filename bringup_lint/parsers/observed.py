@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from bringup_lint.model.node_source import INFINITE
 from bringup_lint.model.node_source import Qos
 from bringup_lint.model.observed import Endpoint
-from bringup_lint.model.observed import Living
+from bringup_lint.model.observed import ObservedGraph
 from bringup_lint.model.observed import RunningNode
 from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.model.yaml_node import Scalar
@@ -17,17 +17,17 @@ from bringup_lint.source import Problem
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 
-KIND = "living-graph"
+KIND = "observed-graph"
 
 
-def parse(source: Source) -> Living:
+def parse(source: Source) -> ObservedGraph:
     """Read a graph. Problems: those of YAML, and ``not-a-graph``."""
     file = yaml_nodes.parse(source)
     root = file.root
     domain = _integer(root, "domain") if isinstance(root, Mapping) else None
     if not isinstance(root, Mapping) or domain is None:
-        return Living(source, 0, problems=(*file.problems, Problem("not-a-graph", source.whole)))
-    return Living(
+        return ObservedGraph(source, 0, problems=(*file.problems, Problem("not-a-graph", source.whole)))
+    return ObservedGraph(
         source,
         domain,
         str(_text(root, "domain_from") or ""),

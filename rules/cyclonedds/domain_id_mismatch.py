@@ -50,6 +50,6 @@ def domain_id_mismatch(robot: Robot):
                 "it has no effect",
                 advice="write any",
                 related=related,
-                chain=robot.ways.to(ids[0], f"the block is for domain {numbers[0]}"),
+                chain=robot.provenance.chain_to(ids[0], f"the block is for domain {numbers[0]}"),
                 fix=fix("write any", (ids[0], "any")) if len(ids) == 1 else None,
             )

@@ -52,7 +52,7 @@ def interface_not_in_netplan(robot: Robot):
                 f"Interface {name} is not configured on this robot: 'does not match an available "
                 "interface', no node starts",
                 advice=f"use one of {', '.join(str(each.device) for each in known)}",
-                chain=robot.ways.to(setting.value, f"{name} is to carry DDS"),
+                chain=robot.provenance.chain_to(setting.value, f"{name} is to carry DDS"),
                 related=[note(each.name, "netplan configures this one") for each in known[:3]],
                 severity="warning" if predictable else None,
             )

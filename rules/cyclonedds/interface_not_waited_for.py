@@ -53,7 +53,7 @@ def interface_not_waited_for(robot: Robot):
                     f"The boot does not wait for {setting.effective}: when ROS starts first, no node starts",
                     advice="delete optional, and start ROS after network-online.target",
                     related=[note(optional.where, "netplan does not wait for it"), *_order(robot, configuration)],
-                    chain=robot.ways.to(setting.value, f"{setting.effective} is to carry DDS"),
+                    chain=robot.provenance.chain_to(setting.value, f"{setting.effective} is to carry DDS"),
                 )
 
 

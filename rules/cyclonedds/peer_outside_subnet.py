@@ -42,6 +42,6 @@ def peer_outside_subnet(robot: Robot):
                     peer,
                     f"Peer {address} lies in no subnet of this robot and no route covers it: it will not be discovered",
                     advice="correct the address, or add a route",
-                    chain=robot.ways.to(peer, f"{peer} is to be contacted"),
+                    chain=robot.provenance.chain_to(peer, f"{peer} is to be contacted"),
                     related=[note(each.name, f"has {network}") for each, network in subnets[:3]],
                 )

@@ -51,7 +51,7 @@ def peer_self_missing(robot: Robot):
             "The robot itself is not among its peers, and multicast is off: its own nodes do not see each other",
             advice='add <Peer Address="localhost"/>',
             related=[note(off.value, "multicast is off")],
-            chain=robot.ways.to(first.name, "only these peers are contacted"),
+            chain=robot.provenance.chain_to(first.name, "only these peers are contacted"),
             severity=None if own else "info",
             fix=fix("add localhost", (inserted, f'<{first.name} Address="localhost"/>')) if own else None,
         )

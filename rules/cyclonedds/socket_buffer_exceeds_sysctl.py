@@ -48,7 +48,7 @@ def socket_buffer_exceeds_sysctl(robot: Robot):
             if wanted is None or not robot.sysctl.certain or (limit is not None and not limit.value.isdigit()):
                 continue
             granted = int(limit.value) if limit else 212992
-            if wanted <= 2 * granted or (limit is not None and not robot.together(limit.value, configuration.source)):
+            if wanted <= 2 * granted or (limit is not None and not robot.same_robot(limit.value, configuration.source)):
                 continue
             known = limit is not None or robot.tree.complete
             has = f"this robot has {granted}" if known else f"no file of this tree raises it from {granted}"
@@ -57,7 +57,7 @@ def socket_buffer_exceeds_sysctl(robot: Robot):
                 f"At least {setting.value} needs {limit_name} >= {(wanted + 1) // 2}, but {has}: no node starts",
                 advice=f"set {limit_name} = {wanted} in /etc/sysctl.d, or ask with max instead of min",
                 related=[*_limit(limit), *_readers(robot, configuration)],
-                chain=robot.ways.to(setting.value, f"at least {setting.value} is asked for"),
+                chain=robot.provenance.chain_to(setting.value, f"at least {setting.value} is asked for"),
                 severity=None if known else "warning",
                 confidence="high" if known else "medium",
             )

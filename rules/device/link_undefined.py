@@ -40,7 +40,7 @@ def link_undefined(robot: Robot):
             f"No udev rule makes {use.path}: the device never appears",
             advice=f"did you mean {near.path}?" if near else "add a rule that makes the link, or correct the name",
             related=[*_made(robot, use, near), *_same(robot, use)],
-            chain=robot.ways.to(use.path, f"{use.path} is opened"),
+            chain=robot.provenance.chain_to(use.path, f"{use.path} is opened"),
         )
     for use in robot.devices.without_rules:
         yield finding(

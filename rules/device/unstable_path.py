@@ -45,5 +45,5 @@ def unstable_path(robot: Robot):
             advice=f"use {names}" if links else "make a link with a udev rule, or use the path below /dev/serial/by-id",
             related=[note(link.name, f"makes {link.path}") for link in links[:3]],
             severity=severity,
-            chain=robot.ways.to(use.path, f"{use.path} is opened"),
+            chain=robot.provenance.chain_to(use.path, f"{use.path} is opened"),
         )

@@ -44,6 +44,8 @@ def cyclonedds_uri_file_missing(robot: Robot):
                     uri.value,
                     f"{path} does not exist: Cyclone DDS ends with an error, {process.name} starts no node",
                     advice="ship the file, or correct the path",
-                    chain=robot.ways.to_variable(process, uri.value, note(uri.value, f"{path} is named here")),
+                    chain=robot.provenance.chain_to_variable(
+                        process, uri.value, note(uri.value, f"{path} is named here")
+                    ),
                     related=[note(process.where, f"{process.name} gets the variable")],
                 )

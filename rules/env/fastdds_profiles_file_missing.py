@@ -41,6 +41,8 @@ def fastdds_profiles_file_missing(robot: Robot):
                     f"{found.text} does not exist: {process.name} runs Fast DDS with its defaults, multicast and no "
                     "peers",
                     advice="ship the file, or correct the path",
-                    chain=robot.ways.to_variable(process, found.value, note(found.value, "the file is named here")),
+                    chain=robot.provenance.chain_to_variable(
+                        process, found.value, note(found.value, "the file is named here")
+                    ),
                     related=[note(process.where, f"{process.name} gets the variable")],
                 )

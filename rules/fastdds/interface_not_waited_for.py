@@ -56,6 +56,6 @@ def interface_not_waited_for(robot: Robot):
                 text,
                 f"The boot does not wait for {interface.device}, which has {address}: started before it, readers fail",
                 advice="delete optional, and start ROS after network-online.target",
-                chain=robot.ways.to(text, f"only {address} is let through"),
+                chain=robot.provenance.chain_to(text, f"only {address} is let through"),
                 related=[note(interface.optional.where, "netplan does not wait for it")],
             )

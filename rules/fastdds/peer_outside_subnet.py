@@ -47,6 +47,6 @@ def peer_outside_subnet(robot: Robot):
                 element.text,
                 f"Peer {address} lies in no subnet of this robot and no route covers it: it will not be discovered",
                 advice="correct the address, or add a route",
-                chain=robot.ways.to(element.text, f"{address} is to be contacted"),
+                chain=robot.provenance.chain_to(element.text, f"{address} is to be contacted"),
                 related=[note(each.name, f"has {network}") for each, network in subnets[:3]],
             )

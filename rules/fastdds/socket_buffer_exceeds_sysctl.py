@@ -47,5 +47,5 @@ def socket_buffer_exceeds_sysctl(robot: Robot):
                     f"The kernel grants {limit} bytes ({name}), not {element.text}: large messages are still dropped",
                     advice=f"set {name} = {element.text} in /etc/sysctl.d",
                     related=[note(robot.sysctl.get(name).value, "the limit")],
-                    chain=robot.ways.to(element.text, f"{element.text} bytes are asked for"),
+                    chain=robot.provenance.chain_to(element.text, f"{element.text} bytes are asked for"),
                 )

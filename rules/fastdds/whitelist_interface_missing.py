@@ -44,6 +44,6 @@ def whitelist_interface_missing(robot: Robot):
                     element.text,
                     f"No interface of this robot has {address}: it is filtered out, and readers fail",
                     advice=f"use one of {', '.join(sorted(own))}",
-                    chain=robot.ways.to(element.text, f"only {address} is let through"),
+                    chain=robot.provenance.chain_to(element.text, f"only {address} is let through"),
                     related=[note(each, "the robot's own address") for each in robot.dds.own_places(profiles)[:3]],
                 )

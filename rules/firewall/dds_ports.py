@@ -45,7 +45,7 @@ def dds_ports(robot: Robot):
         ranges = [each for each in firewall.udp if each.last > each.first or each.first >= 7400]
         for_dds = [each for each in ranges if each.first >= 7400 and (each.first - 7400) % 250 <= 11]
         uncertain = any(not each.certain and each.protocol != "tcp" for each in firewall.openings)
-        if not for_dds or firewall.opens_all or uncertain or not robot.together(firewall.source, place):
+        if not for_dds or firewall.opens_all or uncertain or not robot.same_robot(firewall.source, place):
             continue
         needed = (base, base + 1, base + 10, base + 11)
         missing = [port for port in needed if not any(each.first <= port <= each.last for each in ranges)]

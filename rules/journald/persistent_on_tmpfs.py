@@ -50,7 +50,7 @@ def persistent_on_tmpfs(robot: Robot):
     mount = fstab.mount_of("/var/log/journal")
     if mount is None or not mount.is_tmpfs or not daemon.certain:
         return
-    if not robot.together(fstab.source, daemon.files[0].source):
+    if not robot.same_robot(fstab.source, daemon.files[0].source):
         return
     storage = daemon.get("Storage", read=str)
     use, size = daemon.get("SystemMaxUse", read=bytes_of), mount.option("size")

@@ -57,7 +57,7 @@ def critical_no_required(robot: Robot):
                 f"without its {role}",
                 advice="set on_exit=Shutdown() and let the unit restart with Restart=always, or set respawn",
                 related=starts(robot, entry),
-                chain=robot.ways.to_node(node),
+                chain=robot.provenance.chain_to_node(node),
             )
 
 

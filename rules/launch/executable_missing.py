@@ -54,7 +54,7 @@ def executable_missing(robot: Robot):
             executable,
             f"{package.name} has no executable '{executable}': launch aborts",
             advice=f"start '{near[0]}'" if near else f"install it in {package.builds[0].source.name}",
-            chain=robot.ways.to_node(node),
+            chain=robot.provenance.chain_to_node(node),
             related=related or [note(package.builds[0].source, "what the package installs")],
             fix=fix(f"write {near[0]}", (executable, near[0]), safe=False)
             if len(near) == 1 and executable.span.text == executable

@@ -45,6 +45,6 @@ def file_not_installed(robot: Robot):
                 advice=f"install the folder '{path.partition('/')[0]}' in {package.builds[0].source.basename}"
                 if "/" in path
                 else f"install it in {package.builds[0].source.basename}",
-                chain=robot.ways.to(reference.span, f"{path} is opened"),
+                chain=robot.provenance.chain_to(reference.span, f"{path} is opened"),
                 related=[note(package.builds[0].source, "what the package installs")],
             )

@@ -47,7 +47,7 @@ def include_missing_required_arg(robot: Robot):
                     f"The required argument '{declared.name}' is not passed: launch aborts",
                     advice=f"pass '{declared.name}'",
                     related=[note(declared.action.span, "declared here without a default")],
-                    chain=robot.ways.to(include.action.file.span, f"nothing passes '{declared.name}'"),
+                    chain=robot.provenance.chain_to(include.action.file.span, f"nothing passes '{declared.name}'"),
                     severity="warning" if include.conditions else None,
                 )
     for command in robot.launch.commands:

@@ -65,5 +65,5 @@ def commands(robot: Robot):
             f"{command.target} does not exist in {package.name}: {command.runner} fails at every start",
             advice=f"launch {near[0]}" if near else "correct the name",
             related=[note(package.manifest.name, f"the package {package.name}")],
-            chain=robot.ways.to(command.target, f"{command.target} is launched"),
+            chain=robot.provenance.chain_to(command.target, f"{command.target} is launched"),
         )

@@ -52,6 +52,6 @@ def lifecycle_node_unmanaged(robot: Robot):
                 node.span,
                 f"{name} is never configured: the node runs and does nothing",
                 advice="add it to the node_names of a lifecycle manager, or emit ChangeState events for it",
-                chain=robot.ways.to_node(node),
+                chain=robot.provenance.chain_to_node(node),
                 related=[note(manager.node.span, "this manager does not list it") for manager in managers[:3]],
             )

@@ -46,5 +46,5 @@ def lifecycle_non_lifecycle_node(robot: Robot):
                         f" {managed.fqn}/change_state and the bring-up stops",
                         advice="remove it from node_names",
                         related=[note(node.span, "the node is started here")],
-                        chain=robot.ways.to(managed.name, f"the manager waits for {managed.fqn}"),
+                        chain=robot.provenance.chain_to(managed.name, f"the manager waits for {managed.fqn}"),
                     )

@@ -88,6 +88,6 @@ def described(robot, manager, managed, bare):
         advice=advice,
         related=[note(bare[name].span, f"node '{name}' is started here") for name in near[:3]]
         or [note(manager.node.span, "the manager")],
-        chain=robot.ways.to(managed.name, f"the manager waits for {managed.fqn}"),
+        chain=robot.provenance.chain_to(managed.name, f"the manager waits for {managed.fqn}"),
         fix=fix(f"list '{near[0]}'", (managed.name, near[0]), safe=False) if exact else None,
     )

@@ -53,7 +53,7 @@ def package_missing(robot: Robot):
                 package,
                 f"Package '{package}' not found: launch aborts",
                 advice=f"start it from '{near[0]}'",
-                chain=robot.ways.to_node(node),
+                chain=robot.provenance.chain_to_node(node),
                 related=[note(workspace.packages[near[0]].manifest.name, "the package of the workspace")],
                 fix=fix(f"write {near[0]}", (package, near[0]), safe=False) if package.span.text == package else None,
             )

@@ -53,7 +53,7 @@ def plugin_missing(robot: Robot):
             plugin,
             f"Component {plugin} is not registered by {package.name}: the container runs without it",
             advice=f"load {near[0]}" if near else "register the class with rclcpp_components_register_node",
-            chain=robot.ways.to_node(node),
+            chain=robot.provenance.chain_to_node(node),
             related=[note(near[0], "this class is registered")]
             if near
             else [note(package.builds[0].source, "what the package registers")],

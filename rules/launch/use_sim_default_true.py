@@ -50,7 +50,7 @@ def use_sim_default_true(robot: Robot):
                 where,
                 f"{name} is true by default: started without arguments, the nodes wait for a simulated clock",
                 advice="make false the default and pass true in the simulation",
-                chain=robot.ways.to(where, f"{name} is true unless somebody says otherwise"),
+                chain=robot.provenance.chain_to(where, f"{name} is true unless somebody says otherwise"),
                 fix=fix("make false the default", (where, false), safe=False),
                 severity=None if bringup or robot.launch.drives(file) else "warning",
             )

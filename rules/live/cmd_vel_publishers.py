@@ -37,20 +37,20 @@ BY_TURNS = ("controller_server", "behavior_server", "recoveries_server", "dockin
 
 @rule("error", tags=["CWE-362"])
 def cmd_vel_publishers(robot: Robot):
-    living = robot.living
-    for topic in living.velocities:
+    observed = robot.observed
+    for topic in observed.velocities:
         sources = {source(each.node): each for each in reversed(topic.publishers)}
         if len(sources) < 2:
             continue
         first, *others = sorted(
-            reversed(sources.values()), key=lambda each: living.named_at(each).source is living.seen.source
+            reversed(sources.values()), key=lambda each: observed.named_at(each).source is observed.graph.source
         )
         names = ", ".join(str(each.node) for each in (first, *others))
         yield finding(
-            living.named_at(first),
+            observed.named_at(first),
             f"{len(sources)} nodes publish {topic.name} ({names}): the base obeys whoever spoke last",
             advice="give each a topic of its own and let a mux with priorities (twist_mux) publish the result",
-            related=[note(living.named_at(each), f"{each.node} publishes it too") for each in others],
+            related=[note(observed.named_at(each), f"{each.node} publishes it too") for each in others],
         )
 
 

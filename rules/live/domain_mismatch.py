@@ -33,12 +33,12 @@ from bringup_lint.api import rule
 
 @rule("error")
 def domain_mismatch(robot: Robot):
-    living = robot.living
-    configured = living.configured
+    observed = robot.observed
+    configured = observed.configured
     if configured is None:
         return
-    by_domain = {**living.elsewhere, living.seen.domain: living.nodes}
-    ours = {domain: [node for node in nodes if belongs(living, node)] for domain, nodes in by_domain.items()}
+    by_domain = {**observed.elsewhere, observed.graph.domain: observed.nodes}
+    ours = {domain: [node for node in nodes if belongs(observed, node)] for domain, nodes in by_domain.items()}
     file = configured.where.span.path.rpartition("/")[2]
     if ours.get(configured.number) == []:
         domain, nodes = next(((each, nodes) for each, nodes in sorted(ours.items()) if nodes), (None, []))
@@ -50,8 +50,8 @@ def domain_mismatch(robot: Robot):
                 advice="see that every unit, container and shell that starts nodes loads this file",
                 related=[note(node.name, f"runs on domain {domain}") for node in nodes[:3]],
             )
-    elif living.seen.domain == configured.number:
-        for (entry, domain), nodes in living.astray.items():
+    elif observed.graph.domain == configured.number:
+        for (entry, domain), nodes in observed.astray.items():
             yield finding(
                 entry.where,
                 f"{count(nodes)} on domain {domain}, not on {configured.number} as {file} says",
@@ -67,6 +67,6 @@ def count(nodes):
     return f"{nodes[0].name} runs" if len(nodes) == 1 else f"{len(nodes)} nodes run"
 
 
-def belongs(living, node):
+def belongs(observed, node):
     """Whether a node is the robot's, as far as the files tell names."""
-    return living.expected.named(node.name) is not None or not living.expected.nodes
+    return observed.expected.named(node.name) is not None or not observed.expected.nodes

@@ -35,20 +35,20 @@ from bringup_lint.api import rule
 
 @rule("error", tags=["CWE-306"])
 def enclave_unsecured(robot: Robot):
-    living = robot.living
-    seen = [node for node in living.nodes if living.expected.named(node.name) or not living.expected.nodes]
-    if living.security and seen and not living.seen.secured:
+    observed = robot.observed
+    seen = [node for node in observed.nodes if observed.expected.named(node.name) or not observed.expected.nodes]
+    if observed.security and seen and not observed.graph.secured:
         some = ", ".join(str(node.name) for node in seen[:3]) + (", ..." if len(seen) > 3 else "")
         count = "1 node" if len(seen) == 1 else f"{len(seen)} nodes"
         yield finding(
-            living.security,
-            f"Security is switched on here, and {count} of domain {living.seen.domain} can be seen without credentials "
+            observed.security,
+            f"Security is switched on here, and {count} of domain {observed.graph.domain} can be seen without credentials "
             f"({some})",
             advice="see that the variables reach the processes, and set ROS_SECURITY_STRATEGY=Enforce",
             related=[note(node.name, "seen without credentials") for node in seen[:3]],
         )
-    for node in {str(node.name): node for node in living.nodes}.values():
-        known = living.expected.named(node.name)
+    for node in {str(node.name): node for node in observed.nodes}.values():
+        known = observed.expected.named(node.name)
         selected = robot.sros2.enclave_of(known.started)[1] if known and known.started else None
         if selected is None or node.enclave is None or selected == node.enclave or "$" in selected:
             continue
@@ -56,5 +56,5 @@ def enclave_unsecured(robot: Robot):
             selected,
             f"{node.name} runs in the enclave {node.enclave}, not in {selected}",
             advice="start it from this file, with the arguments as they stand here",
-            related=[note(node.enclave, "the enclave that it runs in"), *known.way],
+            related=[note(node.enclave, "the enclave that it runs in"), *known.chain],
         )

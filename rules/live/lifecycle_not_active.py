@@ -37,16 +37,16 @@ PASSING = ("configuring", "activating", "deactivating", "cleaningup", "shuttingd
 
 @rule("error", symptoms=["Failed to bring up all requested nodes. Aborting bringup", "Failed to change state for node"])
 def lifecycle_not_active(robot: Robot):
-    living = robot.living
-    for node in living.nodes:
-        if node.state in (None, "active") or living.stays_inactive(node.name):
+    observed = robot.observed
+    for node in observed.nodes:
+        if node.state in (None, "active") or observed.stays_inactive(node.name):
             continue
-        known = living.expected.named(node.name)
-        entry, manager = living.managed.get(node.name, (None, None))
+        known = observed.expected.named(node.name)
+        entry, manager = observed.managed.get(node.name, (None, None))
         silent = node.state == "no answer"
         ours = known or entry
         settled = not silent and node.state not in PASSING
-        where = living.place(node.name)
+        where = observed.place(node.name)
         related = [note(node.state, "its state")] if where.source is not node.name.span.source else []
         yield finding(
             where,

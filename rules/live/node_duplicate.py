@@ -34,11 +34,11 @@ from bringup_lint.api import rule
 
 @rule("error", symptoms=["Publisher already registered for node name"])
 def node_duplicate(robot: Robot):
-    living = robot.living
-    for nodes in living.duplicates:
+    observed = robot.observed
+    for nodes in observed.duplicates:
         name = nodes[0].name
-        where = living.place(name)
-        starts = [each for each in living.expected.nodes if each.name == name and each.where != where]
+        where = observed.place(name)
+        starts = [each for each in observed.expected.nodes if each.name == name and each.where != where]
         lines = nodes if where.source is not name.span.source else nodes[1:]
         yield finding(
             where,

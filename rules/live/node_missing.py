@@ -38,11 +38,11 @@ CRASHED = "look at its log: it crashed or was never started"
 
 @rule("error")
 def node_missing(robot: Robot):
-    living = robot.living
-    domain = living.seen.domain
-    count = len({node.name for nodes in living.missing.values() for node in nodes})
-    if count > 1 and not living.names & living.expected.must:
-        entry, nodes = next(iter(living.missing.items()))
+    observed = robot.observed
+    domain = observed.graph.domain
+    count = len({node.name for nodes in observed.missing.values() for node in nodes})
+    if count > 1 and not observed.names & observed.expected.must:
+        entry, nodes = next(iter(observed.missing.items()))
         yield finding(
             entry.where,
             f"None of the {count} nodes that the files start runs on domain {domain}",
@@ -50,12 +50,12 @@ def node_missing(robot: Robot):
             related=[note(node.where, f"{node.name} is started here") for node in nodes[:5]],
         )
         return
-    for nodes in living.missing.values():
+    for nodes in observed.missing.values():
         for node in nodes:
-            other = living.namesake(node.name)
+            other = observed.namesake(node.name)
             yield finding(
                 node.where,
                 f"{node.name} does not run on domain {domain}" + (f"; {other.name} does" if other else ""),
                 advice="use the same name and namespace on both sides" if other else CRASHED,
-                related=[*node.way, *([note(other.name, "this one runs")] if other else [])],
+                related=[*node.chain, *([note(other.name, "this one runs")] if other else [])],
             )

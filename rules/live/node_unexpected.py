@@ -34,18 +34,18 @@ from bringup_lint.api import rule
 
 @rule("warning", confidence="medium")
 def node_unexpected(robot: Robot):
-    living = robot.living
-    if living.expected.gaps or not living.expected.nodes:
+    observed = robot.observed
+    if observed.expected.gaps or not observed.expected.nodes:
         return
-    missing = [node for nodes in living.missing.values() for node in nodes]
-    told = {str(other.name) for node in missing if (other := living.namesake(node.name))}
-    for node in {str(node.name): node for node in living.nodes}.values():
-        if node.name in told or living.accounts_for(node):
+    missing = [node for nodes in observed.missing.values() for node in nodes]
+    told = {str(other.name) for node in missing if (other := observed.namesake(node.name))}
+    for node in {str(node.name): node for node in observed.nodes}.values():
+        if node.name in told or observed.accounts_for(node):
             continue
-        same = [each for each in living.expected.nodes if each.name.rpartition("/")[2] == node.bare]
+        same = [each for each in observed.expected.nodes if each.name.rpartition("/")[2] == node.bare]
         yield finding(
             node.name,
-            f"{node.name} runs on domain {living.seen.domain}, and no file starts it",
+            f"{node.name} runs on domain {observed.graph.domain}, and no file starts it",
             advice="find out who started it; if it belongs to the robot, start it from a launch file",
             related=[note(each.where, f"this one is {each.name}") for each in same[:1]],
         )

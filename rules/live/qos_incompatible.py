@@ -34,14 +34,14 @@ from bringup_lint.api import rule
 
 @rule("error", symptoms=["requesting incompatible QoS. No messages will be sent to it", "offering incompatible QoS"])
 def qos_incompatible(robot: Robot):
-    living = robot.living
-    for topic in living.topics:
+    observed = robot.observed
+    for topic in observed.topics:
         for publisher, subscription, conflicts in topic.pairs:
             offers = " and ".join(words(each.policy, each.offered) for each in conflicts)
             asks = " and ".join(words(each.policy, each.asked) for each in conflicts)
-            where = living.profile_at(subscription)
+            where = observed.profile_at(subscription)
             related = [
-                note(living.profile_at(publisher), f"{publisher.node} publishes"),
+                note(observed.profile_at(publisher), f"{publisher.node} publishes"),
                 note(publisher.topic, f"offers {offers}"),
                 note(subscription.topic, f"asks for {asks}"),
             ]

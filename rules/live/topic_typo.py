@@ -33,23 +33,26 @@ from bringup_lint.api import rule
 
 @rule("warning", confidence="medium")
 def topic_typo(robot: Robot):
-    living = robot.living
-    for subscription, publisher, why in living.meant:
+    observed = robot.observed
+    for subscription, publisher, why in observed.meant:
         topic = publisher.topic
         differs = " (only the namespace differs)" if why == "namespace" else ""
         yield finding(
-            living.named_at(subscription),
+            observed.named_at(subscription),
             f"Nobody publishes {subscription.topic}, which {subscription.node} waits for; "
             f"{publisher.node} publishes {topic}{differs}",
             advice=f"use one name, or remap {subscription.topic} to {topic}",
             related=[
                 note(place, said)
                 for place, said in (
-                    (living.named_at(publisher), f"{publisher.node} publishes {topic}"),
+                    (observed.named_at(publisher), f"{publisher.node} publishes {topic}"),
                     (subscription.topic, "waited for"),
                     (topic, "published"),
                 )
                 if place
-                not in (living.named_at(subscription), *((living.named_at(publisher),) if said == "published" else ()))
+                not in (
+                    observed.named_at(subscription),
+                    *((observed.named_at(publisher),) if said == "published" else ()),
+                )
             ],
         )

@@ -50,7 +50,7 @@ def larger_than_tmpfs(robot: Robot):
     fstab = robot.fstabs[0] if len(robot.fstabs) == 1 else None
     for stanza in robot.logs.stanzas if fstab else ():
         limit = stanza.get("size", "minsize") or stanza.get("maxsize")
-        mounts = [fstab.mount_of(path) for path in stanza.paths if robot.together(path, fstab.source)]
+        mounts = [fstab.mount_of(path) for path in stanza.paths if robot.same_robot(path, fstab.source)]
         mount = next((each for each in mounts if each is not None and each.is_tmpfs and each.option("size")), None)
         if limit is None or mount is None or stanza.skipped:
             continue

@@ -47,6 +47,8 @@ def topic_typo(robot: Robot):
                     note(meant.name_place or meant.where, f"{near} is named here"),
                     note(use.node.started.span, f"{use.node.label()} is started here"),
                 ],
-                chain=robot.ways.to_node(use.node.started, note(use.name_place or use.where, f"{use.topic} is meant")),
+                chain=robot.provenance.chain_to_node(
+                    use.node.started, note(use.name_place or use.where, f"{use.topic} is meant")
+                ),
                 fix=fix(f"use {near}", better, safe=False) if better else None,
             )

@@ -43,7 +43,9 @@ def file_key_mismatch(robot: Robot):
             f"{found.file.source.basename} has a block for '{found.block.name}', the node is {found.name}: all its "
             "parameters stay at the defaults, without any message",
             advice=f"name the block {better}",
-            chain=robot.ways.to_load(found.load, note(found.block.key, f"its block is for {found.block.name}")),
+            chain=robot.provenance.chain_to_load(
+                found.load, note(found.block.key, f"its block is for {found.block.name}")
+            ),
             related=[note(found.block.key, "the block that does not match"), note(found.load.node.span, "the node")],
             fix=fix(f"Name the block {better}", (found.block.key, better), safe=False) if single else None,
         )

@@ -45,7 +45,9 @@ def node_not_in_launch(robot: Robot):
             f"No node is called '{found.block.name}' (there is {found.name}): these parameters are never used, the "
             "defaults stay",
             advice=f"write {name}",
-            chain=robot.ways.to_load(found.load, note(found.block.key, f"the block is for {found.block.name}")),
+            chain=robot.provenance.chain_to_load(
+                found.load, note(found.block.key, f"the block is for {found.block.name}")
+            ),
             related=[
                 note(found.load.node.span, f"{found.name} is started here"),
                 note(found.load.where, "gets the file here"),

@@ -52,7 +52,7 @@ def substitution_without_allow_substs(robot: Robot):
                     item.span,
                     f"The node gets the literal text '{found[0]}' for '{parameter.name}': launch does not fill it in",
                     advice='load the file with ParameterFile(path, allow_substs=True), in XML with allow_substs="true"',
-                    chain=robot.ways.to_load(loads[0], note(item.span, f"{found[0]} is left as it is")),
+                    chain=robot.provenance.chain_to_load(loads[0], note(item.span, f"{found[0]} is left as it is")),
                     related=[note(loads[0].where, "loaded here, without substitutions")],
                     fix=_allowed(loads[0].where),
                 )

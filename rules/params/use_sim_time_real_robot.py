@@ -41,6 +41,6 @@ def use_sim_time_real_robot(robot: Robot):
             "never fire",
             advice="write false",
             related=[note(found.load.node.span, "gets the value here")],
-            chain=robot.ways.to_load(found.load, note(found.parameter.span, "the node waits for /clock")),
+            chain=robot.provenance.chain_to_load(found.load, note(found.parameter.span, "the node waits for /clock")),
             fix=fix("Write false", (found.parameter.span, "false"), safe=False),
         )

@@ -40,6 +40,6 @@ def ros_parameter(robot: Robot):
             found.where,
             f"The parameter {found.name} is public on the graph: every participant can read the secret with ros2 "
             "param get",
-            chain=robot.ways.to(found.where, f"{found.name} gets the secret"),
+            chain=robot.provenance.chain_to(found.where, f"{found.name} gets the secret"),
             advice="give the node the path of a credential file that only it may read",
         )

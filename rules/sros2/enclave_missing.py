@@ -35,7 +35,7 @@ from bringup_lint.api.spelling import nearest
 @rule("error", symptoms=["SECURITY ERROR: directory"])
 def enclave_missing(robot: Robot):
     for name in robot.sros2.selected:
-        keystores = [each for each in robot.sros2.keystores if robot.together(name, robot.sros2.anchor_of(each))]
+        keystores = [each for each in robot.sros2.keystores if robot.same_robot(name, robot.sros2.anchor_of(each))]
         known = sorted({path for keystore in keystores for path in keystore.enclaves})
         if not known or name in known or not re.fullmatch(r"/|(?:/\w+)+", name):
             continue
@@ -48,5 +48,5 @@ def enclave_missing(robot: Robot):
             if near
             else f"create it (ros2 security create_enclave), or use one of {', '.join(known[:5])}",
             related=[note(robot.sros2.anchor_of(each), f"an enclave of {each.name}") for each in keystores[:1]],
-            chain=robot.ways.to(name, f"{name} is selected"),
+            chain=robot.provenance.chain_to(name, f"{name} is selected"),
         )

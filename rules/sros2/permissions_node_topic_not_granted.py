@@ -39,7 +39,9 @@ def permissions_node_topic_not_granted(robot: Robot):
             near if near is not None else grant.subject,
             f"{use.node.label()} has to {verb} rt{use.topic}{instead}: the {use.role} is denied and the node ends",
             advice=f"add <topic>rt{use.topic}</topic> to {verb}, and sign the document again",
-            chain=robot.ways.to_node(use.node.started, note(use.where, f"{use.topic} is the {use.role}'s topic")),
+            chain=robot.provenance.chain_to_node(
+                use.node.started, note(use.where, f"{use.topic} is the {use.role}'s topic")
+            ),
             related=[
                 note(use.where, f"{use.node.label()} makes the {use.role} here"),
                 note(enclave, "the process selects the enclave here"),

@@ -75,7 +75,7 @@ def _chain(robot, service):
     """From the unit to the code of the node whose message is refused."""
     for ros in [service.main.ros] if service.main.ros else []:
         for node, said in robot.notify.speakers(ros):
-            return robot.ways.to_node(node, note(said, "a child of launch talks to systemd"))
+            return robot.provenance.chain_to_node(node, note(said, "a child of launch talks to systemd"))
     return ()
 
 

@@ -71,7 +71,7 @@ def _chain(robot, service):
     if service.access.value == "all" or service.main.ros is None:
         return ()
     for node, said in robot.notify.speakers(service.main.ros):
-        return robot.ways.to_node(node, note(said, "a child of launch talks to systemd"))
+        return robot.provenance.chain_to_node(node, note(said, "a child of launch talks to systemd"))
     return ()
 
 

@@ -127,25 +127,25 @@ def test_a_middleware_that_hangs_does_not_outlive_its_limit(stub: Path) -> None:
 
 def test_what_was_seen_is_read_again() -> None:
     text = graph_text(SEEN, [{"domain": 0, "nodes": [["/b", "/"]]}], "ros.env:1", True)
-    living = parse(Source("graph.yaml", text))
-    assert living.problems == ()
-    assert (living.domain, living.domain_from, living.rmw, living.secured) == (
+    observed = parse(Source("graph.yaml", text))
+    assert observed.problems == ()
+    assert (observed.domain, observed.domain_from, observed.rmw, observed.secured) == (
         42,
         "ros.env:1",
         "rmw_fastrtps_cpp",
         True,
     )
-    assert [(node.name, node.enclave, node.state) for node in living.nodes] == [
+    assert [(node.name, node.enclave, node.state) for node in observed.nodes] == [
         ("/a", "/", "no answer"),
         ("/no\n- {name: /injected}", "/", None),
         ("/yes", "/robot", None),
     ]
-    (endpoint,) = living.endpoints
+    (endpoint,) = observed.endpoints
     assert endpoint.publishes
     qos = endpoint.qos
     assert (qos.reliability, qos.durability, qos.deadline) == ("RELIABLE", "VOLATILE", 0.5)
     assert (qos.liveliness, qos.lease) == ("AUTOMATIC", INFINITE)
-    assert [(domain, [node.name for node in nodes]) for domain, nodes in living.elsewhere] == [(0, ["/b"])]
+    assert [(domain, [node.name for node in nodes]) for domain, nodes in observed.elsewhere] == [(0, ["/b"])]
 
 
 def test_a_node_that_appears_late_is_not_missing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -195,10 +195,10 @@ def test_whatever_names_are_on_the_network_they_are_read_as_they_are(
         for topic, node, type_, deadline in ends
     ]
     text = graph_text({**SEEN, "nodes": nodes, "states": {}, "endpoints": endpoints}, [], "", False)
-    living = parse(Source("graph.yaml", text))
-    assert living.problems == ()
-    assert [(node.name, node.enclave) for node in living.nodes] == nodes
-    read = [(end.topic, end.node, end.type, end.qos.deadline) for end in living.endpoints]
+    observed = parse(Source("graph.yaml", text))
+    assert observed.problems == ()
+    assert [(node.name, node.enclave) for node in observed.nodes] == nodes
+    read = [(end.topic, end.node, end.type, end.qos.deadline) for end in observed.endpoints]
     assert read == [(*names, INFINITE if deadline is None else deadline) for *names, deadline in ends]
 
 
@@ -286,5 +286,5 @@ def test_a_graph_that_is_no_file_goes_with_the_sarif_report(monkeypatch: pytest.
     run = lint("live", "--domain-id", "42", "--output-format", "sarif", ".", cwd=tmp_path)
     assert run.code == 1, run.stderr
     log = json.loads(run.stdout)
-    (graph,) = [each for each in log["runs"][0]["artifacts"] if each.get("properties") == {"kind": "living-graph"}]
+    (graph,) = [each for each in log["runs"][0]["artifacts"] if each.get("properties") == {"kind": "observed-graph"}]
     assert graph["contents"]["text"].startswith("# A running ROS graph")

@@ -24,7 +24,7 @@ def together(robot: Robot, one: str, other: str) -> bool:
     def find(name: str):
         return next(source for source in robot.sources if source.name.endswith(name))
 
-    return robot.together(find(one), find(other))
+    return robot.same_robot(find(one), find(other))
 
 
 @pytest.mark.parametrize(

@@ -121,7 +121,7 @@ class Devices:
 
     def _is_near(self, link: Link, use: DeviceUse) -> bool:
         """Whether the rule that makes a link is for the robot on which it is used."""
-        return self.robot.together(link.name, use.path)
+        return self.robot.same_robot(link.name, use.path)
 
     def untagged(self, unit: str) -> list[Link]:
         """The links behind a ``.device`` name when none of their devices becomes a device unit."""

@@ -70,7 +70,7 @@ def read_only_writes(robot: Robot) -> Iterator[NeededPath]:
 
 def _units(robot: Robot, fstab: Fstab) -> Iterator[Unit]:
     """The units of the same robot."""
-    return (unit for unit in robot.units.judged if robot.together(unit.where.source, fstab.source))
+    return (unit for unit in robot.units.judged if robot.same_robot(unit.where.source, fstab.source))
 
 
 def _written(robot: Robot, unit: Unit) -> Iterator[tuple[str, Located]]:

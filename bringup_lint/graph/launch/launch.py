@@ -15,8 +15,6 @@ from bringup_lint.facts.ros.node_roles import HARDWARE
 from bringup_lint.facts.ros.node_roles import Role
 from bringup_lint.facts.ros.node_roles import packages
 from bringup_lint.facts.ros.node_roles import role_of
-from bringup_lint.graph.edges.launch import launch_edges
-from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.launch.commands import LaunchCommand
 from bringup_lint.graph.launch.commands import launch_commands
 from bringup_lint.graph.launch.expand import Expander
@@ -241,7 +239,7 @@ class Launch:
 
     def names_near(self, file: LaunchFile) -> frozenset[str]:
         """The bare names of all nodes that the launch files of one robot or variant start."""
-        near = (each for each in self.expansions if self.robot.together(each.entry.source, file.source))
+        near = (each for each in self.expansions if self.robot.same_robot(each.entry.source, file.source))
         return frozenset(self._names(near))
 
     def _names(self, expansions: Iterable[Expansion]) -> Iterator[str]:
@@ -303,11 +301,6 @@ class Launch:
                     seen.add(str(depend))
                     todo.append(self.workspace.packages[str(depend)])
         return False
-
-    @property
-    def edges(self) -> Iterator[Edge]:
-        """What launch files add to the robot's graph."""
-        return launch_edges(self)
 
     @cached_property
     def commands(self) -> list[LaunchCommand]:

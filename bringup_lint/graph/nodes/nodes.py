@@ -209,7 +209,9 @@ class Nodes:
 
     def way(self, file: NodeSource, *more: Related) -> tuple[Related, ...]:
         """How a unit and launch files lead to a file; empty when none does."""
-        return next(filter(None, (self.robot.ways.to_node(each, *more) for each in self.launched(file))), ())
+        return next(
+            filter(None, (self.robot.provenance.chain_to_node(each, *more) for each in self.launched(file))), ()
+        )
 
     def without_timer(self, file: NodeSource) -> list[NodeClass]:
         """The nodes that a program makes, when surely none of them has a timer; else empty."""

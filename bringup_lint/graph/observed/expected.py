@@ -53,7 +53,7 @@ class ExpectedNode(NamedTuple):
         return literal_text(self.started.package) if self.started else None
 
     @property
-    def way(self) -> list[Related]:
+    def chain(self) -> list[Related]:
         """The places that lead to the node: what runs the launch file, and the includes."""
         steps = [Related(self.entry.where, f"{self.entry.who} starts it")] if self.entry.who else []
         return [*steps, *(Related(span, "included here") for span in (self.started.chain if self.started else ()))]

@@ -28,7 +28,7 @@ from bringup_lint.graph.observed.topics import meant
 from bringup_lint.graph.observed.topics import topics
 from bringup_lint.graph.topics.use import Use
 from bringup_lint.model.observed import Endpoint
-from bringup_lint.model.observed import Living
+from bringup_lint.model.observed import ObservedGraph
 from bringup_lint.model.observed import RunningNode
 from bringup_lint.source import Located
 from bringup_lint.source import Span
@@ -38,11 +38,11 @@ if TYPE_CHECKING:
 
 
 @dataclass(eq=False)
-class LivingRobot:
+class Observed:
     """What runs, what should, and where the files speak of it."""
 
     robot: Robot
-    seen: Living
+    graph: ObservedGraph
 
     @property
     def expected(self) -> Expected:
@@ -51,7 +51,7 @@ class LivingRobot:
     @cached_property
     def nodes(self) -> list[RunningNode]:
         """The robot's own nodes: those of tools and of this program left out."""
-        return [node for node in self.seen.nodes if self.is_own(node.name)]
+        return [node for node in self.graph.nodes if self.is_own(node.name)]
 
     def is_own(self, name: str) -> bool:
         """Whether a node may be the robot's: a file names it, or it has not the name of a tool."""
@@ -59,12 +59,12 @@ class LivingRobot:
 
     @cached_property
     def names(self) -> frozenset[str]:
-        return frozenset(str(node.name) for node in self.seen.nodes)
+        return frozenset(str(node.name) for node in self.graph.nodes)
 
     @cached_property
     def elsewhere(self) -> dict[int, list[RunningNode]]:
         """The robot's nodes on the other domains that were looked at."""
-        return {domain: [node for node in nodes if self.is_own(node.name)] for domain, nodes in self.seen.elsewhere}
+        return {domain: [node for node in nodes if self.is_own(node.name)] for domain, nodes in self.graph.elsewhere}
 
     @cached_property
     def configured(self) -> Domain | None:
@@ -107,7 +107,7 @@ class LivingRobot:
 
     def _is_here(self, entry: Entry) -> bool:
         domain = of_environment(entry.environment)
-        return domain is None or domain.number == self.seen.domain
+        return domain is None or domain.number == self.graph.domain
 
     def _is_up(self, entry: Entry) -> bool:
         """Whether a node runs that no other place of the tree starts."""
@@ -143,7 +143,7 @@ class LivingRobot:
 
     @cached_property
     def topics(self) -> list[Topic]:
-        return topics(each for each in self.seen.endpoints if self.is_own(each.node))
+        return topics(each for each in self.graph.endpoints if self.is_own(each.node))
 
     @cached_property
     def meant(self) -> list[Meant]:
@@ -152,7 +152,7 @@ class LivingRobot:
     @property
     def velocities(self) -> list[Topic]:
         """The topics with velocity commands, with what tools publish on them."""
-        return [topic for topic in topics(self.seen.endpoints) if topic.is_velocity]
+        return [topic for topic in topics(self.graph.endpoints) if topic.is_velocity]
 
     @cached_property
     def security(self) -> Located | None:
@@ -168,7 +168,7 @@ class LivingRobot:
         known = self.expected.named(name)
         if known is not None:
             return known.where
-        return next((node.name.span for node in self.seen.nodes if node.name == name), self.seen.source.whole)
+        return next((node.name.span for node in self.graph.nodes if node.name == name), self.graph.source.whole)
 
     def named_at(self, endpoint: Endpoint) -> Span:
         """Where the files name an endpoint's topic: in the source, or in a remapping; else where its node is started;
@@ -216,10 +216,10 @@ class LivingRobot:
         return value is None or truth(value) is False
 
 
-def load_living(robot: Robot) -> LivingRobot | None:
+def load_observed(robot: Robot) -> Observed | None:
     """None in a run that looks at files only."""
     from bringup_lint.parsers.observed import KIND
     from bringup_lint.parsers.observed import parse
 
     graphs = robot.parsed(parse, robot.of_kind(KIND))
-    return LivingRobot(robot, graphs[0]) if graphs else None
+    return Observed(robot, graphs[0]) if graphs else None

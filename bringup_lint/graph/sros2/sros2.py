@@ -177,7 +177,7 @@ class Sros2:
         if found:
             return next(iter(found.items())) if len(found) == 1 else None
         robots = self.robot.dds_domain
-        return robots if robots and self.robot.together(robots[1], document.source) else None
+        return robots if robots and self.robot.same_robot(robots[1], document.source) else None
 
     @staticmethod
     def _names_keystore(process: RosProcess, document: Source) -> bool:

@@ -49,7 +49,7 @@ def _leaders(units: Units) -> dict[int, int]:
     for unit in units.all:
         for name in _named(unit):
             other = units.find(name, unit)
-            if other is not None and units.robot.together(unit.where.source, other.where.source):
+            if other is not None and units.robot.same_robot(unit.where.source, other.where.source):
                 parents[leader(id(unit))] = leader(id(other))
     return {key: leader(key) for key in parents}
 

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from bringup_lint.discover.walk import discover
+from bringup_lint.graph.edges.launch import launch_edges
 from bringup_lint.graph.launch.launch import Launch
 from bringup_lint.graph.launch.python_expression import NotEvaluated
 from bringup_lint.graph.launch.python_expression import evaluate
@@ -250,7 +251,9 @@ def test_edges_lead_from_launch_files_to_parameters(tmp_path: Path) -> None:
                 <param from="$(find-pkg-share r)/config/a.yaml"/></node></launch>""",
         },
     )
-    edges = [(edge.kind, Path(edge.source.name).name, Path(edge.target.name).name, edge.why) for edge in launch.edges]
+    edges = [
+        (edge.kind, Path(edge.source.name).name, Path(edge.target.name).name, edge.why) for edge in launch_edges(launch)
+    ]
     assert edges == [
         ("includes", "top.launch.xml", "part.launch.xml", "include (if $(var on))"),
         ("starts", "part.launch.xml", "n", "node (if $(var on))"),

@@ -22,7 +22,6 @@ from bringup_lint.graph.topics.names import full_complaint
 from bringup_lint.graph.topics.remapping import remap
 from bringup_lint.graph.topics.remapping import remapping
 from bringup_lint.graph.topics.together import together as meets
-from bringup_lint.graph.variants import together
 from bringup_lint.parsers import cpp_node
 from bringup_lint.parsers import rviz
 from bringup_lint.robot import Robot
@@ -262,7 +261,7 @@ def test_full_names(tmp_path: Path) -> None:
 def test_files_in_folders_that_tell_nothing_are_for_one_robot(tmp_path: Path) -> None:
     robot = robot_of((tmp_path / "robot.launch.xml", LAUNCH))
     one, other = (Source(str(tmp_path / name)) for name in ("tools/start.sh", "docker/run/enter.sh"))
-    assert together(robot, one, other)
+    assert robot.same_robot(one, other)
 
 
 RVIZ = """

@@ -1,0 +1,134 @@
+"""Files: the sources of one run, and what every layer may ask of them. It knows no layer."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from collections.abc import Iterable
+from dataclasses import dataclass
+from dataclasses import field
+from datetime import date
+from functools import cached_property
+from typing import TYPE_CHECKING
+from typing import TypeVar
+
+from bringup_lint.graph.target import Target
+from bringup_lint.graph.target import find_target
+from bringup_lint.graph.variants import Variants
+from bringup_lint.source import Located
+from bringup_lint.source import Problem
+from bringup_lint.source import Source
+
+if TYPE_CHECKING:
+    from bringup_lint.discover.tree import Tree
+    from bringup_lint.model.env_file import EnvFile
+
+Model = TypeVar("Model")
+
+_CONFIGURES_MIDDLEWARE = re.compile(
+    r"""CYCLONEDDS_URI["']?\s*[:=][^\n]*<|RMW_IMPLEMENTATION["']?\s*[:=]\s*["']?rmw_fastrtps_"""
+)
+_ROS_KINDS = (
+    "launch-python",
+    "launch-xml",
+    "launch-yaml",
+    "python-node",
+    "ros-param",
+    "params",
+    "cyclonedds",
+    "fastdds",
+    "sros2",
+)
+
+
+@dataclass(eq=False)
+class Files:
+    tree: Tree
+    configured_ros: str | None = None
+    configured_systemd: int | None = None
+    today: date = field(default_factory=date.today)
+    """The day for which validity dates are judged."""
+    failures: list[tuple[Source, Exception]] = field(default_factory=list)
+    """Sources on which a parser failed inside."""
+
+    @property
+    def sources(self) -> list[Source]:
+        return self.tree.sources
+
+    @cached_property
+    def _by_kind(self) -> dict[str, list[Source]]:
+        by_kind: dict[str, list[Source]] = {}
+        for source in self.sources:
+            by_kind.setdefault(source.kind, []).append(source)
+        return by_kind
+
+    def join(self, source: Source) -> None:
+        """Take in a source that comes later, of a kind that nothing asked for before."""
+        self._by_kind.setdefault(source.kind, []).append(source)
+        self.sources.append(source)
+
+    def of_kind(self, *kinds: str) -> list[Source]:
+        return [source for kind in kinds for source in self._by_kind.get(kind, ())]
+
+    def parsed(self, parse: Callable[[Source], Model], sources: Iterable[Source]) -> list[Model]:
+        """The models of the sources. A parser that fails costs its own source: it is noted in ``failures``."""
+        models = []
+        for source in sources:
+            try:
+                models.append(parse(source))
+            except Exception as error:
+                self.failures.append((source, error))
+        return models
+
+    @property
+    def kinds(self) -> frozenset[str]:
+        """The kinds of file in the tree."""
+        return frozenset(self._by_kind)
+
+    def mentions(self, pattern: re.Pattern[str]) -> bool:
+        """Whether the text of a judged file matches."""
+        return any(pattern.search(source.text) for source in self.sources if source.judged)
+
+    @property
+    def problems(self) -> list[Problem]:
+        """What could not be read at all: unreadable, oversized or binary files."""
+        return self.tree.problems
+
+    @cached_property
+    def target(self) -> Target:
+        return find_target(self.sources, self.configured_ros, self.configured_systemd)
+
+    @cached_property
+    def is_ros(self) -> bool:
+        """Whether the tree has to do with ROS 2: something of it names a distribution, configures a middleware in the
+        environment, or is a kind that only ROS has."""
+        return (
+            self.target.ros_why != "not known"
+            or any(kind.startswith(_ROS_KINDS) for kind in self.kinds)
+            or self.mentions(_CONFIGURES_MIDDLEWARE)
+        )
+
+    @cached_property
+    def variants(self) -> Variants:
+        """The robots and variants that the tree holds."""
+        return Variants(self.tree)
+
+    def same_robot(self, one: Source | Located, other: Source | Located) -> bool:
+        """Whether two files may be joined though neither names the other: they are for the same robot."""
+        return self.variants.same_robot(_source_of(one), _source_of(other))
+
+    def find(self, robot_path: str, asked_by: Source) -> Source | None:
+        """The file at a path on the robot that another file names; none of another robot or variant."""
+        found = self.tree.find(robot_path)
+        return found if found is not None and self.variants.names(robot_path, asked_by, found) else None
+
+    def environment_file(self, robot_path: str) -> EnvFile | None:
+        """The environment file at a path on the robot, when the tree holds it."""
+        from bringup_lint.parsers.env_file import parse
+
+        source = self.tree.find(robot_path)
+        return next(iter(self.parsed(parse, [source])), None) if source else None
+
+
+def _source_of(place: Source | Located) -> Source:
+    return place.span.source if isinstance(place, Located) else place
