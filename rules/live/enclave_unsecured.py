@@ -42,8 +42,8 @@ def enclave_unsecured(robot: Robot):
         count = "1 node" if len(seen) == 1 else f"{len(seen)} nodes"
         yield finding(
             observed.security,
-            f"Security is switched on here, and {count} of domain {observed.graph.domain} can be seen without credentials "
-            f"({some})",
+            f"Security is switched on here, and {count} of domain {observed.graph.domain} can be seen without "
+            f"credentials ({some})",
             advice="see that the variables reach the processes, and set ROS_SECURITY_STRATEGY=Enforce",
             related=[note(node.name, "seen without credentials") for node in seen[:3]],
         )
