@@ -1,12 +1,12 @@
-"""One unit in both After= and Before=.
+"""A unit lists another unit in both After= and Before=.
 
 ## What it finds
 A unit, drop-ins included, that names the same other unit in `After=` and in `Before=`.
 
 ## Why it matters on a robot
-Both orders at once are a cycle of two: with `Requires=` or `BindsTo=` between them neither unit starts
-("Transaction order is cyclic"), without it systemd leaves one of them out. The second line is often added
-because of the belief that `Before=` controls the stop order; a stop is the reverse of the start already.
+The two orders form a cycle. With `Requires=` or `BindsTo=` between the units, neither starts ("Transaction
+order is cyclic"). Without it, systemd drops one of them from the boot. The second line is often added in the
+belief that `Before=` controls the stop order, but the stop order is always the reverse of the start order.
 
 ## Bad
 ```ini
@@ -22,6 +22,9 @@ Before=perception.service
 After=perception.service
 PartOf=perception.service
 ```
+
+## When to ignore it
+Never: systemd cannot satisfy both orders.
 
 ## References
 - systemd.unit(5), "Before=, After="
@@ -47,10 +50,10 @@ def after_and_before_same(robot: Robot):
                 depends = any(word in unit.words(key) for key in DEPENDS)
                 yield finding(
                     word,
-                    f"{unit.name} is to start both after and before {word}: systemd cannot "
-                    "do both and leaves a unit out, or starts none",
-                    advice=f"keep After={word} if {unit.name} needs it: it already stops "
-                    "first, because a stop is the reverse of the start",
+                    f"{unit.name} must start both after and before {word}: systemd cannot "
+                    "do both, and drops one unit or starts neither",
+                    advice=f"keep After={word} if {unit.name} needs it: {unit.name} then also stops "
+                    "first, because the stop order is the reverse of the start order",
                     related=[note(before[word], "the opposite order")],
-                    fix=fix(f"drop Before={word}", line.without(word), safe=depends),
+                    fix=fix(f"remove Before={word}", line.without(word), safe=depends),
                 )

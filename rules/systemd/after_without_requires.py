@@ -1,12 +1,12 @@
-"""After= a unit that nothing starts.
+"""After= names a unit that nothing starts.
 
 ## What it finds
-`After=` of a unit of the same tree that has no `[Install]` section, is wanted or required by nothing, and
-is started by no timer, socket, path or device.
+`After=` of a service in the same tree that nothing starts: it has no `[Install]` section, no unit wants or
+requires it, and no timer, socket, path or device activates it.
 
 ## Why it matters on a robot
-`After=` orders two units if both start; it starts neither. The unit that is waited for never runs, and the
-wait is over at once.
+`After=` orders two units if both start, but it starts neither. The unit that should come first never runs,
+and this one starts at once.
 
 ## Bad
 ```ini
@@ -20,6 +20,10 @@ After=calibration.service
 Wants=calibration.service
 After=calibration.service
 ```
+
+## When to ignore it
+When something outside of this tree starts the other unit: a script with `systemctl start`, a fleet agent, or
+another package.
 
 ## References
 - systemd.unit(5), "After="
@@ -49,8 +53,8 @@ def after_without_requires(robot: Robot):
                     continue
                 yield finding(
                     word,
-                    f"Nothing starts {word}, so there is nothing to wait for",
-                    advice=f"add Wants={word}, or give it an [Install] section",
+                    f"Nothing starts {word}, so After= has no effect",
+                    advice=f"add Wants={word}, or give {word} an [Install] section",
                     related=[note(other.where, "it has no [Install] section and nothing wants it")],
                     fix=fix(f"add Wants={word}", (line.end, f"\nWants={word}"), safe=False),
                 )

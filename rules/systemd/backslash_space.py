@@ -1,11 +1,11 @@
-r"""Blanks behind a backslash stop the line from being continued.
+r"""Blanks after a backslash break the line continuation.
 
 ## What it finds
-A backslash with blanks behind it at the end of a line.
+A backslash at the end of a line with blanks after it.
 
 ## Why it matters on a robot
-Only a backslash that is the very last character joins the next line. With a blank behind it the command
-ends there, and the next line is dropped or read as a setting of its own: the driver starts without its
+A backslash continues the line only if it is the very last character. With a blank after it, the command ends
+there, and systemd ignores the next line or reads it as a setting of its own: the driver starts without its
 arguments.
 
 ## Bad
@@ -21,6 +21,9 @@ ExecStart=/usr/bin/robot-drivers \
 ExecStart=/usr/bin/robot-drivers \
     --port /dev/ttyUSB0
 ```
+
+## When to ignore it
+Never: systemd does not continue the line.
 
 ## References
 - systemd.syntax(7)
@@ -40,7 +43,7 @@ def backslash_space(robot: Robot):
             if problem.code == "backslash-blank":
                 yield finding(
                     problem.where,
-                    "Blanks behind the backslash: systemd does not join the next line",
+                    "Blanks after the backslash: systemd does not join the next line",
                     advice="end the line with the backslash",
                     fix=fix("remove the blanks", (problem.where, "\\")),
                 )

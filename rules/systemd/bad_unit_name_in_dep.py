@@ -1,12 +1,12 @@
-"""A word in a list of units is no unit name: the dependency does not exist.
+"""A word in a list of units is not a unit name: systemd ignores the dependency.
 
 ## What it finds
-In After=, Wants=, Requires= and the other lists of units: names that end in a comma or semicolon, names
-without a type suffix, and misspelt suffixes. Names with specifiers whose value is unknown are not judged.
+In After=, Wants=, Requires= and other lists of units: names that end in a comma or semicolon, names without a
+type suffix, and misspelled suffixes. Names with specifiers whose value is unknown are not checked.
 
 ## Why it matters on a robot
 systemd drops the word. The unit then starts before its drivers, or a Requires= that should stop it together
-with them does nothing.
+with them has no effect.
 
 ## Bad
 ```ini
@@ -19,6 +19,9 @@ After=robot-drivers.service, network-online.target
 [Unit]
 After=robot-drivers.service network-online.target
 ```
+
+## When to ignore it
+Never: systemd drops the word, and the dependency does not exist.
 
 ## References
 - systemd.unit(5): lists of units are separated by blanks

@@ -1,14 +1,14 @@
-"""Before= used to stop a unit first.
+"""Before= is used to make a unit stop first.
 
 ## What it finds
-A service with `Before=` of another service that it depends on (`Requires=`, `BindsTo=`) or whose stop it
-follows (`PartOf=`), while that service does not depend on it. One-shot services, which prepare something
-for the other one or only hold a group together, are left out.
+A service with `Before=` of another service, when it depends on that service (`Requires=`, `BindsTo=`) or is
+stopped with it (`PartOf=`), and that service does not depend on it. One-shot services are exempt: they
+prepare something for the other service or only hold a group together.
 
 ## Why it matters on a robot
-The stop order is the exact reverse of the start order: with `Before=B` the unit stops *after* B. A
-controller meant to bring the wheels to rest first is still sending commands when the driver below it is
-gone, and at the start it comes up before the driver that it requires.
+The stop order is the exact reverse of the start order: with `Before=B`, the unit stops *after* B. A
+controller that should first bring the wheels to a stop still sends commands when the driver below it is gone.
+At boot, it starts before the driver that it requires.
 
 ## Bad
 ```ini
@@ -23,6 +23,10 @@ Before=base-driver.service
 PartOf=base-driver.service
 After=base-driver.service
 ```
+
+## When to ignore it
+When the unit must indeed start before the other one and stop after it, for example because it opens a
+resource that the other one uses.
 
 ## References
 - systemd.unit(5), "Before=, After=": "the ordering at shutdown is the inverse"
@@ -56,15 +60,15 @@ def before_for_shutdown_order(robot: Robot):
                     f"Before={word} makes {unit.name} start first and stop last, though it "
                     + (f"is {key}= of" if key == "PartOf" else f"{'requires' if key == 'Requires' else 'is bound to'}")
                     + f" {word}",
-                    advice=f"write After={word}: what starts later stops first",
-                    related=[note(where, f"{key}= does not order")],
+                    advice=f"write After={word}: a unit that starts later stops earlier",
+                    related=[note(where, f"{key}= does not define an order")],
                     fix=_fix(unit, line, word),
                 )
 
 
 def _fix(unit, line, word):
     if any(unit.naming("After", word)):
-        return fix(f"drop Before={word}", line.without(word))
+        return fix(f"remove Before={word}", line.without(word))
     if line.value.split() == [word]:
-        return fix("order the other way round", (line.key, "After"))
-    return fix("order the other way round", line.without(word), (line.end, f"\nAfter={word}"))
+        return fix("reverse the order", (line.key, "After"))
+    return fix("reverse the order", line.without(word), (line.end, f"\nAfter={word}"))

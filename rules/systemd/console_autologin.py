@@ -1,12 +1,12 @@
-"""A console that logs in by itself.
+"""A console logs in a user without a password.
 
 ## What it finds
-`agetty --autologin` (or `-a`) in a drop-in of `getty@`, `serial-getty@` or `console-getty`, or in a unit of one's own:
-a warning for root and on a serial line, for information for another user on the screen.
+`agetty --autologin` (or `-a`) in a drop-in of `getty@`, `serial-getty@` or `console-getty`, or in any other
+service. It is a warning for root and on a serial line, and an info for another user on the screen.
 
 ## Why it matters on a robot
-Robots stand where people pass by. Whoever plugs in a keyboard or a serial adapter has a shell without a password, and
-as root the whole robot: keys, firmware, motors.
+Robots work where the public can reach them. Anyone who plugs in a keyboard or a serial adapter gets a shell
+without a password. As root, this shell controls the whole robot: keys, firmware, motors.
 
 ## Bad
 ```ini
@@ -21,6 +21,10 @@ ExecStart=-/sbin/agetty --autologin root --keep-baud 115200 %I $TERM
 ExecStart=
 ExecStart=-/sbin/agetty --keep-baud 115200 %I $TERM
 ```
+
+## When to ignore it
+On a kiosk or a development robot where the console is locked away, and the user has no rights beyond the
+display.
 
 ## References
 - agetty(8), "--autologin"
@@ -47,8 +51,8 @@ def console_autologin(robot: Robot):
             )
             yield finding(
                 user,
-                f"Whoever reaches {'the serial line' if serial else 'the console'} is {user} without a password",
-                advice="leave --autologin out, and start the robot's software from a unit",
+                f"Anyone with access to {'the serial line' if serial else 'the console'} is {user} without a password",
+                advice="remove --autologin, and start the robot's software from a unit",
                 severity=None if user == "root" or serial else "info",
             )
 

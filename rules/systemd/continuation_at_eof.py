@@ -1,10 +1,10 @@
 r"""A trailing backslash that joins nothing.
 
 ## What it finds
-A backslash at the end of the last line of the file, or of a line that a blank line follows.
+A backslash at the end of the last line of a file, or of a line before a blank line.
 
 ## Why it matters on a robot
-The value ends there. As soon as somebody adds a line behind it, that line disappears into the value above.
+The value ends there. As soon as somebody adds a line after it, that line becomes part of the value above.
 
 ## Bad
 ```ini
@@ -20,6 +20,9 @@ User=robot
 ExecStart=/usr/bin/robot-drivers
 User=robot
 ```
+
+## When to ignore it
+Never: the backslash has no use, and removing it changes nothing.
 
 ## References
 - systemd.syntax(7): a trailing backslash joins the next line

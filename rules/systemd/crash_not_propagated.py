@@ -1,13 +1,13 @@
-"""A crashed driver leaves what requires it running.
+"""When a driver crashes, the service that requires it keeps running.
 
 ## What it finds
-A ROS service that has `Requires=`, but not `BindsTo=`, of a ROS service whose name tells a driver or a
+A ROS service with `Requires=`, but not `BindsTo=`, of a ROS service whose name marks it as a driver or a
 safety function.
 
 ## Why it matters on a robot
-`Requires=` passes an explicit stop or restart on, not a crash: when the base driver dies, navigation keeps
-planning on old data and sends commands as soon as the driver is back. `BindsTo=` together with `After=`
-stops it with the driver.
+`Requires=` propagates an explicit stop or restart, but not a crash. When the base driver crashes, navigation
+keeps planning on old data and sends commands as soon as the driver is back. `BindsTo=` together with `After=`
+stops navigation with the driver.
 
 ## Bad
 ```ini
@@ -22,6 +22,10 @@ After=base-driver.service
 BindsTo=base-driver.service
 After=base-driver.service
 ```
+
+## When to ignore it
+When the service detects the loss of the driver itself, for example by a topic deadline, and brings the robot
+to a safe state.
 
 ## References
 - systemd.unit(5), "Requires=", "BindsTo="
@@ -50,7 +54,7 @@ def crash_not_propagated(robot: Robot):
                 yield finding(
                     word,
                     f"Requires= does not notice a crash: when {word} dies, {unit.name} keeps running",
-                    advice=f"BindsTo={word} together with After={word}",
-                    related=[note(other.where, "what may crash")],
-                    fix=fix("bind it", *edits, safe=False),
+                    advice=f"use BindsTo={word} together with After={word}",
+                    related=[note(other.where, "the service that may crash")],
+                    fix=fix("replace Requires= with BindsTo=", *edits, safe=False),
                 )

@@ -1,10 +1,10 @@
-"""A D-Bus service without the name that tells systemd that it is up.
+"""A D-Bus service without BusName=: systemd refuses the unit.
 
 ## What it finds
-Type=dbus without BusName=, after all drop-ins.
+A service with Type=dbus and no BusName=, after all drop-ins.
 
 ## Why it matters on a robot
-systemd refuses the whole unit.
+systemd needs the bus name to know when the service is ready. Without it, systemd refuses the whole unit.
 
 ## Bad
 ```ini
@@ -20,6 +20,9 @@ Type=dbus
 BusName=org.example.Battery
 ExecStart=/usr/bin/robot-battery
 ```
+
+## When to ignore it
+Never: systemd does not load the unit.
 
 ## References
 - systemd.service(5), "BusName="

@@ -1,11 +1,12 @@
-"""A driver service that does not look whether its devices are there.
+"""A driver service does not check whether its devices exist.
 
 ## What it finds
-A ROS service whose name says that it drives hardware, without ExecStartPre=, without a `.device` unit in
-BindsTo=, Requires=, Wants= or After=, and without a Condition or Assert on a path.
+A ROS service whose name marks it as a driver and that nothing makes wait for its devices: it has no
+ExecStartPre= or ExecCondition=, no `.device` unit in BindsTo=, Requires=, Requisite=, Wants= or After=, and
+no Condition or Assert on a path. One-shot services are exempt.
 
 ## Why it matters on a robot
-The driver starts before its devices exist, fails, and uses up the start limit; or it comes up without the
+The driver starts before its devices exist. It then fails and uses up the start limit, or it runs without the
 sensor.
 
 ## Bad
@@ -24,6 +25,10 @@ After=dev-rover-lidar.device
 [Service]
 ExecStart=/opt/ros/jazzy/lib/rover_lidar/driver
 ```
+
+## When to ignore it
+When the driver itself waits for its device and reconnects, or when it drives no local device, for example a
+lidar on Ethernet.
 
 ## References
 - systemd.device(5), systemd.unit(5)
@@ -55,6 +60,6 @@ def device_check_missing(robot: Robot):
             continue
         yield finding(
             unit.where,
-            f"{unit.name} starts whether its devices are there or not",
-            advice="order it after its device units with BindsTo= and After=, or check them in ExecStartPre=",
+            f"{unit.name} starts whether or not its devices exist",
+            advice="order it after its device units with BindsTo= and After=, or check for them in ExecStartPre=",
         )

@@ -1,13 +1,15 @@
-"""A unit waits for a device that systemd never hears of.
+"""A unit depends on a device that systemd does not track.
 
 ## What it finds
-`Requires=`, `BindsTo=`, `Requisite=`, `Wants=` or `After=` on a `.device` unit whose link a udev rule makes
-for a subsystem that 99-systemd.rules does not tag (video4linux, usb, hidraw, input, i2c-dev, spidev, gpio),
-without `TAG+="systemd"`.
+`Requires=`, `BindsTo=`, `Requisite=`, `Wants=` or `After=` on a `.device` unit, when both are true:
+
+- a udev rule creates its link for a subsystem that 99-systemd.rules does not tag (video4linux, usb, hidraw,
+  input, i2c-dev, spidev, gpio);
+- that rule lacks `TAG+="systemd"`.
 
 ## Why it matters on a robot
-The device unit never becomes active. A required one is waited for 90 s (DefaultDeviceTimeoutSec=), then the
-service fails, although the device is there; an ordering alone does nothing.
+The device unit never becomes active. With a requirement, systemd waits 90 s (DefaultDeviceTimeoutSec=) and
+then fails the service, although the device exists. An ordering alone has no effect.
 
 ## Bad
 ```ini
@@ -22,6 +24,9 @@ BindsTo=dev-robot-camera.device
 [Unit]
 BindsTo=dev-robot-camera.device
 ```
+
+## When to ignore it
+When a rule outside of this tree, for example from the vendor's package, adds the tag.
 
 ## References
 - systemd.device(5), "The udev Database"
@@ -51,8 +56,8 @@ def device_dep_needs_tag(robot: Robot):
 def _finding(word, link):
     return finding(
         word,
-        f'{word} never becomes active: systemd hears of such devices only with TAG+="systemd"',
+        f'{word} never becomes active: systemd tracks such devices only with TAG+="systemd"',
         advice='add TAG+="systemd" to the rule',
-        related=[note(link.name, f"makes {link.path}")],
+        related=[note(link.name, f"creates {link.path}")],
         fix=fix("tag the device", link.rule.before(link.token, 'TAG+="systemd"')),
     )

@@ -1,8 +1,8 @@
 r"""The name of a device unit means another path.
 
 ## What it finds
-A `.device` name in a dependency that stands for a path which no udev rule makes, while a rule makes the one
-with `-` in its name: in unit names `-` stands for `/`, and a dash is `\x2d`.
+A `.device` name in a dependency whose path no udev rule creates, while a rule creates the path that differs
+only in `-`. In unit names, `-` means `/`, and a dash is written `\x2d`.
 
 ## Why it matters on a robot
 systemd waits 90 s for a device that cannot appear, then fails the service.
@@ -20,6 +20,9 @@ BindsTo=dev-robot-front-lidar.device
 [Unit]
 BindsTo=dev-robot-front\x2dlidar.device
 ```
+
+## When to ignore it
+When a rule outside of this tree creates the path that the unit name means.
 
 ## References
 - systemd-escape(1)
@@ -44,8 +47,8 @@ def device_unit_escape(robot: Robot):
                 if meant is not None:
                     yield finding(
                         word,
-                        f"{word} stands for another path than {meant.link.path}: the device never appears",
+                        f"{word} does not mean {meant.link.path} but another path: the device never appears",
                         advice=f"write {meant.unit}",
-                        related=[note(meant.link.name, f"makes {meant.link.path}")],
+                        related=[note(meant.link.name, f"creates {meant.link.path}")],
                         fix=fix("escape the dash", (word, meant.unit)),
                     )

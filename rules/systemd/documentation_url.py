@@ -1,10 +1,10 @@
-"""A documentation link that systemd does not take.
+"""A documentation link that systemd does not accept.
 
 ## What it finds
-A word of Documentation= that does not start with http://, https://, file:, man: or info:.
+A word in Documentation= that does not start with http://, https://, file:, man: or info:.
 
 ## Why it matters on a robot
-systemctl status shows no link, and whoever stands before the robot at night does not find the page.
+systemctl status does not show the link. The engineer who debugs the robot at night does not find the page.
 
 ## Bad
 ```ini
@@ -17,6 +17,9 @@ Documentation=www.example.org/robot
 [Unit]
 Documentation=https://www.example.org/robot
 ```
+
+## When to ignore it
+Never: systemd ignores the word.
 
 ## References
 - systemd.unit(5), "Documentation="; uri(7)
@@ -35,6 +38,6 @@ def documentation_url(robot: Robot):
             if line.directive.type == "documentation" and problem.code == "invalid":
                 yield finding(
                     problem.where,
-                    f"'{problem.where}' is no URI that Documentation= takes: systemd ignores it",
-                    advice="write a whole URI that starts with https://, file:, man: or info:",
+                    f"'{problem.where}' is not a URI that Documentation= accepts: systemd ignores it",
+                    advice="write a complete URI that starts with https://, file:, man: or info:",
                 )

@@ -1,13 +1,13 @@
-"""A drop-in that does not end in .conf.
+"""A drop-in whose name does not end in .conf.
 
 ## What it finds
-A file in the drop-in folder of a unit (`rover.service.d/`) under a name that does not end in `.conf`. Names
-that say that the file is switched off or an example (`.disabled`, `.bak`, `.sample`, a README) are left
-out.
+A file in the drop-in folder of a unit (`rover.service.d/`) whose name does not end in `.conf`. Exempt are
+names that mark the file as disabled or as an example, such as `.disabled`, `.orig`, `.sample` or a
+README.
 
 ## Why it matters on a robot
-systemd reads `*.conf` and nothing else, without a word about the rest: the override that was to keep the
-driver on its core is not there.
+systemd reads only `*.conf` and silently ignores the rest: the override that should pin the driver to its core
+does not apply.
 
 ## Bad
 ```
@@ -18,6 +18,9 @@ rover.service.d/override
 ```
 rover.service.d/override.conf
 ```
+
+## When to ignore it
+When the name disables the file on purpose. Rename it to `.disabled`, which this rule exempts.
 
 ## References
 - systemd.unit(5), "Description": drop-in files
@@ -43,6 +46,6 @@ def dropin_not_conf(robot: Robot):
             continue
         yield finding(
             source,
-            f"{name} is not read: systemd takes only drop-ins whose names end in .conf",
+            f"systemd does not read {name}: the name of a drop-in must end in .conf",
             advice=f"rename it to {name.rpartition('.')[0] or name}.conf",
         )

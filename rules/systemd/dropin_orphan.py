@@ -1,12 +1,12 @@
 """Drop-ins of a unit that does not exist.
 
 ## What it finds
-A folder such as `rover-driver.service.d` while neither the tree nor the distribution has
-`rover-driver.service`: in a root file system always, in a repository when a unit of the tree has nearly the
-same name. Folders for groups of units (`service.d`, `rover-.service.d`) and generated units are left out.
+A folder such as `rover-driver.service.d`, while neither the tree nor the distribution has
+`rover-driver.service`. In a repository, the tree must also have a unit with nearly the same name. Folders for
+groups of units (`service.d`, `rover-.service.d`) and generated units are exempt.
 
 ## Why it matters on a robot
-The settings in them (a memory limit, a user, a restart) apply to nothing, and no tool says so.
+The settings in the drop-in (a memory limit, a user, a restart) apply to nothing, and no tool says so.
 
 ## Bad
 ```
@@ -19,6 +19,9 @@ rover-drivers.service
 rover-drivers.service.d/limits.conf
 rover-drivers.service
 ```
+
+## When to ignore it
+When the unit comes from a package that is installed later, or is created at run time.
 
 ## References
 - systemd.unit(5), "Description": drop-in files
@@ -43,9 +46,9 @@ def dropin_orphan(robot: Robot):
         yield finding(
             file.sections[0].header if file.sections else file.source,
             f"There is no {file.name}, so this drop-in applies to nothing",
-            advice=f"did you mean {meant}.d?" if meant else "rename the folder after the unit, or delete it",
+            advice=f"did you mean {meant}.d?" if meant else "rename the folder after its unit, or delete it",
             related=[
-                note(other.where, "the unit that is nearly called so")
+                note(other.where, "a unit with a similar name")
                 for other in units.candidates(meant or "")
                 if other.files
             ],

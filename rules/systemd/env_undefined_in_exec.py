@@ -1,14 +1,15 @@
 """A variable in an Exec line that nothing defines.
 
 ## What it finds
-`${NAME}` in an argument of an `Exec` line (and `$NAME` as an argument of its own), where no `Environment=`,
-no environment file and no `PassEnvironment=` of the unit defines it, systemd does not set it, and the line
-does not assign it. Silent as soon as an environment file is not in the tree.
+`${NAME}` in an argument of an `Exec` line, or `$NAME` as a whole argument, when nothing defines the variable:
+no `Environment=`, environment file or `PassEnvironment=` of the unit, not systemd itself, and no assignment
+in the line. Units of the user manager, and units with an environment file that is not in the tree, are not
+checked.
 
 ## Why it matters on a robot
-systemd replaces the variables before a shell sees them, and an undefined one becomes nothing: `source
-/opt/ros//setup.bash` fails, `--domain ${ID}` swallows the next argument. In a terminal, where `.bashrc`
-defined it, the same line works.
+systemd replaces the variables before a shell sees them, and an undefined one expands to nothing: `source
+/opt/ros//setup.bash` fails, and `--domain ${ID}` swallows the next argument. In a terminal, where `.bashrc`
+defines the variable, the same line works.
 
 ## Bad
 ```ini
@@ -22,6 +23,10 @@ ExecStart=/bin/bash -c 'source /opt/ros/${ROS_DISTRO}/setup.bash && exec ros2 la
 Environment=ROS_DISTRO=jazzy
 ExecStart=/bin/bash -c 'source /opt/ros/${ROS_DISTRO}/setup.bash && exec ros2 launch rover rover.launch.py'
 ```
+
+## When to ignore it
+When the variable reaches the service manager another way, for example through `systemctl set-environment` or
+DefaultEnvironment=, or when empty is a valid value.
 
 ## References
 - systemd.service(5), "Command lines"
@@ -65,7 +70,7 @@ def env_undefined_in_exec(robot: Robot):
                         word.part(*match.span()),
                         f"{name} is not defined: {_becomes(word, match)}",
                         advice=f"define {name} with Environment= or in an environment file, "
-                        f"or write $${{{name}}} if the shell is to expand it",
+                        f"or write $${{{name}}} if the shell should expand it",
                     )
 
 

@@ -1,13 +1,13 @@
 """EnvironmentFile= names a file that does not exist.
 
 ## What it finds
-In a root file system: `EnvironmentFile=` without a leading `-` and without wildcards, on a file that is not
-there. Files below `/run` and `/tmp`, which something makes at run time, are left out.
+`EnvironmentFile=` with a file that does not exist in a complete root file system. Paths with a leading `-` or
+wildcards are exempt, and so are files below `/run` and `/tmp`, which are created at run time.
 
 ## Why it matters on a robot
-The service does not start: "Failed to load environment files: No such file or directory", result
-`resources`. With `Restart=` it tries again and again without running a line of the robot's software.
-`systemd-analyze verify` does not look.
+The service does not start: "Failed to load environment files: No such file or directory", result `resources`.
+With `Restart=` it tries again and again without running a line of the robot's software. `systemd-analyze
+verify` does not check this.
 
 ## Bad
 ```ini
@@ -21,6 +21,10 @@ EnvironmentFile=/etc/rover/ros.env
 # shipped with the image
 EnvironmentFile=/etc/rover/ros.env
 ```
+
+## When to ignore it
+When the file is created on the robot before the service starts, for example at the first boot or by a fleet
+agent.
 
 ## References
 - systemd.exec(5), "EnvironmentFile="
@@ -47,5 +51,5 @@ def envfile_missing(robot: Robot):
                 yield finding(
                     file.value,
                     f"{file.path} does not exist: {unit.name} fails to start",
-                    advice="ship the file, or put '-' before the path if the service can do without it",
+                    advice="ship the file, or prefix the path with '-' if the service can do without it",
                 )

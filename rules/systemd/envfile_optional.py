@@ -1,11 +1,11 @@
-"""An environment file is optional though the command needs it.
+"""An environment file is optional, but the command needs it.
 
 ## What it finds
-`EnvironmentFile=-...` on a file of the tree that alone defines a variable which an `Exec` line uses.
+`EnvironmentFile=-...` with a file of the tree that alone defines a variable used in an `Exec` line.
 
 ## Why it matters on a robot
-The dash hides a missing file. On the robot where it was forgotten the variable is empty, and the service
-fails somewhere else, with another message: `source /opt/ros//setup.bash: No such file or directory`.
+The dash hides a missing file. On a robot where the file was forgotten, the variable is empty, and the service
+fails elsewhere with another message: `source /opt/ros//setup.bash: No such file or directory`.
 
 ## Bad
 ```ini
@@ -20,6 +20,9 @@ ExecStart=/bin/bash -c 'source /opt/ros/${ROS_DISTRO}/setup.bash && exec ros2 la
 EnvironmentFile=/etc/rover/ros.env
 ExecStart=/bin/bash -c 'source /opt/ros/${ROS_DISTRO}/setup.bash && exec ros2 launch rover rover.launch.py'
 ```
+
+## When to ignore it
+When the command works with an empty value, for example because the variable holds optional extra arguments.
 
 ## References
 - systemd.exec(5), "EnvironmentFile="
@@ -54,8 +57,8 @@ def envfile_optional(robot: Robot):
                     dash = file.value.span.source.span(file.value.span.start - 1, file.value.span.start)
                     yield finding(
                         file.value,
-                        f"{process.key}= needs {used} from this file, and without the file it is silently empty",
-                        advice="drop the '-'",
+                        f"{process.key}= needs {used} from this file: without the file, {used} is silently empty",
+                        advice="remove the '-'",
                         related=[note(only[used].value, "defined here"), note(process.line, "used here")],
                         fix=fix("make the file required", (dash, ""), safe=False) if dash.text == "-" else None,
                     )

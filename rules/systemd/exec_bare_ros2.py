@@ -1,13 +1,15 @@
-"""An Exec line starts ros2 or a shell word, which systemd cannot find.
+"""An Exec line starts with ros2 or a shell keyword, which systemd cannot find.
 
 ## What it finds
-A first word such as ros2, colcon, rviz2 or rosrun, which lie outside systemd's search path, or source,
-export, cd and other words that only a shell knows. With ExecSearchPath= the names of programs are not
-judged.
+An Exec line whose first word systemd cannot run:
+
+- a program outside of systemd's search path, such as ros2, colcon, rviz2 or rosrun (not checked with
+  ExecSearchPath=);
+- a word that only a shell knows, such as source, export or cd.
 
 ## Why it matters on a robot
-The service fails at once with status 203/EXEC. And nothing has sourced the ROS set-up, so the full path of
-ros2 alone would not help either.
+The service fails at once with status 203/EXEC. Even the full path of ros2 would not help, because nothing has
+sourced the ROS setup file.
 
 ## Bad
 ```ini
@@ -20,6 +22,10 @@ ExecStart=ros2 launch robot_bringup bringup.launch.py
 [Service]
 ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch robot_bringup bringup.launch.py'
 ```
+
+## When to ignore it
+When ros2 is installed in a system folder such as /usr/bin, for example as a snap or a wrapper script. Never
+for shell keywords.
 
 ## References
 - systemd.service(5), "Command lines": the search path is fixed when systemd is built
@@ -56,10 +62,10 @@ def exec_bare_ros2(robot: Robot):
         for command in line.commands:
             program = command.program
             if program in _SHELL_WORDS:
-                message = f"'{program}' is a word of the shell, and systemd runs no shell: the service fails to start"
+                message = f"'{program}' is a shell command, and systemd runs no shell: the service fails to start"
                 yield finding(program, message, advice="put the whole line into /bin/bash -c '...'")
             elif program in _PROGRAMS and not searched:
-                message = f"'{program}' is not in systemd's search path, and nothing sources the ROS set-up"
+                message = f"'{program}' is not in systemd's search path, and nothing sources the ROS setup file"
                 advice = f"write /bin/bash -c 'source <setup.bash> && exec {program} ...'"
                 yield finding(program, message, advice=advice, fix=_wrapped(robot, command))
 
@@ -70,7 +76,7 @@ def _wrapped(robot, command):
         return None
     setup = f"/opt/ros/{robot.target.ros}/setup.bash"
     return fix(
-        "source the set-up in a shell",
+        "source the setup file in a shell",
         (command.where, f"/bin/bash -c 'source {setup} && exec {text}'"),
         safe=False,
     )

@@ -1,11 +1,12 @@
-"""A service without anything to start.
+"""A service that has nothing to start: systemd refuses it.
 
 ## What it finds
-A service that has, after all drop-ins, no ExecStart=, where systemd needs one: only Type=oneshot services
-may do without, and only with ExecStop= and RemainAfterExit=yes, or with SuccessAction=.
+A service without ExecStart=, after all drop-ins, where systemd requires one. Only a Type=oneshot service can
+do without it, and only with ExecStop= and RemainAfterExit=yes, or with SuccessAction=.
 
 ## Why it matters on a robot
-systemd refuses the unit: systemctl start says "bad unit file setting", and whatever requires it fails too.
+systemd refuses the unit: systemctl start fails with "bad unit file setting", and so does every unit that
+requires it.
 
 ## Bad
 ```ini
@@ -21,6 +22,9 @@ Type=oneshot
 RemainAfterExit=yes
 ExecStop=/usr/bin/robot-park
 ```
+
+## When to ignore it
+When a drop-in outside of this tree adds ExecStart=.
 
 ## References
 - systemd.service(5), "ExecStart="
@@ -48,9 +52,9 @@ def _refused(unit):
     acts = unit.get("SuccessAction", "Unit") not in (None, "none")
     kind = unit.get("Type")
     if not stops and not acts:
-        return "has nothing to start"
+        return "has no ExecStart="
     if kind not in (None, "oneshot"):
-        return f"has no ExecStart=, which only Type=oneshot allows, not {kind}"
+        return f"has Type={kind} and no ExecStart=, which only Type=oneshot allows"
     remains = (unit.get("RemainAfterExit") or "no").lower() in ("yes", "true", "on", "1", "y", "t")
     return "" if remains or acts else "has only ExecStop= and not RemainAfterExit=yes"
 

@@ -1,11 +1,11 @@
 """More than one ExecStart= in a service that is not oneshot.
 
 ## What it finds
-Two or more commands in ExecStart= after all drop-ins, with any Type= but oneshot: several lines, a line in
-a drop-in without an empty ExecStart= before it, or commands separated by a semicolon.
+Two or more commands in ExecStart=, after all drop-ins, in a service that is not Type=oneshot: several lines,
+a line in a drop-in without an empty ExecStart= before it, or commands separated by a semicolon.
 
 ## Why it matters on a robot
-systemd refuses the whole unit. With a drop-in the packaged service that worked before stops loading.
+systemd refuses the whole unit. With such a drop-in, a packaged service that worked before no longer loads.
 
 ## Bad
 ```ini
@@ -21,6 +21,9 @@ ExecStart=/usr/bin/robot-drivers --simulate
 ExecStart=
 ExecStart=/usr/bin/robot-drivers --simulate
 ```
+
+## When to ignore it
+Never: systemd does not load the unit.
 
 ## References
 - systemd.service(5), "ExecStart="
@@ -49,9 +52,9 @@ def exec_multiple(robot: Robot):
 def _finding(unit, first_line, first, line, second):
     message = f"More than one ExecStart= command in {unit.name}: systemd refuses the unit"
     change = None
-    advice = "use Type=oneshot for a sequence, ExecStartPre= for what comes before, or a unit for each process"
+    advice = "use Type=oneshot for a sequence, ExecStartPre= for preparation, or a unit for each process"
     if line.file.dropin and not first_line.file.dropin:
         start = line.assignment.span.start
-        advice = "put an empty ExecStart= above: it takes back the command of the unit file"
+        advice = "add an empty ExecStart= above: it resets the command of the unit file"
         change = fix("reset ExecStart= first", (line.assignment.span.source.span(start, start), "ExecStart=\n"))
     return finding(second.where, message, advice=advice, related=[note(first.where, "the first command")], fix=change)

@@ -2,11 +2,11 @@
 
 ## What it finds
 A first word such as ./start.sh, ~/start.sh, $HOME/start.sh or scripts/start.sh, or a path that ends in a
-slash. A bare name is searched in the system's folders and is fine here.
+slash. A bare name is valid here, because systemd searches it in the system's folders.
 
 ## Why it matters on a robot
-The unit does not load at all: systemctl start says "bad unit file setting". systemd knows no working
-folder, home or variables when it reads the program's path.
+The unit does not load: systemctl start fails with "bad unit file setting". When systemd reads the path of the
+program, it knows no working directory, home or variables.
 
 ## Bad
 ```ini
@@ -21,6 +21,9 @@ ExecStart=./start.sh
 WorkingDirectory=/opt/robot
 ExecStart=/opt/robot/start.sh
 ```
+
+## When to ignore it
+Never: systemd does not load the unit.
 
 ## References
 - systemd.service(5), "Command lines"
@@ -43,10 +46,10 @@ def exec_not_absolute(robot: Robot):
                 continue
             if line.file.source.template and "$" in word:
                 continue
-            what = "is no absolute path" if problem.code == "not-absolute" else f"is not {problem.expected}"
+            what = "is not an absolute path" if problem.code == "not-absolute" else f"is not {problem.expected}"
             what = "is a folder" if word.endswith("/") else what
             yield finding(
                 word,
                 f"'{word}' {what}: {line.consequence(problem)}",
-                advice="write the whole path of the program; systemd expands no variable and no ~ in it",
+                advice="write the full path of the program; systemd expands neither variables nor ~ in it",
             )

@@ -1,13 +1,13 @@
-"""Shell syntax in an Exec line that no shell reads.
+"""Shell syntax in an Exec line that no shell interprets.
 
 ## What it finds
 Unquoted words such as &&, ||, |, >, 2>&1, < or &, and command substitution with $(...) or backquotes, in a
-command line whose program is not a shell with -c. Programs that hand their arguments to a shell, such as
-ssh and watch, are not judged.
+command line whose program is not a shell with -c. Programs that pass their arguments to a shell, such as ssh
+and watch, are exempt.
 
 ## Why it matters on a robot
-systemd passes the words to the program as arguments. The second command never runs, the log file is never
-written, and systemd-analyze verify says nothing.
+systemd passes these words to the program as arguments. The second command never runs, the log file is never
+written, and systemd-analyze verify does not report it.
 
 ## Bad
 ```ini
@@ -21,6 +21,9 @@ ExecStart=/usr/bin/robot-drivers > /var/log/robot.log 2>&1
 ExecStart=/usr/bin/robot-drivers
 StandardOutput=append:/var/log/robot.log
 ```
+
+## When to ignore it
+When the program interprets the word itself, for example an own wrapper that passes its arguments to a shell.
 
 ## References
 - systemd.service(5), "Command lines": redirection, pipes and background jobs are not supported
@@ -65,7 +68,7 @@ def exec_shell_syntax(robot: Robot):
                 if (plain and _OPERATOR.fullmatch(word)) or _SUBSTITUTION.search(word):
                     yield finding(
                         word,
-                        f"No shell reads {line.key}=: '{_shortened(word)}' is passed to {names[0]} as an argument",
+                        f"No shell interprets {line.key}=: {names[0]} gets '{_shortened(word)}' as an argument",
                         advice="wrap the command in /bin/bash -c '...', or use StandardOutput= and more Exec lines",
                         fix=_wrapped(command),
                     )

@@ -1,14 +1,19 @@
-"""A script that the unit runs is not there, or cannot be run.
+"""A script that the unit runs does not exist or is not executable.
 
 ## What it finds
-A script or program of one's own (below /usr/local, /opt, /etc, /home, /srv, /var or /data) in Exec*= that a
-root file system does not hold, that is not executable there, or that is text without a `#!` line, also in a
-repository. A repository that ships other files for the same folder, and no step that makes this one, is
-warned with less confidence. A `-` in front says that it may fail.
+A program in Exec*= that belongs to the robot (below /usr/local, /opt, /etc, /home, /root, /srv, /var or
+/data) and cannot run:
+
+- error: it does not exist in a complete root file system;
+- error: it is not executable there;
+- error: it is a script without a `#!` line, also in a repository;
+- warning, with medium confidence: a repository ships other files for the same folder, but not this one, and
+  no step creates it.
+
+Commands with the prefix `-` may fail and are exempt.
 
 ## Why it matters on a robot
-systemd gives up with 203/EXEC. When it is the device check of ExecStartPre=, the driver behind it never
-starts.
+systemd gives up with 203/EXEC. If it is the device check in ExecStartPre=, the driver never starts.
 
 ## Bad
 ```ini
@@ -25,6 +30,10 @@ ExecStart=/opt/rover/bin/drivers
 ExecStartPre=/usr/local/bin/check-devices
 ExecStart=/opt/rover/bin/drivers
 ```
+
+## When to ignore it
+When the script comes from another package or repository that is installed in the same folder, or is generated
+on the robot before the service starts.
 
 ## References
 - systemd.exec(5), "Process Exit Codes": 203 EXIT_EXEC; execve(2), ENOEXEC
@@ -70,7 +79,7 @@ def execstartpre_missing_script(robot: Robot):
                 yield finding(
                     program,
                     f"The tree ships {sibling} but not {program}: {process.key}= of {unit.name} fails "
-                    "with 203/EXEC if nobody else does",
+                    "with 203/EXEC unless something else installs it",
                     advice="ship it with mode 0755",
                     severity="warning",
                     confidence="medium",
@@ -87,13 +96,13 @@ def _problems(robot, process):
     if source.mode is not None and not source.mode & 0o111:
         yield (
             f"is not executable (mode {source.mode:04o})",
-            f"chmod 0755 {program}",
+            f"run chmod 0755 {program}",
             [note(source, "the script")],
         )
     first = source.text[:2]
     if source.text and not source.template and first != "#!" and TEXT.search(program):
         yield (
             "is a script without a #! line",
-            "write the interpreter in its first line, such as #!/bin/bash",
+            "name the interpreter in the first line, for example #!/bin/bash",
             [note(source, "the script")],
         )

@@ -1,11 +1,11 @@
 """A fixed sleep before the start hides a race.
 
 ## What it finds
-ExecStartPre= that only sleeps.
+ExecStartPre= with no command but sleep.
 
 ## Why it matters on a robot
-The delay is too short on the one cold morning when the device takes longer, and too long on every other
-day. It also says nothing about what is waited for.
+The delay is too short on the one cold morning when the device needs longer, and too long on every other day.
+It also does not show what the service waits for.
 
 ## Bad
 ```ini
@@ -23,6 +23,10 @@ After=dev-rover-lidar.device
 [Service]
 ExecStart=/opt/robot/bin/lidar-driver
 ```
+
+## When to ignore it
+When a device needs a fixed time after power-on and offers nothing to wait for, such as a motor controller
+without a ready signal.
 
 ## References
 - systemd.device(5)
@@ -42,6 +46,6 @@ def execstartpre_sleep(robot: Robot):
             if process.key == "ExecStartPre" and names == {"sleep"}:
                 yield finding(
                     process.line,
-                    f"A fixed sleep before {unit.name} hides what it waits for, and is too short one day",
-                    advice="wait for the thing itself: a device unit, a socket, or a check",
+                    f"A fixed sleep hides what {unit.name} waits for, and will be too short one day",
+                    advice="wait for the condition itself: a device unit, a socket, or a check",
                 )

@@ -4,8 +4,8 @@
 ExecStop= that runs `kill` on $MAINPID and nothing else.
 
 ## Why it matters on a robot
-`kill` returns at once, and systemd then sends KillSignal= anyway: the second SIGINT is ignored by ros2
-launch, and a SIGTERM after the SIGINT makes it exit before its nodes have stopped.
+`kill` returns at once, and systemd then sends KillSignal= anyway. ros2 launch ignores a second SIGINT. A
+SIGTERM after the SIGINT makes it exit before its nodes have stopped.
 
 ## Bad
 ```ini
@@ -20,6 +20,9 @@ KillSignal=SIGINT
 KillSignal=SIGINT
 TimeoutStopSec=20
 ```
+
+## When to ignore it
+When the program expects exactly this pair of signals, for example a first SIGINT to save its state.
 
 ## References
 - systemd.service(5), ExecStop=: processes that remain are killed right afterwards
@@ -58,7 +61,9 @@ def execstop_async_kill(robot: Robot):
                 f"ExecStop= sends {signal} and returns at once: systemd sends "
                 f"{service.kill_signal.value} right after it",
                 advice="delete the line" if same else f"delete the line and set KillSignal={signal}",
-                related=[note(service.kill_signal.at, "the same signal")] if same and service.kill_signal.at else (),
+                related=[note(service.kill_signal.at, "sends the same signal")]
+                if same and service.kill_signal.at
+                else (),
                 fix=fix("leave it to KillSignal=", *map(delete_lines, lines)) if same and unit.editable else None,
             )
 

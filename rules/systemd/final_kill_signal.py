@@ -1,12 +1,12 @@
-"""A hung process is never killed.
+"""systemd never kills a process that hangs.
 
 ## What it finds
-FinalKillSignal= with another signal than SIGKILL, or SendSIGKILL=no, on a service that starts ROS 2.
-FinalKillSignal= is not one step of three: it replaces the SIGKILL at the end.
+FinalKillSignal= with a signal other than SIGKILL, or SendSIGKILL=no, on a service that starts ROS 2.
+FinalKillSignal= does not add a third step: it replaces the SIGKILL at the end.
 
 ## Why it matters on a robot
-A driver that hangs ignores SIGINT and SIGTERM alike. It keeps the device, the stop job waits in vain, and
-so does the shutdown.
+A driver that hangs ignores both SIGINT and SIGTERM. It keeps the device open, and the stop job waits in vain.
+So does the shutdown.
 
 ## Bad
 ```ini
@@ -21,6 +21,9 @@ FinalKillSignal=SIGTERM
 KillSignal=SIGINT
 TimeoutStopSec=20
 ```
+
+## When to ignore it
+When killing the process would be more dangerous than leaving it, for example while it writes firmware.
 
 ## References
 - systemd.kill(5), FinalKillSignal= and SendSIGKILL=
@@ -39,7 +42,7 @@ def final_kill_signal(robot: Robot):
         service = robot.units.supervision(unit)
         if service.final_signal.value not in ("SIGKILL", None) and service.sends_kill.value:
             text = (
-                f"FinalKillSignal= replaces SIGKILL by {service.final_signal.value}: a hung process "
+                f"FinalKillSignal= replaces SIGKILL with {service.final_signal.value}: a hung process "
                 f"of {unit.name} is never killed"
             )
             yield finding(
@@ -59,4 +62,4 @@ def final_kill_signal(robot: Robot):
 
 def _without(unit, key, value):
     lines = [line for line in unit.assignments(key, "Service") if line.value is value]
-    return fix("let SIGKILL be the last word", *map(delete_lines, lines)) if unit.editable else None
+    return fix("let systemd send SIGKILL at the end", *map(delete_lines, lines)) if unit.editable else None

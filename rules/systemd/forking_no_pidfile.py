@@ -1,11 +1,11 @@
-"""A forking service without a PID file: systemd guesses the main process.
+"""A forking service without a PID file: systemd guesses its main process.
 
 ## What it finds
-Type=forking without PIDFile= and without GuessMainPID=.
+A service with Type=forking and neither PIDFile= nor GuessMainPID=.
 
 ## Why it matters on a robot
-The guess is wrong as soon as the daemon has more than one process: systemd then watches, restarts and
-signals the wrong one.
+The guess is unreliable as soon as the daemon has more than one process. systemd may then watch, restart and
+signal the wrong one.
 
 ## Bad
 ```ini
@@ -21,6 +21,9 @@ Type=forking
 PIDFile=/run/gpsd.pid
 ExecStart=/usr/sbin/gpsd -P /run/gpsd.pid /dev/ttyUSB0
 ```
+
+## When to ignore it
+When the daemon always leaves exactly one process.
 
 ## References
 - systemd.service(5), "PIDFile=", "GuessMainPID="

@@ -1,12 +1,12 @@
 """A ROS 2 command that stays in the foreground in a Type=forking service.
 
 ## What it finds
-Type=forking where ExecStart= itself runs ros2 launch, ros2 run or an installed node: directly, or as the
-last command of its shell, in the foreground.
+Type=forking where ExecStart= runs ros2 launch, ros2 run or an installed node in the foreground, directly or
+as the last command of its shell.
 
 ## Why it matters on a robot
-systemd waits for the process to return. It never does, so after TimeoutStartSec (90 s) the whole tree is
-killed, and with Restart= this goes on for ever.
+systemd waits for the process to return. It never returns, so that systemd kills all processes after
+TimeoutStartSec (90 s). With Restart= this repeats forever.
 
 ## Bad
 ```ini
@@ -21,6 +21,9 @@ ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rob
 Type=exec
 ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch robot_bringup bringup.launch.py'
 ```
+
+## When to ignore it
+When the program forks by itself, which ros2 launch, ros2 run and ordinary nodes never do.
 
 ## References
 - systemd.service(5), "Type="
@@ -46,7 +49,7 @@ def forking_with_ros(robot: Robot):
                 what = {"launch": "ros2 launch", "run": "ros2 run"}.get(started[0].kind, "The program")
                 yield finding(
                     kind,
-                    f"{what} does not fork: {unit.name} runs into its start timeout and is killed",
+                    f"{what} does not fork: {unit.name} reaches its start timeout and is killed",
                     advice="use Type=exec",
                     related=[note(process.program, "the process that stays in the foreground")],
                     fix=fix("use Type=exec", (kind, "exec"), safe=False),

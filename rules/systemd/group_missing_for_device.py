@@ -1,13 +1,16 @@
 """The user of a service is not in the group of its device.
 
 ## What it finds
-In a root file system with `/etc/group`: a service with `User=` whose own files, environment files or launch
-files name a device that a udev rule gives to a group (`GROUP=` with a mode such as 0660, or the usual group
-of serial ports and cameras), while neither `/etc/group` nor `SupplementaryGroups=` makes the user a member.
+A service in a root file system with `/etc/group`, when all of this is true:
+
+- it has `User=`;
+- its own files, environment files or launch files name a device that a udev rule gives to a group (`GROUP=`
+  with a mode such as 0660, or the usual group of serial ports and cameras);
+- neither `/etc/group` nor `SupplementaryGroups=` makes the user a member of that group.
 
 ## Why it matters on a robot
-Opening the device fails: "Permission denied: '/dev/robot/imu'". The person who tried the driver in a
-terminal was a member of dialout; the user of the service is not.
+Opening the device fails: "Permission denied: '/dev/robot/imu'". The person who tried the driver in a terminal
+was a member of dialout. The user of the service is not.
 
 ## Bad
 ```ini
@@ -23,6 +26,10 @@ User=rover
 SupplementaryGroups=dialout
 Environment=PORT=/dev/robot/imu
 ```
+
+## When to ignore it
+When an ACL (`TAG+="uaccess"`, setfacl) gives the user access, or when provisioning adds the user to the
+group.
 
 ## References
 - systemd.exec(5), "SupplementaryGroups="
@@ -49,8 +56,8 @@ def group_missing_for_device(robot: Robot):
             f"User {closed.user} is not in group {group}: opening {closed.use.path} fails",
             advice=f"add SupplementaryGroups={group}",
             related=[
-                note(closed.use.path, "the device that is opened"),
-                note(closed.link.name, f"made for group {group}"),
+                note(closed.use.path, "the device that the service opens"),
+                note(closed.link.name, f"created for group {group}"),
             ],
             fix=fix(
                 f"add SupplementaryGroups={group}",

@@ -1,12 +1,12 @@
-"""A workspace in the home of another user.
+"""A service depends on a workspace in another user's home.
 
 ## What it finds
 A service with `User=` that sources a setup file, or starts a program, below the `/home` folder of another
 user.
 
 ## Why it matters on a robot
-Homes are closed to others (mode 0750 on Ubuntu): the workspace cannot be read, or can be until somebody
-tidies up the permissions. It also ties the robot to one developer's account.
+Home folders are closed to others (mode 0750 on Ubuntu). The service cannot read the workspace, or only until
+somebody fixes the permissions. It also ties the robot to one developer's account.
 
 ## Bad
 ```ini
@@ -21,6 +21,9 @@ ExecStart=/bin/bash -c 'source /home/dev/ws/install/setup.bash && exec ros2 laun
 User=rover
 ExecStart=/bin/bash -c 'source /opt/rover/install/setup.bash && exec ros2 launch rover rover.launch.py'
 ```
+
+## When to ignore it
+On a development robot where the other user's home is readable on purpose.
 
 ## References
 - adduser.conf(5), "DIR_MODE"
@@ -49,7 +52,7 @@ def hardcoded_ws_home(robot: Robot):
             if found and robot.accounts.home_of(str(user)) != f"/home/{HOME.match(found)[1]}":
                 yield finding(
                     found,
-                    f"{unit.name} runs as {user} but needs what lies in the home of {HOME.match(found)[1]}",
+                    f"{unit.name} runs as {user} but needs files in the home of {HOME.match(found)[1]}",
                     advice=f"install it below /opt, or in the home of {user}",
                     related=[note(user, "the user of the service")],
                 )

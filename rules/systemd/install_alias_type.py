@@ -1,11 +1,14 @@
-"""An alias that systemctl enable refuses.
+"""An alias that systemctl enable rejects.
 
 ## What it finds
-Alias= with another type suffix than the unit, without one, or with a template and a plain unit mixed: the
-alias of a template must be a template or an instance, that of a plain unit neither.
+An Alias= that does not match the unit:
+
+- its type suffix is missing or differs from that of the unit;
+- a template has an alias that is neither a template nor an instance;
+- a plain unit has a template or an instance as its alias.
 
 ## Why it matters on a robot
-systemctl enable stops with an error and enables nothing, not even the WantedBy= of the same section.
+systemctl enable exits with an error and enables nothing, not even the WantedBy= of the same section.
 
 ## Bad
 ```ini
@@ -20,6 +23,9 @@ Alias=drivers.target
 [Install]
 Alias=drivers.service
 ```
+
+## When to ignore it
+Never: systemctl enable fails.
 
 ## References
 - systemd.unit(5), "Alias="
@@ -40,11 +46,11 @@ def install_alias_type(robot: Robot):
         for alias in line.value.words():
             other, _, suffix = alias.rpartition(".")
             if suffix != kind and "%" not in suffix:
-                reason = f"an alias of a .{kind} ends in .{kind}"
+                reason = f"the alias of a .{kind} unit must end in .{kind}"
             elif "@" in stem and "@" not in other and "%" not in other:
-                reason = "an alias of a template is a template or an instance"
+                reason = "the alias of a template must be a template or an instance"
             elif "@" not in stem and "@" in other:
-                reason = "a plain unit has no template or instance as alias"
+                reason = "the alias of a plain unit must be neither a template nor an instance"
             else:
                 continue
             message = f"{line.file.name} cannot be aliased as {alias}: systemctl enable fails"

@@ -1,14 +1,16 @@
-"""Installed into a target that does not exist.
+"""A unit is installed into a target that does not exist.
 
 ## What it finds
-`WantedBy=`, `RequiredBy=` or `UpheldBy=` with something that is no unit name, or with a unit that neither
-the tree nor the distribution has. In a repository an unknown target is a warning, because another package
-may bring it, and another unit only if it looks like the robot's own.
+`WantedBy=`, `RequiredBy=` or `UpheldBy=` with one of these:
+
+- error: a word that is not a unit name;
+- error, in a complete root file system: a unit that neither the tree nor the distribution has;
+- warning, in a repository: an unknown target, which another package may ship, or another unknown unit whose
+  name looks like the robot's own.
 
 ## Why it matters on a robot
-`systemctl enable` makes the link and says that all is well ("added as a dependency to a non-existent unit"
-at most), but nothing ever starts the target, and so nothing starts the service. The robot comes up without
-it.
+`systemctl enable` creates the link and reports success ("added as a dependency to a non-existent unit" at
+most). But nothing ever starts the target, so that nothing starts the service. The robot boots without it.
 
 ## Bad
 ```ini
@@ -21,6 +23,9 @@ WantedBy=rover-bringup.target
 [Install]
 WantedBy=multi-user.target
 ```
+
+## When to ignore it
+When another package ships the target.
 
 ## References
 - systemd.unit(5), "WantedBy="
@@ -65,7 +70,7 @@ def install_bad_target(robot: Robot):
                     sure = bad or robot.tree.complete
                     yield finding(
                         word,
-                        f"{word} is no unit name: systemctl enable fails"
+                        f"{word} is not a unit name: systemctl enable fails"
                         if bad
                         else (
                             f"{word} does not exist{'' if sure else ' in this tree'}: "

@@ -1,10 +1,11 @@
-"""A misspelt key in [Install]: the unit is not enabled where it should be.
+"""A misspelled key in [Install]: the unit is not enabled where it should be.
 
 ## What it finds
-A key in [Install] that systemd does not know. Keys that start with X- are meant for other programs.
+A key in [Install] that systemd does not know. Keys whose name starts with `X-` are for other programs and are
+exempt.
 
 ## Why it matters on a robot
-systemctl enable succeeds and links nothing: after the next boot the service does not run.
+systemctl enable succeeds but creates no link: after the next boot the service does not run.
 
 ## Bad
 ```ini
@@ -17,6 +18,9 @@ WantBy=multi-user.target
 [Install]
 WantedBy=multi-user.target
 ```
+
+## When to ignore it
+Only if the robot's systemd is newer than this tool and knows the key.
 
 ## References
 - systemd.unit(5), "[Install] Section Options"
@@ -45,7 +49,7 @@ def install_unknown_key(robot: Robot):
             meant = nearest(key, known)
             yield finding(
                 key,
-                f"Unknown key '{key}' in [Install]: enabling the unit has no such effect",
+                f"Unknown key '{key}' in [Install]: systemctl enable ignores it",
                 advice=f"did you mean {meant[0]}?" if meant else f"use {', '.join(known)}",
                 fix=fix(f"rename to {meant[0]}", (key, meant[0])) if len(meant) == 1 else None,
             )

@@ -1,13 +1,13 @@
-"""A value that systemd cannot read: the line or word is ignored, or the unit does not load.
+"""A value that systemd cannot parse: it ignores the line, or refuses the unit.
 
 ## What it finds
-A value that does not follow the grammar of its key: sizes, time spans, percentages, signals, words out of a
+A value that does not follow the grammar of its key: sizes, time spans, percentages, signals, words from a
 fixed set, paths, addresses, users, environment assignments and so on. Values with placeholders or unknown
-specifiers are not judged, and an empty value resets the key.
+specifiers are not checked. An empty value resets the key and is valid.
 
 ## Why it matters on a robot
-systemd drops the line and the default applies: no memory limit, a restart after 100 ms, Type=simple. Only a
-message in the journal tells. For some keys, such as User= and WorkingDirectory=, the whole unit does not
+systemd ignores the line, and the default applies: no memory limit, a restart after 100 ms, Type=simple. Only
+a message in the journal says so. For some keys, such as User= and WorkingDirectory=, the whole unit does not
 load.
 
 ## Bad
@@ -27,6 +27,10 @@ MemoryMax=2G
 RestartSec=5s
 KillSignal=SIGINT
 ```
+
+## When to ignore it
+Only if the robot's systemd is newer than this tool and accepts the value: `systemd-analyze verify` on the
+robot shows it.
 
 ## References
 - systemd.syntax(7), systemd.time(7), systemd.service(5), systemd.exec(5), systemd.resource-control(5)
@@ -64,7 +68,7 @@ def _finding(line, problem):
     message = f"{line.key}= takes {problem.expected}, not '{shown}': {line.consequence(problem)}"
     if problem.code == "odd-name":
         message = f"{line.key}= takes '{shown}' as one name, and the service fails to start"
-        return finding(where, message, advice="separate names with blanks, in lists; a single name has none")
+        return finding(where, message, advice="separate the names of a list with blanks; a single name has none")
     if problem.suggestion is None:
         return finding(where, message, advice=f"write {problem.expected}")
     change = fix(f"write {problem.suggestion}", (where, problem.suggestion), safe=problem.safe)

@@ -1,13 +1,12 @@
 """A key in the wrong section: systemd ignores the line.
 
 ## What it finds
-A key that another section of the same unit has: StartLimitIntervalSec= or OnFailure= in [Service],
-WantedBy= in [Unit], ExecStart= in [Unit]. The five old names that [Service] still takes are the business of
-systemd/legacy-key.
+A key that belongs in another section of the same unit: StartLimitIntervalSec= or OnFailure= in [Service],
+WantedBy= or ExecStart= in [Unit]. systemd/legacy-key reports the five old names that [Service] still accepts.
 
 ## Why it matters on a robot
-The line has no effect. A start limit in [Service] never limits anything, so a crashing driver restarts for
-ever; an OnFailure= there never calls the failure handler.
+The line has no effect. A start limit in [Service] never limits anything, so that a crashing driver restarts
+forever. An OnFailure= in [Service] never starts the failure handler.
 
 ## Bad
 ```ini
@@ -27,8 +26,11 @@ ExecStart=/usr/bin/robot-drivers
 Restart=always
 ```
 
+## When to ignore it
+Never: systemd ignores the line.
+
 ## References
-- systemd.unit(5): StartLimitIntervalSec= stands in [Unit] since systemd 230
+- systemd.unit(5): StartLimitIntervalSec= belongs in [Unit] since systemd 230
 - journal: "Unknown key name 'StartLimitIntervalSec' in section 'Service', ignoring."
 - https://github.com/systemd/systemd/issues/16644
 """

@@ -1,11 +1,11 @@
-"""KillMode= that lets nodes survive the stop.
+"""KillMode= lets nodes survive the stop.
 
 ## What it finds
-KillMode=process or none on a service that starts ROS 2.
+KillMode=process or KillMode=none on a service that starts ROS 2. One-shot services and containers are exempt.
 
 ## Why it matters on a robot
-Only the main process is stopped. Whatever it does not stop itself keeps running: after a crash of ros2
-launch, or with a shell in front of it, the nodes go on driving, and the restart starts them a second time.
+systemd stops at most the main process. After a crash of ros2 launch, or when the main process is a shell, the
+nodes keep driving the robot, and the restart starts them a second time.
 
 ## Bad
 ```ini
@@ -21,6 +21,10 @@ ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rov
 KillSignal=SIGINT
 KillMode=mixed
 ```
+
+## When to ignore it
+When processes must outlive the service on purpose, such as a tmux session or a daemon that the service only
+starts.
 
 ## References
 - systemd.kill(5), KillMode=: process is not recommended, none is deprecated
@@ -40,13 +44,13 @@ def kill_mode(robot: Robot):
         if mode.value not in ("process", "none") or unit.get("Type") == "oneshot" or service.in_container:
             continue
         stops = (
-            f"only the main process of {unit.name} is stopped"
+            f"systemd stops only the main process of {unit.name}"
             if mode.value == "process"
-            else f"nothing of {unit.name} is stopped"
+            else f"systemd stops no process of {unit.name}"
         )
         yield finding(
             mode.at,
-            f"KillMode={mode.value}: {stops}; nodes that stay behind keep running, and a restart starts them twice",
+            f"KillMode={mode.value}: {stops}; nodes that survive keep running, and a restart starts them twice",
             advice="set KillMode=mixed",
-            fix=fix("kill what is left", (mode.at, "mixed"), safe=False) if unit.editable else None,
+            fix=fix("set KillMode=mixed", (mode.at, "mixed"), safe=False) if unit.editable else None,
         )

@@ -1,11 +1,12 @@
-"""ros2 launch is stopped with a signal at which it leaves its nodes alone.
+"""systemd stops ros2 launch with a signal that makes it abandon its nodes.
 
 ## What it finds
-A service that runs ros2 launch with KillSignal= unset (SIGTERM) or another signal than SIGINT.
+A service that runs ros2 launch and is stopped with a signal other than SIGINT: KillSignal= is not set
+(SIGTERM) or names another signal. One-shot services and containers are exempt.
 
 ## Why it matters on a robot
-On SIGINT ros2 launch stops its nodes one after the other: SIGINT, then SIGTERM, then SIGKILL, and runs its
-shutdown handlers. On SIGTERM it simply exits. Nodes then die without their safe state, or stay behind.
+On SIGINT, ros2 launch runs its shutdown handlers and stops its nodes: SIGINT, then SIGTERM, then SIGKILL. On
+SIGTERM it exits at once. The nodes then die without reaching their safe state, or keep running.
 
 ## Bad
 ```ini
@@ -20,6 +21,9 @@ ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rov
 KillSignal=SIGINT
 TimeoutStopSec=20
 ```
+
+## When to ignore it
+When every node handles SIGTERM, and KillMode=control-group sends it to all of them.
 
 ## References
 - systemd.kill(5), KillSignal=
@@ -53,9 +57,9 @@ def kill_signal_not_sigint(robot: Robot):
         change = (signal.at, "SIGINT") if signal.at else unit.new_line("Service", "KillSignal=SIGINT")
         yield finding(
             signal.at or unit.where,
-            f"{unit.name} is stopped with {signal.value}, at which ros2 launch exits without stopping "
+            f"{unit.name} is stopped with {signal.value}: ros2 launch exits without stopping "
             f"its nodes, {THEN.get(service.kill_mode.value, THEN['control-group'])}",
             advice="set KillSignal=SIGINT",
-            related=[note(found.where, "ros2 launch is started here") for found in launches],
-            fix=fix("stop it with SIGINT", change) if unit.editable else None,
+            related=[note(found.where, "the unit starts ros2 launch here") for found in launches],
+            fix=fix("set KillSignal=SIGINT", change) if unit.editable else None,
         )

@@ -1,12 +1,15 @@
-"""An obsolete key or value that systemd will drop one day.
+"""An obsolete key or value that systemd will remove one day.
 
 ## What it finds
-A name or value that systemd reads only for old unit files, one that it accepts without effect, and the five
-start limit keys that [Service] still takes although they belong in [Unit].
+One of these in a unit:
+
+- a key or value that systemd reads only for old unit files;
+- a key that it accepts but ignores;
+- one of the five start limit keys that [Service] still accepts although they belong in [Unit].
 
 ## Why it matters on a robot
-The unit works on the release it was written for. After the upgrade of the robot's operating system the
-limit, the log destination or the dependency is gone, or has another scale.
+The unit works on the release for which it was written. After an upgrade of the robot's operating system, the
+limit, the log destination or the dependency is gone, or its scale has changed.
 
 ## Bad
 ```ini
@@ -23,6 +26,9 @@ ExecStart=/usr/bin/robot-drivers
 StandardOutput=journal
 MemoryMax=2G
 ```
+
+## When to ignore it
+When the same file must work on a release so old that it knows only the old name.
 
 ## References
 - systemd.directives(7), the NEWS file of systemd
@@ -58,14 +64,14 @@ def legacy_key(robot: Robot):
 def _key(line, old):
     key = line.key
     if old.effect == "ignored":
-        advice = f"remove the line, {old.replacement}= does this today" if old.replacement else "remove the line"
+        advice = f"remove the line: {old.replacement}= replaces it" if old.replacement else "remove the line"
         removal = fix("remove the line", delete_lines(line.assignment), safe=old.fix == "safe")
         return finding(key, f"{key}= was removed: systemd ignores the line", advice=advice, fix=removal)
     if old.effect.startswith("moved:"):
         home = old.effect.partition(":")[2]
         text = f"{old.replacement}={line.value}"
         changes = move_lines(line.file, line.assignment, home, text)
-        message = f"{key}= in [{line.assignment.section}] is an old spelling: it belongs in [{home}]"
+        message = f"{key}= in [{line.assignment.section}] is obsolete: it belongs in [{home}]"
         name = f"as {old.replacement}=" if old.replacement != key else ""
         advice = f"move it to [{home}] {name}".strip()
         return finding(key, message, advice=advice, fix=fix(advice, *changes, safe=old.fix == "safe"))

@@ -1,10 +1,10 @@
-"""An assignment above the first section header is ignored.
+"""An assignment above the first section header: systemd ignores it.
 
 ## What it finds
-A line with a setting before any [Section] header.
+A setting above the first section header of a unit file.
 
 ## Why it matters on a robot
-The setting has no effect, and nothing but a message in the journal says so.
+The setting has no effect, and only a message in the journal says so.
 
 ## Bad
 ```ini
@@ -20,6 +20,9 @@ Description=Drivers
 Description=Drivers
 After=network-online.target
 ```
+
+## When to ignore it
+Never: systemd ignores the line.
 
 ## References
 - systemd.syntax(7)
@@ -39,5 +42,5 @@ def line_outside_section(robot: Robot):
                 yield finding(
                     problem.where,
                     "Assignment outside of a section: systemd ignores the line",
-                    advice="put it below the header it belongs to",
+                    advice="move it below the header of its section",
                 )

@@ -1,12 +1,12 @@
-"""Debug output of a whole stack, without a rate limit of its own.
+"""A whole ROS service logs at level debug without a rate limit of its own.
 
 ## What it finds
-A ROS service that is started with the log level debug for everything (`--log-level debug`,
-`log_level:=debug`, `ros2 launch --debug`) and has no LogRateLimitIntervalSec= or LogRateLimitBurst=.
+A ROS service that starts with the log level debug for all nodes (`--log-level debug`, `log_level:=debug`,
+`ros2 launch --debug`) and has neither LogRateLimitIntervalSec= nor LogRateLimitBurst=.
 
 ## Why it matters on a robot
-The journal's rate limit then drops lines of the service at random, the warnings among them, and the disk
-and the CPU pay for text that nobody reads.
+The journal's rate limit then drops lines of the service at random, including warnings. The disk and the CPU
+pay for text that nobody reads.
 
 ## Bad
 ```ini
@@ -19,6 +19,9 @@ ExecStart=/opt/rover/setup-and-run ros2 launch rover base.launch.py log_level:=d
 [Service]
 ExecStart=/opt/rover/setup-and-run ros2 launch rover base.launch.py log_level:=info
 ```
+
+## When to ignore it
+While you debug this service, on a robot that is not in operation.
 
 ## References
 - systemd.exec(5), LogRateLimitIntervalSec=; journald.conf(5), RateLimitBurst=
@@ -40,8 +43,7 @@ def log_flood(robot: Robot):
                 if word is not None:
                     yield finding(
                         word,
-                        f"Everything in {unit.name} logs at level debug: the journal's rate limit drops "
-                        "lines at random",
+                        f"All nodes of {unit.name} log at level debug: the journal's rate limit drops lines at random",
                         advice="lower the level, or set LogRateLimitIntervalSec= and LogRateLimitBurst=",
                     )
 

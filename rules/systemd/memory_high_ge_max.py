@@ -1,11 +1,11 @@
 """MemoryHigh= is not below MemoryMax=.
 
 ## What it finds
-MemoryHigh= that is as large as MemoryMax= or larger.
+MemoryHigh= that is equal to or larger than MemoryMax=.
 
 ## Why it matters on a robot
-MemoryHigh= slows a service down before MemoryMax= kills it. When the hard limit comes first, the service is
-killed without warning, in the middle of the mission.
+MemoryHigh= throttles a service before MemoryMax= kills it. When the service reaches the hard limit first, the
+kernel kills it without warning, in the middle of the mission.
 
 ## Bad
 ```ini
@@ -20,6 +20,9 @@ MemoryMax=1G
 MemoryHigh=1800M
 MemoryMax=2G
 ```
+
+## When to ignore it
+Never: MemoryHigh= has no effect. To set only a hard limit, delete MemoryHigh=.
 
 ## References
 - systemd.resource-control(5), MemoryHigh= and MemoryMax=
@@ -40,7 +43,7 @@ def memory_high_ge_max(robot: Robot):
             continue
         yield finding(
             high.at,
-            f"MemoryHigh={high.at} is not below MemoryMax={most.at}: {unit.name} is killed before it is slowed down",
+            f"MemoryHigh={high.at} is not below MemoryMax={most.at}: {unit.name} is killed before it is throttled",
             advice="set MemoryHigh= below MemoryMax=",
             related=[note(most.at, "the hard limit")],
         )

@@ -1,11 +1,11 @@
-r"""A line without = in a section is ignored.
+r"""A line without = in a section: systemd ignores it.
 
 ## What it finds
-A line inside a section that is neither a comment, nor an assignment, nor the continuation of the line
-above; also a line that starts with =.
+A line inside a section that is not a comment, not an assignment, and not the continuation of the line above.
+A line that starts with = is also reported.
 
 ## Why it matters on a robot
-Mostly it is the rest of a command whose first line lacks its backslash: the service starts with half of its
+Usually it is the rest of a command whose first line lacks its backslash: the service starts with half of its
 arguments.
 
 ## Bad
@@ -21,6 +21,9 @@ ExecStart=/usr/bin/robot-drivers
 ExecStart=/usr/bin/robot-drivers \
     --port /dev/ttyUSB0
 ```
+
+## When to ignore it
+Never: systemd ignores the line.
 
 ## References
 - systemd.syntax(7)
@@ -43,7 +46,7 @@ def missing_equals(robot: Robot):
                 yield finding(
                     problem.where,
                     "No '=' in this line: systemd ignores it",
-                    advice="write Key=value; to continue the line above, end that one with a backslash",
+                    advice="write Key=value, or end the line above with a backslash to continue it",
                 )
         for assignment in file.assignments:
             if not assignment.key:

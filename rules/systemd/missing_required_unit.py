@@ -1,14 +1,16 @@
 """A required unit does not exist.
 
 ## What it finds
-`Requires=`, `Requisite=` or `BindsTo=` of a unit that neither the tree nor the distribution has. In a root
-file system that is an error. In a repository only names that look like the robot's own (the same first word
-as a unit of the tree, or nearly the same name) are reported, as a warning, unless a script of the
-repository makes the unit. Devices, mounts, slices and generated units are left out.
+`Requires=`, `Requisite=` or `BindsTo=` of a unit that neither the tree nor the distribution has.
+
+- In a complete root file system it is an error.
+- In a repository it is a warning, and only for names that look like the robot's own: the same first word as a
+  unit of the tree, or nearly the same name. Units that a script of the repository creates are exempt.
+
+Devices, mounts, slices and generated units are exempt.
 
 ## Why it matters on a robot
-The start fails at once: "Unit rover-hw.target not found". Everything that requires this unit in turn fails
-with it.
+The start fails at once: "Unit rover-hw.target not found". Every unit that requires this unit fails with it.
 
 ## Bad
 ```ini
@@ -19,11 +21,14 @@ After=rover-hw.target
 
 ## Good
 ```ini
-# rover-hw.target is shipped beside it
+# the same package ships rover-hw.target
 [Unit]
 Requires=rover-hw.target
 After=rover-hw.target
 ```
+
+## When to ignore it
+When another package ships the unit, or a generator creates it at boot.
 
 ## References
 - systemd.unit(5), "Requires="
@@ -51,7 +56,7 @@ def missing_required_unit(robot: Robot):
                         word,
                         f"{word} does not "
                         f"exist{'' if robot.tree.complete else ' in this tree'}: {unit.name} fails to start",
-                        advice=f"did you mean {meant}?" if meant else f"ship {word}, or drop the dependency",
+                        advice=f"did you mean {meant}?" if meant else f"ship {word}, or remove the dependency",
                         fix=fix(f"write {meant}", (word, meant), safe=False) if meant else None,
                         severity=None if robot.tree.complete else "warning",
                         confidence="high" if robot.tree.complete else "medium",

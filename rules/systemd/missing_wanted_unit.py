@@ -1,13 +1,16 @@
-"""A unit that is ordered after, or wants, one that does not exist.
+"""A unit wants, or is ordered after, a unit that does not exist.
 
 ## What it finds
 `Wants=`, `Upholds=`, `After=`, `Before=` or `PartOf=` of a unit that neither the tree nor the distribution
-has. In a root file system that is a warning for names that look like the robot's own, and information for
-others, which may be optional; in a repository only the former are reported, unless a script makes the unit.
+has.
+
+- It is a warning for names that look like the robot's own, unless a script of the repository creates the
+  unit.
+- It is an info for other names, which may be optional, and only in a complete root file system.
 
 ## Why it matters on a robot
-systemd says nothing about it: the line has no effect. What was meant to wait for the drivers does not wait,
-because they are called `rover-drivers.service` and not `rover-driver.service`.
+systemd does not report it: the line has no effect. The service that should wait for the drivers does not
+wait, because they are called `rover-drivers.service` and not `rover-driver.service`.
 
 ## Bad
 ```ini
@@ -20,6 +23,9 @@ After=rover-driver.service
 [Unit]
 After=rover-drivers.service
 ```
+
+## When to ignore it
+When the unit is optional and comes from a package that some robots do not have.
 
 ## References
 - systemd.unit(5), "Wants=", "After="
@@ -50,7 +56,7 @@ def missing_wanted_unit(robot: Robot):
                         word,
                         f"{key}={word} has no effect: there is no such unit"
                         + ("" if robot.tree.complete else " in this tree"),
-                        advice=f"did you mean {meant}?" if meant else "correct the name, or drop the line",
+                        advice=f"did you mean {meant}?" if meant else "correct the name, or remove the line",
                         fix=fix(f"write {meant}", (word, meant), safe=False) if meant else None,
                         severity=None if units.is_own(word, unit) else "info",
                         confidence="high" if robot.tree.complete else "medium",

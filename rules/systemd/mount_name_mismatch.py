@@ -1,12 +1,12 @@
-r"""A mount unit whose file name does not say where it mounts.
+r"""The file name of a mount unit does not match Where=.
 
 ## What it finds
-A .mount or .automount whose name is not the escaped form of Where=: slashes become dashes, and a dash in
-the path becomes \x2d. Values with specifiers that are not known are not judged.
+A .mount or .automount unit whose name is not the escaped form of Where=: slashes become dashes, and a dash in
+the path becomes \x2d. Values with unknown specifiers are not checked.
 
 ## Why it matters on a robot
-systemd refuses the unit: the recordings or the map disk are not mounted, and programs write to the root
-disk instead.
+systemd refuses the unit. The disk for recordings or maps is not mounted, and programs write to the root disk
+instead.
 
 ## Bad
 ```ini
@@ -23,6 +23,9 @@ Where=/mnt/data
 What=/dev/disk/by-label/DATA
 Where=/mnt/data
 ```
+
+## When to ignore it
+Never: systemd refuses the unit.
 
 ## References
 - systemd.mount(5), systemd-escape(1)
@@ -46,6 +49,6 @@ def mount_name_mismatch(robot: Robot):
         if right not in (unit.name, *unit.aliases):
             yield finding(
                 where,
-                f"Where={where} does not belong to {unit.name}: systemd refuses the unit",
+                f"Where={where} does not match the name {unit.name}: systemd refuses the unit",
                 advice=f"rename the file to {right}",
             )

@@ -1,10 +1,10 @@
-"""A mount unit that does not say what to mount.
+"""A mount unit without What=: systemd refuses it.
 
 ## What it finds
 A .mount unit without What=, after all drop-ins.
 
 ## Why it matters on a robot
-systemd refuses the unit.
+systemd refuses the unit. The disk is not mounted, and programs write to the root disk instead.
 
 ## Bad
 ```ini
@@ -18,6 +18,9 @@ Where=/mnt/data
 What=/dev/disk/by-label/DATA
 Where=/mnt/data
 ```
+
+## When to ignore it
+When a drop-in outside of this tree adds What=.
 
 ## References
 - systemd.mount(5), "What="

@@ -2,11 +2,11 @@
 
 ## What it finds
 A unit with `Wants=`, `Requires=` or `BindsTo=` of `network-online.target` that is not ordered after it,
-neither itself nor through a unit that it is ordered after.
+either directly or through another unit.
 
 ## Why it matters on a robot
-A requirement does not order anything: systemd starts the service and the wait for the network at the same
-moment. The line looks like a cure for a start that comes too early, delays the boot, and cures nothing.
+A requirement does not define an order: systemd starts the service and the wait for the network at the same
+time. The line delays the boot, but the service still starts too early.
 
 ## Bad
 ```ini
@@ -21,6 +21,9 @@ After=network.target
 Wants=network-online.target
 After=network-online.target
 ```
+
+## When to ignore it
+When the unit only needs the network to come up at some time, and does not wait for it itself.
 
 ## References
 - systemd.unit(5), "Wants=" and "After="
@@ -50,7 +53,7 @@ def network_online_no_after(robot: Robot):
         edit = (earlier[0], ONLINE) if earlier else (line.end, f"\nAfter={ONLINE}")
         yield finding(
             word,
-            f"{unit.name} pulls {ONLINE} in but does not wait for it: both start at the same time",
+            f"{unit.name} pulls in {ONLINE} but does not wait for it: both start at the same time",
             advice=f"add After={ONLINE}",
             related=[note(other, "reached before any interface has an address") for other in earlier],
             fix=fix(f"order after {ONLINE}", edit),

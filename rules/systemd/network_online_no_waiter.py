@@ -1,14 +1,14 @@
-"""network-online.target without anybody who waits.
+"""Nothing waits for the network before network-online.target.
 
 ## What it finds
-In a root file system whose links tell what is enabled: a unit ordered after `network-online.target`, while
-no unit is linked into it (`systemd-networkd-wait-online.service`, `NetworkManager-wait-online.service`) and
-netplan, which links the waiter itself, is not used.
+A unit ordered after `network-online.target` in a root file system that shows what is enabled, when no wait
+service (`systemd-networkd-wait-online.service`, `NetworkManager-wait-online.service`) is linked into the
+target. Trees with netplan, which links the wait service itself, are not checked.
 
 ## Why it matters on a robot
-The target is only a meeting point: it is reached when all units ordered before it are done. Without a
-waiter there are none, and it is reached at once. `After=` and `Wants=` are both there, and DDS still starts
-before the interface has an address.
+The target is only a synchronization point: systemd reaches it when all units ordered before it are done.
+Without a wait service there are none, and systemd reaches it at once. `After=` and `Wants=` are both set, and
+DDS still starts before the interface has an address.
 
 ## Bad
 ```
@@ -19,6 +19,9 @@ before the interface has an address.
 ```
 /etc/systemd/system/network-online.target.wants/systemd-networkd-wait-online.service
 ```
+
+## When to ignore it
+When something that is not in this tree enables the wait service, for example a preset at the first boot.
 
 ## References
 - systemd.special(7), "network-online.target"
@@ -42,6 +45,6 @@ def network_online_no_waiter(robot: Robot):
             if unit.manager == "system" and any(ONLINE in other.words("Before") for other in units.all) is False:
                 yield finding(
                     word,
-                    f"Nothing is linked into {ONLINE}, so it is reached at once and {unit.name} does not wait",
-                    advice="systemctl enable systemd-networkd-wait-online.service, or the one of NetworkManager",
+                    f"{ONLINE} has no wait service: systemd reaches it at once, and {unit.name} does not wait",
+                    advice="enable systemd-networkd-wait-online.service or NetworkManager-wait-online.service",
                 )

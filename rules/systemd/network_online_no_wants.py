@@ -1,13 +1,13 @@
-"""After=network-online.target without anything that pulls the target in.
+"""After=network-online.target, but nothing pulls in the target.
 
 ## What it finds
-A unit ordered after `network-online.target` while neither the unit nor one that it depends on has `Wants=`
-or `Requires=` of it, and no other unit of the tree brings it in at boot.
+A unit ordered after `network-online.target` that nothing pulls in: neither the unit, a unit that it depends
+on, nor another unit of the tree has `Wants=` or `Requires=` of it.
 
 ## Why it matters on a robot
-`network-online.target` is not part of a normal boot: nothing starts it unless a unit asks for it. Ordering
-after something that is not started is void, so the service starts at once, before the interfaces have
-addresses. `systemd-analyze verify` says nothing.
+`network-online.target` is not part of a normal boot: nothing starts it unless a unit pulls it in. An order
+after a unit that does not start has no effect, so that the service starts at once, before the interfaces have
+addresses. `systemd-analyze verify` does not report it.
 
 ## Bad
 ```ini
@@ -21,6 +21,9 @@ After=network-online.target
 Wants=network-online.target
 After=network-online.target
 ```
+
+## When to ignore it
+When a package outside of this tree always pulls in the target, for example cloud-init or an NFS mount.
 
 ## References
 - systemd.special(7), "network-online.target"
@@ -46,7 +49,7 @@ def network_online_no_wants(robot: Robot):
                 continue
             yield finding(
                 word,
-                f"Nothing pulls {ONLINE} in, so this After= has no effect: {unit.name} starts without waiting for the "
+                f"Nothing pulls in {ONLINE}, so this After= has no effect: {unit.name} starts without waiting for the "
                 "network",
                 advice=f"add Wants={ONLINE}",
                 fix=fix(f"add Wants={ONLINE}", (line.end, f"\nWants={ONLINE}")),

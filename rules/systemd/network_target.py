@@ -1,18 +1,19 @@
 """network.target does not mean that the network is up.
 
 ## What it finds
-A service that runs ROS 2, or whose environment configures DDS, ordered after `network.target` (or after the
-network daemon) but not after `network-online.target`, neither itself nor through a unit that it is ordered
-after. Services of the user manager, services that wait for the network in a command of their own and
-services that are limited to the local machine are left out. A service of a ROS 2 tree whose script is not
-in the tree is taken for one with medium confidence.
+A service that runs ROS 2, or whose environment configures DDS, and that is ordered after `network.target` (or
+the network daemon) but not after `network-online.target`, either directly or through another unit. Exempt are
+services of the user manager, services with a command that waits for the network, and services limited to the
+local machine.
+
+A service of a ROS 2 tree whose script is not in the tree is reported with medium confidence.
 
 ## Why it matters on a robot
-`network.target` is reached as soon as the network daemon runs; no interface needs to have an address. DDS
-looks at the interfaces once, when the first node starts: CycloneDDS fails on an interface that is named in
-its configuration, Fast DDS goes on with the loopback alone and does not use interfaces that come later. It
-works on the desk, where the cable is plugged in and DHCP is fast, and fails on the robot after some of its
-boots.
+systemd reaches `network.target` as soon as the network daemon runs. No interface needs to have an address by
+then. DDS checks the interfaces once, when the first node starts. CycloneDDS fails if an interface in its
+configuration is missing. Fast DDS continues with the loopback interface alone and does not use interfaces
+that appear later. This works on the bench, where the cable is plugged in and DHCP is fast, and fails on some
+boots of the robot.
 
 ## Bad
 ```ini
@@ -26,6 +27,10 @@ After=network.target
 Wants=network-online.target
 After=network-online.target
 ```
+
+## When to ignore it
+When the nodes communicate only within this machine, or when a node or the middleware itself waits for the
+interface.
 
 ## References
 - systemd.special(7), "network.target" and "network-online.target"
@@ -74,12 +79,12 @@ def network_target(robot: Robot):
         yield finding(
             word,
             f"{word} does not mean that any interface has an address: {unit.name} can start "
-            "before the network is up, and DDS looks at the interfaces only once",
+            "before the network is up, and DDS checks the interfaces only once",
             advice=f"order after {ONLINE} and pull it in: Wants={ONLINE} and After={ONLINE}",
             related=[
                 *(note(other, "pulled in here, but nothing waits for it") for _, other in unit.naming("Wants", ONLINE)),
                 *(
-                    note(script, "presumably starts ROS 2: the script is not in this tree")
+                    note(script, "probably starts ROS 2: the script is not in this tree")
                     for script in lost
                     if not known
                 ),

@@ -1,12 +1,12 @@
-"""NoNewPrivileges= takes away what setcap has given.
+"""NoNewPrivileges= cancels the capabilities that setcap grants.
 
 ## What it finds
-NoNewPrivileges=yes on a service that starts a program which a script or build file of the tree gives file
-capabilities with `setcap`, when the unit does not hand it the same with AmbientCapabilities=.
+NoNewPrivileges=yes on a service that starts a program to which a script or build file of the tree gives file
+capabilities with `setcap`, when AmbientCapabilities= does not grant the same capabilities.
 
 ## Why it matters on a robot
-File capabilities are privileges gained on exec, and those are what NoNewPrivileges= forbids. The EtherCAT
-master or the CAN tool runs without CAP_NET_RAW and cannot open its socket, but only as a service.
+File capabilities are privileges gained on exec, which NoNewPrivileges= forbids. The EtherCAT master or the
+CAN tool runs without CAP_NET_RAW and cannot open its socket, but only as a service.
 
 ## Bad
 ```ini
@@ -25,6 +25,10 @@ ExecStart=/opt/rover/bin/ethercat-master
 AmbientCapabilities=CAP_NET_RAW
 NoNewPrivileges=yes
 ```
+
+## When to ignore it
+When the program does not need the capability in this service, for example because it only runs in a
+simulation mode.
 
 ## References
 - systemd.exec(5), NoNewPrivileges=; capabilities(7), "File capabilities"
@@ -61,7 +65,7 @@ def nnp_filecaps(robot: Robot):
                 at = flag(unit, "NoNewPrivileges").at
                 yield finding(
                     at,
-                    f"NoNewPrivileges= makes {name} run without the {wanted} that setcap gives it",
+                    f"NoNewPrivileges= makes {name} run without {wanted}, which setcap grants it",
                     advice=f"set AmbientCapabilities={wanted}",
-                    related=[note(where, "the program"), note(lost[0][1], "gives the file its capabilities")],
+                    related=[note(where, "the program"), note(lost[0][1], "grants the file its capabilities")],
                 )

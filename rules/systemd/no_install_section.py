@@ -4,8 +4,7 @@
 A service without `[Install]` that no other unit, link, timer, socket, path or udev rule of the tree starts.
 
 ## Why it matters on a robot
-`systemctl enable` does nothing but say that the unit is static. After the next boot the service does not
-run. A service that is only ever started by hand is fine like this.
+`systemctl enable` only reports that the unit is static. After the next boot the service does not run.
 
 ## Bad
 ```ini
@@ -21,6 +20,9 @@ ExecStart=/opt/rover/bin/base
 [Install]
 WantedBy=multi-user.target
 ```
+
+## When to ignore it
+When the service is only ever started by hand, by a script or by a program through D-Bus.
 
 ## References
 - systemd.unit(5), "[Install] Section Options"
@@ -41,7 +43,7 @@ def no_install_section(robot: Robot):
         target = "multi-user.target" if unit.manager == "system" else "default.target"
         yield finding(
             unit.where,
-            f"{unit.name} has no [Install] section and nothing starts it: enabling it does nothing",
+            f"{unit.name} has no [Install] section, and nothing starts it: systemctl enable has no effect",
             advice=f"add [Install] with WantedBy={target}",
             fix=fix("add an [Install] section", unit.new_line("Install", f"WantedBy={target}"), safe=False),
         )

@@ -1,11 +1,12 @@
-"""No limit on what the ROS service may take.
+"""Nothing limits what a ROS service may consume.
 
 ## What it finds
-A ROS service without MemoryMax=, MemoryHigh= and CPUQuota=, neither of its own nor of a slice in the tree.
+A ROS service that has no MemoryMax=, MemoryHigh= or CPUQuota=, and whose slice has none either. One-shot
+services and containers are exempt.
 
 ## Why it matters on a robot
-A leaking node takes all memory, and the kernel then kills whatever it likes best: the driver, sshd, the
-logger.
+A node with a memory leak takes all memory. The kernel then kills a process of its own choice: the driver,
+sshd, the logger.
 
 ## Bad
 ```ini
@@ -21,6 +22,10 @@ MemoryHigh=1800M
 MemoryMax=2G
 CPUQuota=300%
 ```
+
+## When to ignore it
+When the service is the only one on the machine, or when systemd-oomd or a cgroup outside of this tree limits
+it.
 
 ## References
 - systemd.resource-control(5)
@@ -43,7 +48,7 @@ def no_resource_limits(robot: Robot):
             continue
         yield finding(
             unit.where,
-            f"{unit.name} may take all memory and every CPU: a leaking node brings the whole robot down",
+            f"{unit.name} may use all memory and every CPU: one node with a leak brings down the whole robot",
             advice="set MemoryHigh=, MemoryMax= and CPUQuota=",
         )
 

@@ -1,14 +1,13 @@
-"""A higher layer of the robot that starts together with the drivers it needs.
+"""A higher layer of the robot starts together with the drivers that it needs.
 
 ## What it finds
-Among the ROS services of one folder that start at boot: a service whose name tells a higher layer
-(perception, navigation, application) that has no order at all with any service of a lower layer (drivers,
-sensors). Services that exclude each other are left out.
+Among the ROS services of one folder that start at boot: a service whose name marks it as a higher layer
+(perception, navigation, application) and that has no order with any service of a lower layer (drivers,
+sensors). Services that exclude each other are exempt.
 
 ## Why it matters on a robot
-All of them start at the same moment. The planner waits for transforms and scans that do not come yet, its
-lifecycle nodes give up their activation, and whether the robot is ready after boot depends on how fast a
-camera answers.
+All of them start at the same time. The planner waits for transforms and scans that do not arrive yet, and its
+lifecycle nodes fail to activate. Whether the robot is ready after boot depends on how fast a camera answers.
 
 ## Bad
 ```ini
@@ -24,6 +23,10 @@ WantedBy=multi-user.target
 Requires=rover-drivers.service
 After=rover-drivers.service
 ```
+
+## When to ignore it
+When the higher layer waits for its inputs itself, for example because its lifecycle manager retries the
+activation.
 
 ## References
 - systemd.unit(5), "After="
@@ -56,7 +59,7 @@ def no_startup_order(robot: Robot):
             names = ", ".join(other.name for other in lower)
             yield finding(
                 unit.where,
-                f"{unit.name} has no order with {names}: it starts at the same time as the drivers it needs",
-                advice=f"add After={lower[0].name}, and Requires= or Wants= of it",
+                f"{unit.name} has no order with {names}: it starts at the same time as the drivers that it needs",
+                advice=f"add After={lower[0].name}, and Requires= or Wants= for the same unit",
                 related=[note(other.where, "a lower layer") for other in lower],
             )

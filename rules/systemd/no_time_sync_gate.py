@@ -1,15 +1,19 @@
 """ROS starts before the clock is set.
 
 ## What it finds
-A ROS service of a tree that configures a time daemon (chrony, timesyncd, ntpd, PTP), where nothing holds
-the service back until the clock is right: it is not ordered after `time-sync.target` with a unit in front
-of that target which really waits (`chrony-wait.service`, `systemd-time-wait-sync.service`), nor after such
-a unit itself, and no command waits (`chronyc waitsync`).
+A ROS service in a tree that configures a time daemon (chrony, timesyncd, ntpd, PTP), when nothing delays the
+service until the clock is right. Each of these is enough:
+
+- it is ordered after a unit that waits (`chrony-wait.service`, `systemd-time-wait-sync.service`);
+- it is ordered after `time-sync.target`, and such a unit is ordered before that target;
+- one of its commands waits (`chronyc waitsync`).
+
+Simulations are exempt.
 
 ## Why it matters on a robot
-A single-board computer boots with the time of its last shutdown. The daemon corrects it seconds after the
-nodes have started: the clock jumps, transforms are "in the future", buffers drop every measurement, timers
-stand still or fire at once. `After=time-sync.target` alone does not help: it is reached as soon as the
+A single-board computer boots with the time of its last shutdown. The daemon corrects the time seconds after
+the nodes have started. The clock jumps, transforms are "in the future", buffers drop every measurement, and
+timers stall or fire at once. `After=time-sync.target` alone does not help: systemd reaches it as soon as the
 daemon runs.
 
 ## Bad
@@ -24,6 +28,10 @@ After=time-sync.target
 Wants=chrony-wait.service
 After=chrony-wait.service
 ```
+
+## When to ignore it
+When the computer has a battery-backed clock that is accurate enough, or when the robot must start without a
+time source.
 
 ## References
 - systemd.special(7), "time-sync.target"
@@ -69,8 +77,8 @@ def no_time_sync_gate(robot: Robot):
         target = [word for _, word in unit.naming("After", "time-sync.target")]
         yield finding(
             target[0] if target else unit.where,
-            f"{daemon} sets the clock, but nothing makes {unit.name} wait for it: the time may jump while nodes run",
-            advice="enable chrony-wait.service or systemd-time-wait-sync.service and order after it",
+            f"{daemon} sets the clock, but {unit.name} does not wait for it: the time may jump while nodes run",
+            advice="enable chrony-wait.service or systemd-time-wait-sync.service, and order the service after it",
             related=[note(target[0], "reached as soon as the daemon runs")] if target else (),
         )
 

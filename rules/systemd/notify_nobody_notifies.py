@@ -1,12 +1,12 @@
-"""Type=notify, and nothing that is started ever reports readiness.
+"""A Type=notify service in which no process reports readiness.
 
 ## What it finds
-A ROS service with Type=notify and NotifyAccess=all (or exec) whose launched packages are in the tree and
-never talk to systemd: no sd_notify, systemd-notify or NOTIFY_SOCKET anywhere, or only in a node that no
-launch file on the way starts.
+A ROS service with Type=notify and NotifyAccess=all (or exec) whose launched packages are all in the tree and
+never notify systemd. Either no package contains sd_notify, systemd-notify or NOTIFY_SOCKET, or only a node
+does that the launch file does not start.
 
 ## Why it matters on a robot
-systemd waits for READY=1, gives up after TimeoutStartSec= and kills a stack that was running well.
+systemd waits for READY=1, gives up after TimeoutStartSec= and kills nodes that were running well.
 
 ## Bad
 ```ini
@@ -22,6 +22,9 @@ ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rov
 Type=exec
 ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rover base.launch.py'
 ```
+
+## When to ignore it
+When a library that is not in the tree sends READY=1.
 
 ## References
 - sd_notify(3); systemd.service(5), Type=notify
@@ -59,7 +62,7 @@ def notify_nobody_notifies(robot: Robot):
             + (f" after {duration(limit)}" if limit and limit < 1e9 else ""),
             advice="use Type=exec, or launch a node that reports readiness",
             related=[
-                *(note(found.where, "what is started") for found in programs),
-                *(note(source, "would notify, but is not started") for source in idle[:3]),
+                *(note(found.where, "the unit starts this") for found in programs),
+                *(note(source, "would notify, but nothing starts it") for source in idle[:3]),
             ],
         )

@@ -1,13 +1,14 @@
-"""Type=notify around ros2 launch: the READY=1 of a node is refused.
+"""Type=notify with ros2 launch: systemd rejects READY=1 from a node.
 
 ## What it finds
-Type=notify or notify-reload on a service whose main process is ros2 launch, ros2 run or a shell, while
-NotifyAccess= is not `all`. Without NotifyAccess= systemd listens to the main process only; the nodes are
-its children.
+Type=notify or notify-reload on a service whose main process is ros2 launch, ros2 run or a shell, when
+NotifyAccess= is not `all`. Without NotifyAccess=, systemd accepts notifications only from the main process.
+The nodes are its children.
 
 ## Why it matters on a robot
-ros2 launch itself never reports readiness, and systemd refuses the report of a node. The start times out,
-the whole stack is killed and started again, for ever if the start limit is not reached.
+ros2 launch itself never reports readiness, and systemd rejects the notification of a node. The start times
+out, and systemd kills all nodes and starts them again. This repeats forever if the start limit is not
+reached.
 
 ## Bad
 ```ini
@@ -24,6 +25,9 @@ NotifyAccess=all
 ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rover base.launch.py'
 ```
 or, when no node reports readiness, `Type=exec`.
+
+## When to ignore it
+When a wrapper that is not in this tree is the main process and sends READY=1 itself.
 
 ## References
 - systemd.service(5), Type= and NotifyAccess=
@@ -58,13 +62,13 @@ def notify_ros_launch(robot: Robot):
         main = "a shell" if service.main.kind == "shell" else f"ros2 {service.main.kind}"
         yield finding(
             service.type.at,
-            f"systemd accepts READY=1 from the {service.access.value} process only, which is {main}: a "
-            f"node's is refused, the start of {unit.name} times out{when}",
-            advice="set NotifyAccess=all if a node sends READY=1, else Type=exec",
+            f"systemd accepts READY=1 only from the {service.access.value} process, which is {main}: it "
+            f"rejects that of a node, and the start of {unit.name} times out{when}",
+            advice="set NotifyAccess=all if a node sends READY=1, otherwise Type=exec",
             related=[
                 note(service.main.where, f"{main} is the main process"),
-                *([note(service.access.at, "who may notify")] if service.access.at else ()),
-                *(note(source, "talks to systemd") for source in robot.notify.sources[:3]),
+                *([note(service.access.at, "limits which process may notify")] if service.access.at else ()),
+                *(note(source, "notifies systemd") for source in robot.notify.sources[:3]),
             ],
             fix=_fix(unit, service, robot) if unit.editable else None,
             chain=_chain(robot, service),
@@ -75,13 +79,13 @@ def _chain(robot, service):
     """From the unit to the code of the node whose message is refused."""
     for ros in [service.main.ros] if service.main.ros else []:
         for node, said in robot.notify.speakers(ros):
-            return robot.provenance.chain_to_node(node, note(said, "a child of launch talks to systemd"))
+            return robot.provenance.chain_to_node(node, note(said, "a child of launch notifies systemd"))
     return ()
 
 
 def _fix(unit, service, robot):
     if not robot.notify.sources:
-        return fix("count it as started when the program runs", (service.type.at, "exec"), safe=False)
+        return fix("set Type=exec", (service.type.at, "exec"), safe=False)
     if service.access.at:
-        return fix("let every process notify", (service.access.at, "all"), safe=False)
-    return fix("let every process notify", unit.new_line("Service", "NotifyAccess=all"), safe=False)
+        return fix("set NotifyAccess=all", (service.access.at, "all"), safe=False)
+    return fix("set NotifyAccess=all", unit.new_line("Service", "NotifyAccess=all"), safe=False)
