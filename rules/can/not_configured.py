@@ -28,6 +28,9 @@ BitRate=500K
 - systemd.network(5), "[CAN] Section Options"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -37,7 +40,7 @@ from bringup_lint.api import rule
     "error",
     symptoms=["RTNETLINK answers: Invalid argument", "No valid settings found in the [Match] section"],
 )
-def not_configured(robot: Robot):
+def not_configured(robot: Robot) -> Iterator[Finding]:
     for file in robot.can.files:
         if not file.matches:
             yield finding(

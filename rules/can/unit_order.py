@@ -27,13 +27,16 @@ After=sys-subsystem-net-devices-can0.device
 - https://github.com/systemd/systemd/issues/20651
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("warning", symptoms=["No such device", "SIOCGIFINDEX: No such device"])
-def unit_order(robot: Robot):
+def unit_order(robot: Robot) -> Iterator[Finding]:
     for unit, name, place in robot.can.users:
         after = [*unit.words("After"), *unit.words("BindsTo"), *unit.words("Requires")]
         if any(name in word for word in after) or robot.can.sets_up(unit, name, after):

@@ -24,6 +24,9 @@ slam: {image: ros:jazzy, network_mode: host}
 - Docker documentation, host network driver
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -33,7 +36,7 @@ OTHER_WAYS = ("ROS_DISCOVERY_SERVER", "ROS_STATIC_PEERS", "CYCLONEDDS_URI", "ZEN
 
 
 @rule("warning")
-def bridge_network_ros(robot: Robot):
+def bridge_network_ros(robot: Robot) -> Iterator[Finding]:
     for file in robot.compose.files:
         if file.source.template:
             continue

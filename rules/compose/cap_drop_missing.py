@@ -23,13 +23,16 @@ driver:
 - robotics-security guide, container hardening
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("info")
-def cap_drop_missing(robot: Robot):
+def cap_drop_missing(robot: Robot) -> Iterator[Finding]:
     for service in robot.compose.whole_services:
         if service.is_privileged:
             continue

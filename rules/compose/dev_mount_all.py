@@ -24,13 +24,16 @@ device_cgroup_rules: ["c 188:* rmw", "c 166:* rmw"]
 - Docker documentation, device cgroup rules
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("warning", tags=["CWE-250"])
-def dev_mount_all(robot: Robot):
+def dev_mount_all(robot: Robot) -> Iterator[Finding]:
     for service in robot.compose.whole_services:
         mounts = [volume.where for volume in service.volumes if volume.source == "/dev"]
         mounts += [device.where for device in service.devices if device.host == "/dev"]

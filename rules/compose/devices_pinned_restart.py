@@ -26,7 +26,9 @@ restart: unless-stopped
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -36,7 +38,7 @@ REPLUGGED = re.compile(r"/dev/(?:tty(?:USB|ACM)\d+|serial/by-(?:id|path)/.+)")
 
 
 @rule("warning", symptoms=["error gathering device information while adding custom device"])
-def devices_pinned_restart(robot: Robot):
+def devices_pinned_restart(robot: Robot) -> Iterator[Finding]:
     for service in robot.compose.services:
         if not service.restarts:
             continue

@@ -24,13 +24,16 @@ volumes:
 - CWE-250
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", tags=["CWE-250"])
-def docker_sock(robot: Robot):
+def docker_sock(robot: Robot) -> Iterator[Finding]:
     for service in robot.compose.services:
         for volume in service.volumes:
             own = volume.where.span.start >= service.body.span.start

@@ -26,6 +26,9 @@ services:
 - https://github.com/hucebot/g1pilot/issues/30
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -35,7 +38,7 @@ DEFAULTS = {"ROS_DOMAIN_ID": "0", "RMW_IMPLEMENTATION": "rmw_fastrtps_cpp"}
 
 
 @rule("warning", confidence="medium")
-def domain_id_partial(robot: Robot):
+def domain_id_partial(robot: Robot) -> Iterator[Finding]:
     for file in robot.compose.files:
         services = [] if file.source.template else [s for s in file.services if s.is_ros and s.is_whole]
         for name, default in DEFAULTS.items():

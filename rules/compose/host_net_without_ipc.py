@@ -25,6 +25,9 @@ slam:  {image: ros:jazzy, network_mode: host, ipc: host}
 - https://github.com/eProsima/Fast-DDS/issues/2956, https://github.com/ros2/rmw_fastrtps/issues/812
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -39,7 +42,7 @@ TRANSPORTS = (
 
 
 @rule("warning", confidence="medium")
-def host_net_without_ipc(robot: Robot):
+def host_net_without_ipc(robot: Robot) -> Iterator[Finding]:
     for file in robot.compose.files:
         services = [s for s in file.services if s.is_ros and s.is_whole and s.is_on_host_network]
         if len(services) < 2 or file.source.template or not all(_is_fast_dds(robot, service) for service in services):

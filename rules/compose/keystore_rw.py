@@ -24,6 +24,9 @@ volumes:
 - CWE-732
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -31,7 +34,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", fix="safe", tags=["CWE-732"])
-def keystore_rw(robot: Robot):
+def keystore_rw(robot: Robot) -> Iterator[Finding]:
     for service in robot.compose.services:
         named = service.environment.get("ROS_SECURITY_KEYSTORE")
         for volume in service.volumes:

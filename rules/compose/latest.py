@@ -24,13 +24,16 @@ nav:
 - robotics-security guide, container hardening
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("warning")
-def latest(robot: Robot):
+def latest(robot: Robot) -> Iterator[Finding]:
     for service in robot.compose.services:
         image = service.body.scalar("image")
         if image is None or service.build is not None or "$" in image.value or "@" in image.value:

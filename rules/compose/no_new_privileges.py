@@ -23,6 +23,9 @@ driver:
 - robotics-security guide, container hardening
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -31,7 +34,7 @@ from bringup_lint.api.yaml import first_key
 
 
 @rule("info", fix="safe")
-def no_new_privileges(robot: Robot):
+def no_new_privileges(robot: Robot) -> Iterator[Finding]:
     for service in robot.compose.whole_services:
         if service.is_privileged:
             continue

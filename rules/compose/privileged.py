@@ -27,13 +27,16 @@ driver:
 - CWE-250
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", tags=["CWE-250"])
-def privileged(robot: Robot):
+def privileged(robot: Robot) -> Iterator[Finding]:
     for service in robot.compose.services:
         if service.is_privileged and service.body.get("privileged") is not None:
             yield finding(

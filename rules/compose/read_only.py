@@ -24,13 +24,16 @@ driver:
 - robotics-security guide, container hardening
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("info")
-def read_only(robot: Robot):
+def read_only(robot: Robot) -> Iterator[Finding]:
     for service in robot.compose.whole_services:
         if service.is_privileged:
             continue

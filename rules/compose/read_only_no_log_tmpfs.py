@@ -30,6 +30,9 @@ nav:
 - rcl_logging_interface, get_logging_directory
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -37,7 +40,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Failed to create log directory", "Read-only file system"])
-def read_only_no_log_tmpfs(robot: Robot):
+def read_only_no_log_tmpfs(robot: Robot) -> Iterator[Finding]:
     for service in robot.compose.whole_services:
         if service.flag("read_only") is not True or not service.is_ros:
             continue

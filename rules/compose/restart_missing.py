@@ -24,13 +24,16 @@ nav:
 - robot-bringup guide, checklist
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("info")
-def restart_missing(robot: Robot):
+def restart_missing(robot: Robot) -> Iterator[Finding]:
     for service in robot.compose.whole_services:
         if service.is_ros and not service.restarts and service.restart is None and service.get("profiles") is None:
             yield finding(

@@ -26,13 +26,16 @@ nav:
 - CWE-250
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("warning", tags=["CWE-250"])
-def root_user(robot: Robot):
+def root_user(robot: Robot) -> Iterator[Finding]:
     for service in robot.compose.whole_services:
         user = service.user
         if user is not None:

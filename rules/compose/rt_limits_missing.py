@@ -26,13 +26,16 @@ control:
 - ros2_control documentation, "Determinism"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("warning", symptoms=["Could not enable FIFO RT scheduling policy"])
-def rt_limits_missing(robot: Robot):
+def rt_limits_missing(robot: Robot) -> Iterator[Finding]:
     for service in robot.compose.whole_services:
         word = next((word for word in service.scripts if "ros2_control_node" in word), None)
         limits = service.get("ulimits")

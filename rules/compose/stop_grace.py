@@ -24,6 +24,9 @@ nav:
 - launch, ExecuteProcess: sigterm_timeout and sigkill_timeout
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -32,7 +35,7 @@ from bringup_lint.api.yaml import first_key
 
 
 @rule("info", fix="safe")
-def stop_grace(robot: Robot):
+def stop_grace(robot: Robot) -> Iterator[Finding]:
     for service in robot.compose.whole_services:
         text, seconds = service.scalar("stop_grace_period"), service.stop_grace
         if service.launches is None or (text is not None and (seconds is None or seconds >= 15)):

@@ -25,6 +25,9 @@ nav:
 - https://github.com/ros2/launch/issues/666
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -33,7 +36,7 @@ from bringup_lint.api.yaml import first_key
 
 
 @rule("warning", fix="safe", symptoms=["exited with code 137"])
-def stop_signal(robot: Robot):
+def stop_signal(robot: Robot) -> Iterator[Finding]:
     for service in robot.compose.whole_services:
         launch = service.launches
         if launch is None or launch.span.start < service.body.span.start or service.scalar("stop_signal") is not None:

@@ -25,7 +25,9 @@ on purpose.
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -34,7 +36,7 @@ NAME = re.compile(r"[A-Za-z0-9_-]+")
 
 
 @rule("error")
-def filename_dot(robot: Robot):
+def filename_dot(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("cron"):
         if "/cron.d/" in f"/{source.name}" and not NAME.fullmatch(source.basename):
             yield finding(

@@ -24,6 +24,9 @@ When the robot runs a cron that accepts such a file, such as cronie. The newline
 - crontab(5)
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -31,7 +34,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["Missing newline before EOF, this crontab file will be ignored"])
-def no_final_newline(robot: Robot):
+def no_final_newline(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("cron"):
         text = source.text
         if not text or text.endswith("\n"):

@@ -24,7 +24,9 @@ When a user on the robot really has the name of this command.
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -52,7 +54,7 @@ COMMANDS = frozenset(
 
 
 @rule("error", symptoms=["bad username; while reading"])
-def no_user_field(robot: Robot):
+def no_user_field(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("cron"):
         for match in JOB.finditer(source.text):
             word = source.located(match.start(1), match.end(1))

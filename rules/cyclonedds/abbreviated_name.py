@@ -22,6 +22,9 @@ begins the same way.
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -30,7 +33,7 @@ from bringup_lint.api.schema import Code
 
 
 @rule("error", fix="safe", symptoms=["unknown element", "unknown attribute", "ambiguous"])
-def abbreviated_name(robot: Robot):
+def abbreviated_name(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.dds.remarks(Code.ABBREVIATED):
         if remark.fatal:
             message = f"'{remark.where}' is no full name, and a file may not shorten names: no node starts"

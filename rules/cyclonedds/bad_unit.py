@@ -23,6 +23,9 @@ starts.
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -31,7 +34,7 @@ from bringup_lint.api.schema import Code
 
 
 @rule("error", fix="safe", symptoms=["unrecognised unit", "unit is required"])
-def bad_unit(robot: Robot):
+def bad_unit(robot: Robot) -> Iterator[Finding]:
     sizes = ("B", "kB", "KiB", "MB", "MiB", "GB", "GiB")
     durations = ("ns", "us", "ms", "s", "min", "hr", "day")
     spelled = {

@@ -28,6 +28,9 @@ node.
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library; 0.9.1
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -40,7 +43,7 @@ from bringup_lint.api.schema import Code
     fix="safe",
     symptoms=["deprecated element", "deprecated alias", "setting moved to", "settings moved to"],
 )
-def deprecated_element(robot: Robot):
+def deprecated_element(robot: Robot) -> Iterator[Finding]:
     for configuration, remark in robot.dds.remarks(Code.DEPRECATED, Code.ALIAS, Code.MOVED):
         library = robot.dds.cyclonedds
         change = None

@@ -20,6 +20,9 @@ The library says `neither 'any' nor a less than 2**32-1` and creates no particip
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -28,7 +31,7 @@ from bringup_lint.api.schema import Code
 
 
 @rule("error", fix="unsafe", symptoms=["neither 'any' nor a less than 2**32-1"])
-def domain_id_invalid(robot: Robot):
+def domain_id_invalid(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.dds.remarks(Code.VALUE):
         if remark.item.path == "CycloneDDS/Domain@Id":
             yield finding(

@@ -24,6 +24,9 @@ with multicast and default settings.
   domain 0
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -32,7 +35,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe")
-def domain_id_mismatch(robot: Robot):
+def domain_id_mismatch(robot: Robot) -> Iterator[Finding]:
     for configuration in robot.dds.configurations:
         ids = [domain.id for domain in configuration.domains]
         numbers = [robot.dds.domain_number(each) for each in ids if each is not None]

@@ -22,6 +22,9 @@ The library says `only 1 instance allowed` and creates no participant: no ROS no
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -30,7 +33,7 @@ from bringup_lint.api.schema import Code
 
 
 @rule("error", symptoms=["only 1 instance allowed"])
-def duplicate_element(robot: Robot):
+def duplicate_element(robot: Robot) -> Iterator[Finding]:
     for configuration, remark in robot.dds.remarks(Code.DUPLICATE):
         first = robot.dds.first_of(configuration, remark)
         yield finding(

@@ -30,6 +30,9 @@ newest manual fails on an older robot, and files of Foxy fail on Jazzy.
 - https://github.com/ros2/rmw_cyclonedds/issues/467
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -37,7 +40,7 @@ from bringup_lint.api.schema import Code
 
 
 @rule("error", symptoms=["unknown element", "unknown attribute", "out of range", "not a decimal integer"])
-def element_too_new(robot: Robot):
+def element_too_new(robot: Robot) -> Iterator[Finding]:
     for configuration, remark in robot.dds.remarks(Code.UNKNOWN, Code.UNKNOWN_ATTRIBUTE, Code.VALUE, Code.RANGE):
         versions = robot.dds.accepted_by(configuration, remark)
         if not versions:

@@ -20,6 +20,9 @@ Machines with the same ROS_DOMAIN_ID do not see the robot, and it shares a domai
 - Cyclone DDS, configuration reference: Domain/Discovery/ExternalDomainId
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -27,7 +30,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning")
-def external_domain_id(robot: Robot):
+def external_domain_id(robot: Robot) -> Iterator[Finding]:
     for configuration, domain in robot.dds.domains:
         setting = domain.get("Discovery/ExternalDomainId")
         text = (setting.effective or "").strip() if setting else ""

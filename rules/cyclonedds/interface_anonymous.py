@@ -22,6 +22,9 @@ no ROS node starts.
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -29,7 +32,7 @@ from bringup_lint.api.schema import Code
 
 
 @rule("error", symptoms=["Nameless and address-less interface"])
-def interface_anonymous(robot: Robot):
+def interface_anonymous(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.dds.remarks(Code.ANONYMOUS):
         yield finding(
             remark.where,

@@ -20,6 +20,9 @@ The library refuses it and creates no participant: no ROS node starts.
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -33,7 +36,7 @@ from bringup_lint.api.schema import Code
         "may not be selected twice",
     ],
 )
-def interface_contradiction(robot: Robot):
+def interface_contradiction(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.dds.remarks(Code.INTERFACE_TWICE):
         yield finding(
             remark.where,

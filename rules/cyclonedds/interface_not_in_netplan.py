@@ -26,6 +26,9 @@ starts. A renamed or exchanged network card is enough.
 - https://github.com/tier4/edge-auto-jetson/pull/82
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -33,7 +36,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["does not match an available interface"])
-def interface_not_in_netplan(robot: Robot):
+def interface_not_in_netplan(robot: Robot) -> Iterator[Finding]:
     for configuration, domain in robot.dds.domains:
         plan = robot.dds.plan_of(configuration)
         if plan is None:

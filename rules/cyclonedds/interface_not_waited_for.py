@@ -30,6 +30,9 @@ eth0:
 - https://github.com/tier4/edge-auto-jetson/pull/82
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -37,7 +40,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", confidence="medium", symptoms=["does not match an available interface"])
-def interface_not_waited_for(robot: Robot):
+def interface_not_waited_for(robot: Robot) -> Iterator[Finding]:
     for configuration, domain in robot.dds.domains:
         plan = robot.dds.plan_of(configuration)
         names = list(robot.dds.named_interfaces(domain)) if plan else []

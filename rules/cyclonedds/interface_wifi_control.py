@@ -22,6 +22,9 @@ seconds: velocity commands arrive late or not at all.
 - IEEE 802.11-2020, group addressed frames are sent at a basic rate without acknowledgement
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -29,7 +32,7 @@ from bringup_lint.api import rule
 
 
 @rule("info")
-def interface_wifi_control(robot: Robot):
+def interface_wifi_control(robot: Robot) -> Iterator[Finding]:
     for configuration, domain in robot.dds.domains:
         plan = robot.dds.plan_of(configuration)
         for setting in robot.dds.named_interfaces(domain) if plan else ():

@@ -23,6 +23,9 @@ The library stops there and creates no participant: no ROS node starts.
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library: every setting with some fifty values
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -35,7 +38,7 @@ from bringup_lint.api.schema import Code
     fix="unsafe",
     symptoms=["undefined value", "not a decimal integer", "value out of range", "invalid value"],
 )
-def invalid_value(robot: Robot):
+def invalid_value(robot: Robot) -> Iterator[Finding]:
     booleans = {"no": "false", "off": "false", "0": "false", "yes": "true", "on": "true", "1": "true"}
     for configuration, remark in robot.dds.remarks(Code.VALUE, Code.RANGE, Code.EXPANSION, Code.PRIORITY, Code.ADDRESS):
         name = remark.item.name

@@ -25,6 +25,9 @@ index`. Which one that is changes with every boot.
 - https://github.com/ros2/rmw_cyclonedds/issues/458
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -32,7 +35,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Failed to find a free participant index for domain"])
-def max_auto_participant_index(robot: Robot):
+def max_auto_participant_index(robot: Robot) -> Iterator[Finding]:
     for configuration, domain in robot.dds.domains:
         for path in ("Discovery/MaxAutoParticipantIndex", "Discovery/ParticipantIndex"):
             setting = domain.get(path)

@@ -23,6 +23,9 @@ sizes the library only warns, at every start of every process.
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -31,7 +34,7 @@ from bringup_lint.api.schema import Code
 
 
 @rule("warning", fix="safe", symptoms=["use of default unit is deprecated"])
-def missing_unit(robot: Robot):
+def missing_unit(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.dds.remarks(Code.BARE_NUMBER):
         unit = remark.detail
         value = remark.where

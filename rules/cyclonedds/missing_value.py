@@ -26,6 +26,9 @@ The library says `element missing in configuration` and creates no participant: 
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -33,7 +36,7 @@ from bringup_lint.api.schema import Code
 
 
 @rule("error", symptoms=["element missing in configuration"])
-def missing_value(robot: Robot):
+def missing_value(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.dds.remarks(Code.MISSING):
         if remark.item.path.endswith("/Peer@Address"):
             continue

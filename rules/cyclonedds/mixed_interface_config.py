@@ -29,6 +29,9 @@ For `AssumeMulticastCapable` alone it fails without saying anything.
 - https://github.com/eclipse-cyclonedds/cyclonedds/issues/1528
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -36,7 +39,7 @@ from bringup_lint.api.schema import Code
 
 
 @rule("error", symptoms=["do not pass deprecated configuration"])
-def mixed_interface_config(robot: Robot):
+def mixed_interface_config(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.dds.remarks(Code.MIXED_INTERFACES):
         if remark.detail:
             message = (

@@ -24,13 +24,16 @@ not people out.
 - Cyclone DDS, configuration guide, "AllowMulticast"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("info", tags=["CWE-668"])
-def multicast_enabled(robot: Robot):
+def multicast_enabled(robot: Robot) -> Iterator[Finding]:
     for _, domain in robot.dds.domains:
         if domain.element is None or robot.dds.on_loopback_only(domain) or domain.found("Security"):
             continue

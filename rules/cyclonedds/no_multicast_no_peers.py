@@ -33,13 +33,16 @@ another one, not even on the same computer.
 - Cyclone DDS, configuration guide, "Discovery addresses"; rmw_cyclonedds, discovery options (Iron and later)
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error")
-def no_multicast_no_peers(robot: Robot):
+def no_multicast_no_peers(robot: Robot) -> Iterator[Finding]:
     for _configuration, domain in robot.dds.domains:
         setting = robot.dds.multicast_off(domain)
         if setting is None or robot.dds.has_peers(domain):

@@ -31,6 +31,9 @@ process takes random ports: the robot starts without a word, and its nodes stay 
 - rmw_cyclonedds (Jazzy), the configuration that it puts before the user's
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -39,7 +42,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe")
-def no_multicast_participantindex_none(robot: Robot):
+def no_multicast_participantindex_none(robot: Robot) -> Iterator[Finding]:
     for _, domain in robot.dds.domains:
         off = robot.dds.multicast_off(domain)
         index = domain.get("Discovery/ParticipantIndex")

@@ -23,13 +23,16 @@ process aborts: no ROS node starts.
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["add_peer_address", "unknown address", "not a valid address"])
-def peer_invalid(robot: Robot):
+def peer_invalid(robot: Robot) -> Iterator[Finding]:
     aborts = robot.dds.cyclonedds.version == "11"
     for _configuration, domain in robot.dds.domains:
         for peer in domain.all("Discovery/Peers/Peer@Address"):

@@ -22,6 +22,9 @@ ROS node starts.
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -29,7 +32,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["element missing in configuration", "no data expected"])
-def peer_missing_address(robot: Robot):
+def peer_missing_address(robot: Robot) -> Iterator[Finding]:
     for _, domain in robot.dds.domains:
         for element in domain.found("Discovery/Peers/Peer"):
             address = domain.of(element, "Address")

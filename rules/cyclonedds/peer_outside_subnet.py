@@ -22,6 +22,9 @@ Packets to that machine never leave the robot: it is not discovered, and nothing
 - netplan YAML reference, "routes"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -29,7 +32,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning")
-def peer_outside_subnet(robot: Robot):
+def peer_outside_subnet(robot: Robot) -> Iterator[Finding]:
     for configuration, domain in robot.dds.domains:
         plan = robot.dds.plan_of(configuration)
         for peer in robot.dds.peers(domain) if plan and plan.interfaces else ():

@@ -26,6 +26,9 @@ not see each other, while remote ones do.
 - Cyclone DDS, configuration guide, "Discovery addresses"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import Span
 from bringup_lint.api import finding
@@ -35,7 +38,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", fix="safe", confidence="medium")
-def peer_self_missing(robot: Robot):
+def peer_self_missing(robot: Robot) -> Iterator[Finding]:
     for configuration, domain in robot.dds.domains:
         off = robot.dds.multicast_off(domain)
         peers = domain.all("Discovery/Peers/Peer@Address")

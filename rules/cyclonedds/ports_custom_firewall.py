@@ -23,6 +23,9 @@ The other machines see nothing of the robot; on the robot itself everything work
 - Cyclone DDS, configuration reference: Domain/Discovery/Ports
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -40,7 +43,7 @@ DEFAULTS = {
 
 
 @rule("warning")
-def ports_custom_firewall(robot: Robot):
+def ports_custom_firewall(robot: Robot) -> Iterator[Finding]:
     for configuration, domain in robot.dds.domains:
         settings = {name: domain.get(f"Discovery/Ports/{name}") for name in DEFAULTS}
         given = {name: setting for name, setting in settings.items() if setting is not None}

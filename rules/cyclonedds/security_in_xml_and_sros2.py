@@ -22,6 +22,9 @@ ROS_SECURITY_KEYSTORE=/etc/lawn/keystore
 - rmw_cyclonedds, how security is configured
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -29,7 +32,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", confidence="medium")
-def security_in_xml_and_sros2(robot: Robot):
+def security_in_xml_and_sros2(robot: Robot) -> Iterator[Finding]:
     for process in robot.ros.processes:
         enable = process.environment.get("ROS_SECURITY_ENABLE")
         if enable is None or enable.text != "true":

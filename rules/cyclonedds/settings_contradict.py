@@ -28,6 +28,9 @@ port mapping` and creates no participant: no ROS node starts.
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -42,7 +45,7 @@ from bringup_lint.api.schema import Code
         "Invalid port mapping",
     ],
 )
-def settings_contradict(robot: Robot):
+def settings_contradict(robot: Robot) -> Iterator[Finding]:
     words = {
         Code.WATERMARKS: ("the watermarks are out of order", "keep WhcLow <= WhcHighInit <= WhcHigh"),
         Code.TRANSPORT: (

@@ -29,6 +29,9 @@ starts. Privileges do not help, and in a container the host's limit counts.
 - socket(7), SO_RCVBUF
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -39,7 +42,7 @@ from bringup_lint.api import rule
     "error",
     symptoms=["failed to increase socket receive buffer size", "failed to increase socket send buffer size"],
 )
-def socket_buffer_exceeds_sysctl(robot: Robot):
+def socket_buffer_exceeds_sysctl(robot: Robot) -> Iterator[Finding]:
     used = ((each, domain) for each, domain in robot.dds.domains if robot.dds.in_use(each))
     for configuration, domain in used:
         for setting, limit_name in robot.dds.least_buffers(domain):

@@ -28,6 +28,9 @@ fills. A trace file that cannot be opened is fatal: no node starts.
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -35,7 +38,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", fix="unsafe", symptoms=["cannot open for writing"])
-def tracing_left_on(robot: Robot):
+def tracing_left_on(robot: Robot) -> Iterator[Finding]:
     for configuration, domain in robot.dds.domains:
         verbosity = domain.get("Tracing/Verbosity")
         category = domain.get("Tracing/Category")

@@ -21,6 +21,9 @@ The library says `no data expected` and creates no participant: no ROS node star
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -28,7 +31,7 @@ from bringup_lint.api.schema import Code
 
 
 @rule("error", symptoms=["no data expected"])
-def unexpected_text(robot: Robot):
+def unexpected_text(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.dds.remarks(Code.TEXT):
         if remark.item.name == "Peer":
             continue

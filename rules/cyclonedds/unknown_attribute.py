@@ -21,6 +21,9 @@ The library stops there and creates no participant: no ROS node starts.
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -29,7 +32,7 @@ from bringup_lint.api.schema import Code
 
 
 @rule("error", fix="unsafe", symptoms=["unknown attribute"])
-def unknown_attribute(robot: Robot):
+def unknown_attribute(robot: Robot) -> Iterator[Finding]:
     for configuration, remark in robot.dds.remarks(Code.UNKNOWN_ATTRIBUTE):
         if robot.dds.accepted_by(configuration, remark):
             continue

@@ -28,6 +28,9 @@ The library stops at the first unknown element and creates no participant: no RO
 - https://github.com/eclipse-cyclonedds/cyclonedds/issues/2201
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -36,7 +39,7 @@ from bringup_lint.api.schema import Code
 
 
 @rule("error", fix="unsafe", symptoms=["unknown element"])
-def unknown_element(robot: Robot):
+def unknown_element(robot: Robot) -> Iterator[Finding]:
     for configuration, remark in robot.dds.remarks(Code.UNKNOWN, Code.AMBIGUOUS, Code.BUILD):
         if robot.dds.accepted_by(configuration, remark) and remark.code != Code.BUILD:
             continue

@@ -25,6 +25,9 @@ The library does not know the element and creates no participant: no ROS node st
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import Span
 from bringup_lint.api import finding
@@ -34,7 +37,7 @@ from bringup_lint.api.schema import Code
 
 
 @rule("error", fix="unsafe", symptoms=["unknown element"])
-def wrong_root(robot: Robot):
+def wrong_root(robot: Robot) -> Iterator[Finding]:
     for configuration, _remark in robot.dds.remarks(Code.ROOT):
         root = configuration.document.root
         start = root.name.span

@@ -22,6 +22,9 @@ The library stops at the first error and creates no participant, so no ROS node 
 - https://github.com/iRobotEducation/create3_docs/issues/455
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -29,7 +32,7 @@ from bringup_lint.api.schema import Code
 
 
 @rule("error", symptoms=["parser error", "open/close tag mismatch", "invalid token encountered"])
-def xml_not_wellformed(robot: Robot):
+def xml_not_wellformed(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.dds.remarks(Code.XML):
         if not remark.fatal:
             message = "Cyclone DDS steps over the DOCTYPE: what it declares has no effect"

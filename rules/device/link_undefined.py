@@ -26,6 +26,9 @@ Environment=LIDAR=/dev/robot/lidar_front
 - systemd.device(5)
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -33,7 +36,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Timed out waiting for device", "No such file or directory: '/dev/"])
-def link_undefined(robot: Robot):
+def link_undefined(robot: Robot) -> Iterator[Finding]:
     for use, near in robot.devices.undefined:
         yield finding(
             use.path,

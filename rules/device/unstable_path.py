@@ -26,6 +26,9 @@ Environment=IMU_PORT=/dev/robot/imu
 - https://github.com/RoverRobotics-archive/roverrobotics_ros2/issues/16
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -35,7 +38,7 @@ _SEVERITY = {"script": "warning", "default": "warning"}
 
 
 @rule("error", symptoms=["could not open port /dev/ttyUSB0", "Could not open device /dev/ttyUSB0"])
-def unstable_path(robot: Robot):
+def unstable_path(robot: Robot) -> Iterator[Finding]:
     for use, links in robot.devices.unstable:
         severity = "info" if use.user == "the launch argument" else _SEVERITY.get(use.certainty)
         names = " or ".join(link.path for link in links[:3])

@@ -25,7 +25,9 @@ ENTRYPOINT ["/ros_entrypoint.sh", "ros2", "launch", "base", "base.launch.py"]
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -36,7 +38,7 @@ SOURCES = re.compile(r"setup\.(?:ba|z)?sh|ros_entrypoint\.sh")
 
 
 @rule("info")
-def entrypoint_bypass(robot: Robot):
+def entrypoint_bypass(robot: Robot) -> Iterator[Finding]:
     for file in robot.dockerfiles:
         stage = file.final
         entrypoint = stage.last("ENTRYPOINT") if stage else None

@@ -21,13 +21,16 @@ FROM ros:jazzy-ros-base
 - robotics-security guide, container hardening
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("warning")
-def no_pin(robot: Robot):
+def no_pin(robot: Robot) -> Iterator[Finding]:
     for file in robot.dockerfiles:
         for stage in file.stages:
             image = stage.resolved

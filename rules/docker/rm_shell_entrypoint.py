@@ -26,7 +26,9 @@ USER robot
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -38,7 +40,7 @@ PACKAGE_TOOLS = frozenset(("apt", "apt-get", "dpkg"))
 
 
 @rule("error", symptoms=["exec /ros_entrypoint.sh: no such file or directory"])
-def rm_shell_entrypoint(robot: Robot):
+def rm_shell_entrypoint(robot: Robot) -> Iterator[Finding]:
     for file in robot.dockerfiles:
         for stage in file.stages:
             removed = {}

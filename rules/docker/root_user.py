@@ -29,7 +29,9 @@ CMD ["ros2", "launch", "base", "base.launch.py"]
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -39,7 +41,7 @@ DROPS = re.compile(r"\b(?:gosu|su-exec|setpriv|runuser|fixuid)\b")
 
 
 @rule("error", tags=["CWE-250"])
-def root_user(robot: Robot):
+def root_user(robot: Robot) -> Iterator[Finding]:
     for file in robot.dockerfiles:
         stage = file.final
         if stage is None or DROPS.search(file.source.text):

@@ -25,7 +25,9 @@ CMD ["ros2", "launch", "base", "base.launch.py"]
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -36,7 +38,7 @@ EXEC = re.compile(r"(?:^|&&|;)\s*exec\s")
 
 
 @rule("warning", fix="unsafe")
-def shell_form_cmd(robot: Robot):
+def shell_form_cmd(robot: Robot) -> Iterator[Finding]:
     for file in robot.dockerfiles:
         stage = file.final
         for name in ("ENTRYPOINT", "CMD") if stage else ():

@@ -24,7 +24,9 @@ CMD ["ros2", "launch", "base", "base.launch.py"]
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -34,7 +36,7 @@ LAUNCH = re.compile(r"\bros2[\s\",\[\]]+launch\b")
 
 
 @rule("warning", fix="safe", symptoms=["exited with code 137"])
-def stopsignal(robot: Robot):
+def stopsignal(robot: Robot) -> Iterator[Finding]:
     for file in robot.dockerfiles:
         stage = file.final
         if stage is None or (stage.last("STOPSIGNAL") and stage.last("STOPSIGNAL").value in ("SIGINT", "2")):

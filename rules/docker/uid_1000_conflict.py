@@ -25,7 +25,9 @@ RUN userdel -r ubuntu && useradd -u 1000 -m robot
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -44,7 +46,7 @@ OPTIONS = {
 
 
 @rule("warning", symptoms=["UID 1000 is not unique", "GID '1000' already exists"])
-def uid_1000_conflict(robot: Robot):
+def uid_1000_conflict(robot: Robot) -> Iterator[Finding]:
     for file in robot.dockerfiles:
         for stage in file.stages:
             if not UBUNTU_24.search(stage.origin):

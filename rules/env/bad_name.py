@@ -21,6 +21,9 @@ ROS_DOMAIN_ID=42
 - systemd.exec(5), "EnvironmentFile="; environ(7)
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -28,7 +31,7 @@ from bringup_lint.api import rule
 
 
 @rule("error")
-def bad_name(robot: Robot):
+def bad_name(robot: Robot) -> Iterator[Finding]:
     for file in robot.env_files:
         for problem in file.model.problems:
             name = problem.where

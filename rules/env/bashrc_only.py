@@ -30,6 +30,9 @@ ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rov
 - systemd.exec(5), "Environment Variables in Spawned Processes"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -37,7 +40,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", symptoms=["ros2: command not found", "No module named 'ros2cli'", "Package not found"])
-def bashrc_only(robot: Robot):
+def bashrc_only(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     for unit in units.services:
         for process in units.started(unit):

@@ -29,7 +29,9 @@ EnvironmentFile=/etc/robot/ros.env
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -43,7 +45,7 @@ BRIDGE = re.compile(r"bridge|domain", re.I)
     symptoms=["no topics", "nodes do not see each other"],
     aliases=["env/set-twice-mismatch", "env/rmw-inconsistent-across-units"],
 )
-def conflict_between_sources(robot: Robot):
+def conflict_between_sources(robot: Robot) -> Iterator[Finding]:
     for name in ("ROS_DOMAIN_ID", "RMW_IMPLEMENTATION"):
         for group in _together(robot):
             found = [(process, variable) for process in group if (variable := _known(process, name))]

@@ -22,6 +22,9 @@ CYCLONEDDS_URI=file:///etc/robot/cyclonedds.xml
 - https://github.com/suchetanrs/ORB-SLAM3-ROS2-Docker/issues/32
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -29,7 +32,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["can't open configuration file", "rmw_create_node: failed to create domain"])
-def cyclonedds_uri_file_missing(robot: Robot):
+def cyclonedds_uri_file_missing(robot: Robot) -> Iterator[Finding]:
     for process in robot.ros.processes:
         uri = process.environment.get("CYCLONEDDS_URI") if process.unit else None
         if uri is None or uri.text is None or "<" in uri.text:

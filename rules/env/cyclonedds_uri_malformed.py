@@ -23,7 +23,9 @@ CYCLONEDDS_URI=file:///etc/robot/cyclonedds.xml
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -31,7 +33,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["can't open configuration file", "failed to create domain"])
-def cyclonedds_uri_malformed(robot: Robot):
+def cyclonedds_uri_malformed(robot: Robot) -> Iterator[Finding]:
     for setting in robot.ros.settings:
         if setting.name != "CYCLONEDDS_URI" or "<" in setting.value or (setting.text is None and setting.expands):
             continue

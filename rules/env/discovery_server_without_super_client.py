@@ -27,7 +27,9 @@ export ROS_SUPER_CLIENT=TRUE
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -43,7 +45,7 @@ HERE = re.compile(r"(?:127\.\d+\.\d+\.\d+|localhost|\[?::1\]?)(?::\d+)?")
 
 
 @rule("warning", symptoms=["ros2 topic list shows nothing"])
-def discovery_server_without_super_client(robot: Robot):
+def discovery_server_without_super_client(robot: Robot) -> Iterator[Finding]:
     files = robot.ros.login_files
     found = [(source, match) for source in files if source.judged for match in [SETS.search(source.text)] if match]
     if found and not any(SEES.search(source.text) for source in files):

@@ -27,7 +27,9 @@ ROS_DOMAIN_ID=42
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -37,7 +39,7 @@ _SECRET = re.compile(r"PASS|SECRET|TOKEN|KEY|PSK", re.I)
 
 
 @rule("warning")
-def duplicate(robot: Robot):
+def duplicate(robot: Robot) -> Iterator[Finding]:
     for file in robot.env_files:
         yield from _within(file)
     for unit in robot.units.judged:

@@ -27,7 +27,9 @@ EnvironmentFile=/etc/environment
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -38,7 +40,7 @@ OF_ROS = re.compile(r"(?:ROS|RMW|CYCLONEDDS|FASTRTPS|FASTDDS|RCUTILS)_|AMENT_PRE
 
 
 @rule("warning")
-def etc_environment(robot: Robot):
+def etc_environment(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     file = robot.environment_file(PATH) if units.ros else None
     if file is None:

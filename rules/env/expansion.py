@@ -25,7 +25,9 @@ PATH=/opt/robot/bin:/usr/local/bin:/usr/bin:/bin
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -37,7 +39,7 @@ _EXPANDED_BY_READER = ("CYCLONEDDS_URI",)
 
 
 @rule("error", symptoms=["No such file or directory", "does not exist"])
-def expansion(robot: Robot):
+def expansion(robot: Robot) -> Iterator[Finding]:
     for file in robot.env_files:
         for entry in file.entries:
             if _SECRET.search(entry.name) or entry.name in _EXPANDED_BY_READER or _again(robot, file, entry.name):

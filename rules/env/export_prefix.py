@@ -23,6 +23,9 @@ ROS_DOMAIN_ID=42
 - https://github.com/systemd/systemd/issues/2836
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -31,7 +34,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe")
-def export_prefix(robot: Robot):
+def export_prefix(robot: Robot) -> Iterator[Finding]:
     for file in robot.env_files:
         sourced = file.sourced_by
         for problem in file.model.problems:

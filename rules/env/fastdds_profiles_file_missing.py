@@ -22,6 +22,9 @@ FASTRTPS_DEFAULT_PROFILES_FILE=/etc/robot/fastdds.xml
 - tried with Fast DDS 2.14.5: "realpath failed"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -31,7 +34,7 @@ VARIABLES = ("FASTRTPS_DEFAULT_PROFILES_FILE", "FASTDDS_DEFAULT_PROFILES_FILE")
 
 
 @rule("warning", symptoms=["realpath failed"])
-def fastdds_profiles_file_missing(robot: Robot):
+def fastdds_profiles_file_missing(robot: Robot) -> Iterator[Finding]:
     for process in robot.ros.processes:
         for name in VARIABLES if process.unit else ():
             found = process.environment.get(name)

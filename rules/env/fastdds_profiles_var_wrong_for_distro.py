@@ -22,6 +22,9 @@ FASTRTPS_DEFAULT_PROFILES_FILE=/etc/robot/fastdds.xml
 - https://github.com/ros2/ros2_documentation/pull/6098
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -32,7 +35,7 @@ OLD, NEW = "FASTRTPS_DEFAULT_PROFILES_FILE", "FASTDDS_DEFAULT_PROFILES_FILE"
 
 
 @rule("error")
-def fastdds_profiles_var_wrong_for_distro(robot: Robot):
+def fastdds_profiles_var_wrong_for_distro(robot: Robot) -> Iterator[Finding]:
     newer = at_least(robot.target.ros, "kilted")
     if newer is None:
         return

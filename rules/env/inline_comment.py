@@ -23,6 +23,9 @@ ROS_DOMAIN_ID=42
 - systemd.exec(5), "EnvironmentFile=": comments are lines that start with # or ;
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -31,7 +34,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["ROS_DOMAIN_ID is not an integral number", "Invalid domain ID"])
-def inline_comment(robot: Robot):
+def inline_comment(robot: Robot) -> Iterator[Finding]:
     for file in robot.env_files:
         for entry in file.entries:
             comment = file.comment(entry)

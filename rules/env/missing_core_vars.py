@@ -24,6 +24,9 @@ EnvironmentFile=/etc/robot/ros.env
 - https://github.com/CMU-cabot/cabot/issues/160
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -32,7 +35,7 @@ CORE = ("ROS_DOMAIN_ID", "RMW_IMPLEMENTATION")
 
 
 @rule("info")
-def missing_core_vars(robot: Robot):
+def missing_core_vars(robot: Robot) -> Iterator[Finding]:
     for process in robot.ros.processes:
         missing = [name for name in CORE if process.environment.defines(name) is False]
         if process.unit in robot.units.ros and missing and process.source.judged:

@@ -23,6 +23,9 @@ ROS_DOMAIN_ID=42
 - https://github.com/systemd/systemd/issues/2836
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -30,7 +33,7 @@ from bringup_lint.api import rule
 
 
 @rule("error")
-def missing_equals(robot: Robot):
+def missing_equals(robot: Robot) -> Iterator[Finding]:
     for file in robot.env_files:
         for problem in file.model.problems:
             if problem.code != "missing-equals" or file.source.template:

@@ -22,6 +22,9 @@ RMW_IMPLEMENTATION=rmw_cyclonedds_cpp
 - docker run reference, "--env-file"; systemd.exec(5), "EnvironmentFile="
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -30,7 +33,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", fix="safe")
-def quotes_kept_by_docker(robot: Robot):
+def quotes_kept_by_docker(robot: Robot) -> Iterator[Finding]:
     for file in robot.env_files:
         reader = file.docker_run
         if reader is None:

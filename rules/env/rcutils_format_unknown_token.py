@@ -21,7 +21,9 @@ RCUTILS_CONSOLE_OUTPUT_FORMAT=[{severity}] {message}
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -32,7 +34,7 @@ from bringup_lint.api.spelling import nearest
 
 
 @rule("warning")
-def rcutils_format_unknown_token(robot: Robot):
+def rcutils_format_unknown_token(robot: Robot) -> Iterator[Finding]:
     for setting in robot.ros.of("RCUTILS_CONSOLE_OUTPUT_FORMAT"):
         for token in re.finditer(r"\{(\w+)\}", setting.value):
             since = FORMAT_TOKENS_SINCE.get(token[1])

@@ -22,6 +22,9 @@ RCUTILS_COLORIZED_OUTPUT=1
 - rcutils, `logging.c`: the value must be 0 or 1
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -35,7 +38,7 @@ SYMPTOMS = ["unexpected value [", "error initializing logging", "failed to confi
 
 
 @rule("error", fix="safe", symptoms=SYMPTOMS)
-def rcutils_logging_bool(robot: Robot):
+def rcutils_logging_bool(robot: Robot) -> Iterator[Finding]:
     for setting in robot.ros.of(*LOGGING_SWITCHES):
         if setting.text in ("", "0", "1"):
             continue

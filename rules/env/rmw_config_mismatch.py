@@ -23,6 +23,9 @@ CYCLONEDDS_URI=file:///etc/robot/cyclonedds.xml
 - https://docs.ros.org/en/rolling/How-To-Guides/Working-with-multiple-RMW-implementations.html
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -33,7 +36,7 @@ FASTDDS = ("FASTRTPS_DEFAULT_PROFILES_FILE", "FASTDDS_DEFAULT_PROFILES_FILE")
 
 
 @rule("warning")
-def rmw_config_mismatch(robot: Robot):
+def rmw_config_mismatch(robot: Robot) -> Iterator[Finding]:
     for process in robot.ros.processes:
         environment = process.environment
         if not environment.complete:

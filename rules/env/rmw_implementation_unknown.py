@@ -21,6 +21,9 @@ RMW_IMPLEMENTATION=rmw_cyclonedds_cpp
 - https://github.com/BerkeleyAutomation/FogROS2/issues/40
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -31,7 +34,7 @@ from bringup_lint.api.spelling import nearest
 
 
 @rule("error", fix="unsafe", symptoms=["failed to load shared library", "Error getting RMW implementation identifier"])
-def rmw_implementation_unknown(robot: Robot):
+def rmw_implementation_unknown(robot: Robot) -> Iterator[Finding]:
     for setting in robot.ros.of("RMW_IMPLEMENTATION"):
         name = setting.text
         if not name or name in _own(robot):

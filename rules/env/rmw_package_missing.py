@@ -25,6 +25,9 @@ ENV RMW_IMPLEMENTATION=rmw_cyclonedds_cpp
 - REP 2001: the variants ros_core, ros_base, perception and desktop
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -32,7 +35,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", symptoms=["failed to load shared library", "Error getting RMW implementation identifier"])
-def rmw_package_missing(robot: Robot):
+def rmw_package_missing(robot: Robot) -> Iterator[Finding]:
     for each in robot.ros.lacking_middleware:
         yield finding(
             each.variable.value,

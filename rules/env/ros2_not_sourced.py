@@ -31,7 +31,9 @@ ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rov
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -48,7 +50,7 @@ DISTRO = re.compile(r"/opt/ros/[a-z]+")
     fix="unsafe",
     symptoms=["ModuleNotFoundError: No module named 'ros2cli'", "ros2: command not found"],
 )
-def ros2_not_sourced(robot: Robot):
+def ros2_not_sourced(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     for unit in units.services:
         lost = [process for process in units.processes(unit) if process.key == "ExecStartPre" and sources_only(process)]

@@ -22,6 +22,9 @@ ROS_AUTOMATIC_DISCOVERY_RANGE=SUBNET
 - https://github.com/clearpathrobotics/clearpath_config/pull/191
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -31,7 +34,7 @@ from bringup_lint.api.ros import at_least
 
 
 @rule("error", fix="safe", symptoms=["Invalid value for ROS_AUTOMATIC_DISCOVERY_RANGE"])
-def ros_discovery_range_invalid(robot: Robot):
+def ros_discovery_range_invalid(robot: Robot) -> Iterator[Finding]:
     if not at_least(robot.target.ros, "iron"):
         return
     for setting in robot.ros.of("ROS_AUTOMATIC_DISCOVERY_RANGE"):

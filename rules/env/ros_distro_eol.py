@@ -21,6 +21,9 @@ FROM ros:jazzy
 - REP 2000
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -30,7 +33,7 @@ OLDER = ("eloquent", "dashing", "crystal")
 
 
 @rule("warning", tags=["CWE-1104"])
-def ros_distro_eol(robot: Robot):
+def ros_distro_eol(robot: Robot) -> Iterator[Finding]:
     for distro in [robot.target.ros] if robot.target.ros else OLDER if robot.target.ros_why == "not known" else []:
         end = distro_end(distro)
         where = robot.ros.first_mention(distro) if end is not None and end < robot.today else None

@@ -23,6 +23,9 @@ ROS_DOMAIN_ID=17
 - ROS 2 documentation, "The ROS_DOMAIN_ID"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -30,7 +33,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning")
-def ros_domain_id_default_zero(robot: Robot):
+def ros_domain_id_default_zero(robot: Robot) -> Iterator[Finding]:
     said = set()
     for process in robot.ros.processes:
         environment = process.environment

@@ -24,6 +24,9 @@ ROS_DOMAIN_ID=50
 - https://github.com/selfpatch/ros2_medkit/issues/595
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -32,7 +35,7 @@ from bringup_lint.api.ros import domain_id
 
 
 @rule("warning", symptoms=["Address already in use", "failed to create participant"])
-def ros_domain_id_ephemeral(robot: Robot):
+def ros_domain_id_ephemeral(robot: Robot) -> Iterator[Finding]:
     if any(_moves_ports(source.text) for source in robot.of_kind("sysctl")):
         return
     for setting in robot.ros.of("ROS_DOMAIN_ID"):

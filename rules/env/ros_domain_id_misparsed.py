@@ -21,6 +21,9 @@ ROS_DOMAIN_ID=42
 - rcl, `domain_id.c`: strtoul with base 0; the rest of the text counts only when the number is 0
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -30,7 +33,7 @@ from bringup_lint.api.ros import domain_id
 
 
 @rule("error", fix="unsafe", symptoms=["no topics", "nodes do not see each other"])
-def ros_domain_id_misparsed(robot: Robot):
+def ros_domain_id_misparsed(robot: Robot) -> Iterator[Finding]:
     for setting in robot.ros.of("ROS_DOMAIN_ID"):
         number, plain = domain_id(setting.text)
         if number is not None and not plain:

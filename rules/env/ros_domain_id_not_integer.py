@@ -21,6 +21,9 @@ ROS_DOMAIN_ID=42
 - https://github.com/ros2/rmw_cyclonedds/issues/61
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -28,7 +31,7 @@ from bringup_lint.api.ros import domain_id
 
 
 @rule("error", symptoms=["ROS_DOMAIN_ID is not an integral number", "ROS_DOMAIN_ID is out of range"])
-def ros_domain_id_not_integer(robot: Robot):
+def ros_domain_id_not_integer(robot: Robot) -> Iterator[Finding]:
     for setting in robot.ros.of("ROS_DOMAIN_ID"):
         if domain_id(setting.text).number is None:
             yield finding(

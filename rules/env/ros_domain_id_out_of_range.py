@@ -23,6 +23,9 @@ ROS_DOMAIN_ID=30
 - https://github.com/ros2/rmw_fastrtps/issues/261
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -32,7 +35,7 @@ from bringup_lint.api.ros import highest_port
 
 
 @rule("error", symptoms=["domainId is over 232", "resulting port number is out of range", "failed to create domain"])
-def ros_domain_id_out_of_range(robot: Robot):
+def ros_domain_id_out_of_range(robot: Robot) -> Iterator[Finding]:
     for setting in robot.ros.of("ROS_DOMAIN_ID"):
         number = domain_id(setting.text).number
         if number is not None and number > MAX_DOMAIN and not _own_ports(robot):

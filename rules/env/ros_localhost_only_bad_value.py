@@ -21,6 +21,9 @@ ROS_LOCALHOST_ONLY=1
 - rcl, `localhost.c` (Humble) and `discovery_options.c` (Jazzy)
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -29,7 +32,7 @@ from bringup_lint.api.ros import at_least
 
 
 @rule("error", fix="unsafe", tags=["CWE-923"])
-def ros_localhost_only_bad_value(robot: Robot):
+def ros_localhost_only_bad_value(robot: Robot) -> Iterator[Finding]:
     for setting in robot.ros.of("ROS_LOCALHOST_ONLY"):
         if setting.text in ("", "0", "1"):
             continue

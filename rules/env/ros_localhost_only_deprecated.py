@@ -22,6 +22,9 @@ ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST
 - https://github.com/ros2/rcl/pull/1023
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -30,7 +33,7 @@ from bringup_lint.api.ros import at_least
 
 
 @rule("info", symptoms=["ROS_LOCALHOST_ONLY is deprecated"])
-def ros_localhost_only_deprecated(robot: Robot):
+def ros_localhost_only_deprecated(robot: Robot) -> Iterator[Finding]:
     if not at_least(robot.target.ros, "iron"):
         return
     others = robot.ros.of("ROS_AUTOMATIC_DISCOVERY_RANGE", "ROS_STATIC_PEERS")

@@ -28,6 +28,9 @@ CYCLONEDDS_URI=file:///etc/lawn/cyclonedds.xml
 - https://github.com/turtlebot/turtlebot4_simulator/issues/89
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -38,7 +41,7 @@ RANGE = "ROS_AUTOMATIC_DISCOVERY_RANGE"
 
 
 @rule("error", symptoms=["no topics from the other machine", "ros2 topic list is empty"])
-def ros_localhost_only_multi_machine(robot: Robot):
+def ros_localhost_only_multi_machine(robot: Robot) -> Iterator[Finding]:
     newer = at_least(robot.target.ros, "iron")
     for process in robot.ros.processes:
         limit = _limit(process.environment, newer)

@@ -25,6 +25,9 @@ Environment=ROS_LOG_DIR=/var/log/ros2
 - systemd.exec(5), LogsDirectory=
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -34,7 +37,7 @@ SETS = ("ROS_LOG_DIR", "ROS_HOME", "HOME")
 
 
 @rule("info", symptoms=["Failed to create log directory", "Failed to get logging directory"])
-def ros_log_dir_unset_service(robot: Robot):
+def ros_log_dir_unset_service(robot: Robot) -> Iterator[Finding]:
     for process in robot.ros.processes:
         unit = process.unit
         if unit is None or unit not in robot.units.ros or unit.manager != "system":

@@ -26,6 +26,9 @@ ROS_SECURITY_KEYSTORE=/etc/robot/keystore
 - https://docs.ros.org/en/rolling/Tutorials/Advanced/Security/The-Keystore.html
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -36,7 +39,7 @@ NO = ("false", "0", "no", "off")
 
 
 @rule("error", fix="unsafe", tags=["CWE-306", "CWE-319"])
-def ros_security_disabled(robot: Robot):
+def ros_security_disabled(robot: Robot) -> Iterator[Finding]:
     stores = robot.ros.of("ROS_SECURITY_KEYSTORE")
     for setting in robot.ros.of("ROS_SECURITY_ENABLE"):
         if setting.text.lower() not in NO or setting.development:

@@ -22,6 +22,9 @@ ROS_SECURITY_ENABLE=true
 - https://docs.ros.org/en/rolling/Tutorials/Advanced/Security/The-Keystore.html
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -31,7 +34,7 @@ NO = ("", "false", "0", "no", "off")
 
 
 @rule("error", fix="safe", tags=["CWE-1188", "CWE-319"])
-def ros_security_enable_case(robot: Robot):
+def ros_security_enable_case(robot: Robot) -> Iterator[Finding]:
     for setting in robot.ros.of("ROS_SECURITY_ENABLE"):
         if setting.text != "true" and setting.text.lower() not in NO:
             yield finding(

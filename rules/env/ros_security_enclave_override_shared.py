@@ -21,6 +21,9 @@ ExecStart=ros2 run lawn driver --ros-args --enclave /lawn/driver
 - rcl, security.c; tried with the real rcl of Jazzy
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -28,7 +31,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", tags=["CWE-250"])
-def ros_security_enclave_override_shared(robot: Robot):
+def ros_security_enclave_override_shared(robot: Robot) -> Iterator[Finding]:
     readers = {}
     for process in robot.ros.processes:
         variable = process.environment.get("ROS_SECURITY_ENCLAVE_OVERRIDE")

@@ -22,7 +22,9 @@ ROS_SECURITY_KEYSTORE=/etc/robot/keystore
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -32,7 +34,7 @@ ORIGINS = ("Environment=", "EnvironmentFile=", "env_file:", "SetEnvironmentVaria
 
 
 @rule("error", symptoms=["SECURITY ERROR: directory"])
-def ros_security_keystore_tilde(robot: Robot):
+def ros_security_keystore_tilde(robot: Robot) -> Iterator[Finding]:
     for setting in robot.ros.settings:
         if setting.name != "ROS_SECURITY_KEYSTORE" or setting.origin not in ORIGINS:
             continue

@@ -23,6 +23,9 @@ ROS_SECURITY_KEYSTORE=/etc/robot/keystore
 - https://docs.ros.org/en/rolling/Tutorials/Advanced/Security/The-Keystore.html
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -30,7 +33,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["failed to initialize rcl: error not set"])
-def ros_security_keystore_unset(robot: Robot):
+def ros_security_keystore_unset(robot: Robot) -> Iterator[Finding]:
     for process in robot.ros.processes:
         enable = process.environment.get("ROS_SECURITY_ENABLE")
         if enable and enable.text == "true" and _is_unset(robot, process):

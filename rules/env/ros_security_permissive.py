@@ -24,6 +24,9 @@ ROS_SECURITY_STRATEGY=Enforce
 - https://docs.ros.org/en/rolling/Tutorials/Advanced/Security/The-Keystore.html
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -32,7 +35,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", fix="unsafe", tags=["CWE-1188"])
-def ros_security_permissive(robot: Robot):
+def ros_security_permissive(robot: Robot) -> Iterator[Finding]:
     for process in robot.ros.processes:
         environment = process.environment
         enable, strategy = environment.get("ROS_SECURITY_ENABLE"), environment.get("ROS_SECURITY_STRATEGY")

@@ -20,6 +20,9 @@ ROS_SECURITY_KEYSTORE=/etc/lawn/keystore
 - rcl, security.c: ROS_SECURITY_KEYSTORE since Foxy
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -32,7 +35,7 @@ INSTEAD = {
 
 
 @rule("warning")
-def ros_security_root_directory_legacy(robot: Robot):
+def ros_security_root_directory_legacy(robot: Robot) -> Iterator[Finding]:
     for setting in robot.ros.settings:
         if setting.name in INSTEAD:
             yield finding(

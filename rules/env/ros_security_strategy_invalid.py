@@ -21,6 +21,9 @@ ROS_SECURITY_STRATEGY=Enforce
 - https://docs.ros.org/en/rolling/Tutorials/Advanced/Security/The-Keystore.html
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -30,7 +33,7 @@ WORDS = ("Enforce", "Permissive")
 
 
 @rule("error", fix="safe", tags=["CWE-1188"])
-def ros_security_strategy_invalid(robot: Robot):
+def ros_security_strategy_invalid(robot: Robot) -> Iterator[Finding]:
     for setting in robot.ros.of("ROS_SECURITY_STRATEGY"):
         if setting.text in ("", *WORDS):
             continue

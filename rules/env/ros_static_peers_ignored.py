@@ -24,6 +24,9 @@ ROS_STATIC_PEERS=10.0.0.2
 - https://github.com/clearpathrobotics/clearpath_common/issues/269
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -32,7 +35,7 @@ from bringup_lint.api.ros import at_least
 
 
 @rule("warning")
-def ros_static_peers_ignored(robot: Robot):
+def ros_static_peers_ignored(robot: Robot) -> Iterator[Finding]:
     if not at_least(robot.target.ros, "iron"):
         return
     for process in robot.ros.processes:

@@ -22,7 +22,9 @@ ROS_STATIC_PEERS=10.0.0.1;10.0.0.2
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -30,7 +32,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["Unable to resolve peer"])
-def ros_static_peers_separator(robot: Robot):
+def ros_static_peers_separator(robot: Robot) -> Iterator[Finding]:
     for setting in robot.ros.of("ROS_STATIC_PEERS"):
         peers = [peer for peer in re.split(r"[,;\s]+", setting.text) if peer]
         if peers and re.search(r"[,\s]", setting.text):

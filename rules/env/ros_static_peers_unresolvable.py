@@ -23,7 +23,9 @@ ROS_STATIC_PEERS=10.0.0.20
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -33,7 +35,7 @@ NAME = re.compile(r"[A-Za-z][A-Za-z0-9-]*")
 
 
 @rule("warning", confidence="medium", symptoms=["Unable to resolve peer"])
-def ros_static_peers_unresolvable(robot: Robot):
+def ros_static_peers_unresolvable(robot: Robot) -> Iterator[Finding]:
     hosts = robot.tree.find("/etc/hosts") if robot.tree.complete else None
     for setting in robot.ros.of("ROS_STATIC_PEERS"):
         if setting.value != setting.text or re.search(r"[\s,]", setting.text):

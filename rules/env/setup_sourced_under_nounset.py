@@ -26,7 +26,9 @@ set -u
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -37,7 +39,7 @@ SETUP = re.compile(r"(?:^|/)(?:local_)?setup\.(?:bash|sh)$")
 
 
 @rule("error", symptoms=["unbound variable", "AMENT_TRACE_SETUP_FILES"])
-def setup_sourced_under_nounset(robot: Robot):
+def setup_sourced_under_nounset(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("shell-script"):
         if source.judged and not source.template and "setup." in source.text:
             yield from _check(source)

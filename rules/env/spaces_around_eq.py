@@ -21,6 +21,9 @@ ROS_DOMAIN_ID=42
 - systemd.exec(5), "EnvironmentFile="; bash(1), "PARAMETERS"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -29,7 +32,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", fix="safe", symptoms=["command not found"])
-def spaces_around_eq(robot: Robot):
+def spaces_around_eq(robot: Robot) -> Iterator[Finding]:
     for file in robot.env_files:
         for entry in file.model.entries:
             blanks = list(file.blanks_around_equals(entry))

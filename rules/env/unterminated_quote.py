@@ -24,6 +24,9 @@ ROS_DOMAIN_ID=42
 - systemd.exec(5), "EnvironmentFile=": quoted values may span lines
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -31,7 +34,7 @@ from bringup_lint.api import rule
 
 
 @rule("error")
-def unterminated_quote(robot: Robot):
+def unterminated_quote(robot: Robot) -> Iterator[Finding]:
     for file in robot.env_files:
         for problem in file.model.problems:
             if problem.code == "unterminated-quote":

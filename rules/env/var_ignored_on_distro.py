@@ -22,6 +22,9 @@ ROS_LOCALHOST_ONLY=1
 - https://docs.ros.org/en/rolling/Tutorials/Advanced/Improved-Dynamic-Discovery.html
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -38,7 +41,7 @@ GONE = {"RCUTILS_CONSOLE_STDOUT_LINE_BUFFERED": "use RCUTILS_LOGGING_BUFFERED_ST
 
 
 @rule("warning")
-def var_ignored_on_distro(robot: Robot):
+def var_ignored_on_distro(robot: Robot) -> Iterator[Finding]:
     if robot.target.ros is None:
         return
     for setting in robot.ros.settings:

@@ -25,6 +25,9 @@ source /opt/rover/install/setup.bash
 - ROS 2 documentation, "Creating a workspace": overlay and underlay
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -32,7 +35,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning")
-def workspace_source_order(robot: Robot):
+def workspace_source_order(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         for process in robot.units.processes(unit):
             workspace = None

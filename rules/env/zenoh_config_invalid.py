@@ -22,6 +22,9 @@ ZENOH_CONFIG_OVERRIDE=mode="client";connect/endpoints=["tcp/10.0.0.20:7447"]
 - https://github.com/ZettaScaleLabs/roscon2024_workshop/issues/12
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -32,7 +35,7 @@ FILES = ("ZENOH_ROUTER_CONFIG_URI", "ZENOH_SESSION_CONFIG_URI")
 
 
 @rule("error", symptoms=["Error configuring Zenoh session", "logging system not initialized"])
-def zenoh_config_invalid(robot: Robot):
+def zenoh_config_invalid(robot: Robot) -> Iterator[Finding]:
     read = {}
     for process in robot.ros.processes:
         if process.environment.text("RMW_IMPLEMENTATION") not in (None, "rmw_zenoh_cpp"):

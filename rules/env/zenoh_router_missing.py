@@ -28,7 +28,9 @@ After=zenoh-router.service
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -39,7 +41,7 @@ ROUTER = re.compile(r"zenohd\b|zenoh[-_]router")
 
 
 @rule("error", confidence="medium", symptoms=["Unable to connect to a Zenoh router", "Have you started a router"])
-def zenoh_router_missing(robot: Robot):
+def zenoh_router_missing(robot: Robot) -> Iterator[Finding]:
     if not robot.tree.complete or any(ROUTER.search(source.text) for source in robot.sources):
         return
     for process in robot.ros.processes:

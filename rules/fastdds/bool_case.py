@@ -21,6 +21,9 @@ peers, no limits. Only a line on the terminal tells.
 - Fast DDS 2.14.5, tried with the real library
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -28,7 +31,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["getXMLBool XML_ERROR!"])
-def bool_case(robot: Robot):
+def bool_case(robot: Robot) -> Iterator[Finding]:
     words = {"no": "false", "off": "false", "yes": "true", "on": "true"}
     for _, remark in robot.dds.fastdds_remarks("bool"):
         text = remark.where

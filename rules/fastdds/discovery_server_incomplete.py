@@ -23,13 +23,16 @@ A client talks to its servers only: without one it finds nobody.
 - Fast DDS documentation, "Discovery Server Settings"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", confidence="medium")
-def discovery_server_incomplete(robot: Robot):
+def discovery_server_incomplete(robot: Robot) -> Iterator[Finding]:
     for profiles in robot.dds.profile_files:
         for profile in profiles.of_kind("participant"):
             for element in profile.element.walk() if profile.is_default and not profiles.dropped else ():

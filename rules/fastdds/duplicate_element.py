@@ -22,13 +22,16 @@ peers, no limits. Only a line on the terminal tells.
 - Fast DDS 2.14.5, tried with the real library
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Duplicated element found"])
-def duplicate_element(robot: Robot):
+def duplicate_element(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.dds.fastdds_remarks("duplicate"):
         yield finding(
             remark.where,

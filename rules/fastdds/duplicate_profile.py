@@ -24,6 +24,9 @@ says has no effect.
 - Fast DDS 2.14.5, tried with the real library
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -31,7 +34,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Error adding profile", "There is other transport with the same id"])
-def duplicate_profile(robot: Robot):
+def duplicate_profile(robot: Robot) -> Iterator[Finding]:
     for profiles, remark in robot.dds.fastdds_remarks("profile-duplicate", "transport-duplicate"):
         kind = "transport" if remark.code == "transport-duplicate" else remark.path.rpartition("/")[2]
         first = robot.dds.first_named(profiles, remark)

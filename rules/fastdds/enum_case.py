@@ -21,6 +21,9 @@ peers, no limits. Only a line on the terminal tells.
 - Fast DDS 2.14.5, tried with the real library
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -28,7 +31,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["bad content", "Invalid transport type"])
-def enum_case(robot: Robot):
+def enum_case(robot: Robot) -> Iterator[Finding]:
     for profiles, remark in robot.dds.fastdds_remarks("enum"):
         text = remark.where
         known = robot.dds.fastdds_words(profiles, remark)

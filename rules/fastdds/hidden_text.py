@@ -23,13 +23,16 @@ peers, no limits. Only a line on the terminal tells.
 - Fast DDS 2.14.5, tried with the real library; TinyXML-2, XMLElement::GetText
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["XML_ERROR!", "elements cannot be empty"])
-def hidden_text(robot: Robot):
+def hidden_text(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.dds.fastdds_remarks("comment"):
         yield finding(
             remark.where,

@@ -24,13 +24,16 @@ The library logs an error at every start and goes on without the setting.
 - Fast DDS 2.14.5, tried with the real library
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("warning", symptoms=["do not supported for now"])
-def ignored_setting(robot: Robot):
+def ignored_setting(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.dds.fastdds_remarks("ignored"):
         yield finding(
             remark.where,

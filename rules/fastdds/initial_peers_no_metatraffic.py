@@ -25,13 +25,16 @@ The peers are only added: the robot still announces itself by multicast to the w
 - Fast DDS documentation, "Disabling all Multicast Traffic"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("info")
-def initial_peers_no_metatraffic(robot: Robot):
+def initial_peers_no_metatraffic(robot: Robot) -> Iterator[Finding]:
     for profiles in robot.dds.profile_files:
         for profile in profiles.of_kind("participant"):
             for element in profile.element.walk() if profile.is_default and not profiles.dropped else ():

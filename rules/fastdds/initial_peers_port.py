@@ -23,6 +23,9 @@ A peer without a port stands for the participants 0 to 3 of that host: later nod
 - Fast DDS documentation, "Initial peers"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -32,7 +35,7 @@ RANGE = 4
 
 
 @rule("info", confidence="medium")
-def initial_peers_port(robot: Robot):
+def initial_peers_port(robot: Robot) -> Iterator[Finding]:
     for profiles in robot.dds.profile_files:
         if profiles.dropped or "maxInitialPeersRange" in profiles.source.text:
             continue

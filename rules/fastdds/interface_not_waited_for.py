@@ -31,6 +31,9 @@ minutes later, everything works.
 - https://github.com/eProsima/Fast-DDS/issues/1880
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -38,7 +41,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", confidence="medium", symptoms=["All whitelist interfaces were filtered out"])
-def interface_not_waited_for(robot: Robot):
+def interface_not_waited_for(robot: Robot) -> Iterator[Finding]:
     for profiles in robot.dds.profile_files:
         plan = robot.dds.plan_of(profiles)
         for element in profiles.document.elements if plan else ():

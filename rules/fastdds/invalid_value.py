@@ -21,13 +21,16 @@ peers, no limits. Only a line on the terminal tells.
 - Fast DDS 2.14.5, tried with the real library
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Expected an octet value", "invalid server's guidPrefix"])
-def invalid_value(robot: Robot):
+def invalid_value(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.dds.fastdds_remarks("value"):
         yield finding(
             remark.where,

@@ -24,6 +24,9 @@ peers, no limits. Only a line on the terminal tells.
 - Fast DDS 2.14.5, tried with the real library
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -31,7 +34,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["elements cannot be empty"])
-def lease_duration_text(robot: Robot):
+def lease_duration_text(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.dds.fastdds_remarks("duration"):
         text = remark.where
         change = fix("write sec", (text, f"<sec>{text}</sec>")) if text.isdigit() else None

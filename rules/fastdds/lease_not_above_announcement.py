@@ -29,6 +29,9 @@ lost robots is the usual cause.
 - Fast DDS 2.14.5, tried with the real library: exit status 1
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -36,7 +39,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["LeaseDuration should be >= leaseDuration announcement period"])
-def lease_not_above_announcement(robot: Robot):
+def lease_not_above_announcement(robot: Robot) -> Iterator[Finding]:
     for profiles in robot.dds.profile_files:
         for profile in profiles.of_kind("participant"):
             for element in profile.element.walk() if profile.is_default and not profiles.dropped else ():

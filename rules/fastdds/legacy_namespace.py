@@ -21,6 +21,9 @@ Editors and checkers that know the schema refuse the file, and real mistakes dro
 - Fast DDS 2.14.5, tried with the real library
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -28,7 +31,7 @@ from bringup_lint.api import rule
 
 
 @rule("info", fix="safe")
-def legacy_namespace(robot: Robot):
+def legacy_namespace(robot: Robot) -> Iterator[Finding]:
     legacy = "http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles"
     for profiles in robot.dds.profile_files:
         for element in profiles.document.elements:

@@ -23,13 +23,16 @@ peers, no limits. Only a line on the terminal tells.
 - Fast DDS 2.14.5, tried with the real library
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Failed to parse UDPv4 locator's address tag"])
-def locator_bad_address(robot: Robot):
+def locator_bad_address(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.dds.fastdds_remarks("address"):
         yield finding(
             remark.where,

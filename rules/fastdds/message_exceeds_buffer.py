@@ -25,6 +25,9 @@ The transport cannot be registered and the participant cannot be created: no ROS
 - Fast DDS 2.14.5, tried with the real library: exit status 1
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -38,7 +41,7 @@ from bringup_lint.api import rule
         "User transport failed to register",
     ],
 )
-def message_exceeds_buffer(robot: Robot):
+def message_exceeds_buffer(robot: Robot) -> Iterator[Finding]:
     for profiles in robot.dds.profile_files:
         used = robot.dds.used_transports(profiles) if not profiles.dropped else set()
         for transport in profiles.transports:

@@ -24,6 +24,9 @@ peers, no limits. Only a line on the terminal tells.
 - Fast DDS 2.14.5, tried with the real library
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -38,7 +41,7 @@ from bringup_lint.api import rule
         "couldn't find any",
     ],
 )
-def missing_element(robot: Robot):
+def missing_element(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.dds.fastdds_remarks("missing", "empty"):
         lacks = f"{remark.where} lacks {remark.detail}" if remark.code == "missing" else f"{remark.where} is empty"
         advice = f"add {remark.detail}" if remark.code == "missing" else "give it a value, or delete it"

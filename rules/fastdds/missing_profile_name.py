@@ -21,6 +21,9 @@ file counts.
 - Fast DDS 2.14.5, tried with the real library
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import Span
 from bringup_lint.api import finding
@@ -29,7 +32,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="unsafe", symptoms=["no name found"])
-def missing_profile_name(robot: Robot):
+def missing_profile_name(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.dds.fastdds_remarks("profile-name"):
         name = remark.where
         behind = Span(name.span.source, name.span.end, name.span.end)

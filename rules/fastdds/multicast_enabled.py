@@ -27,13 +27,16 @@ Every machine on the network sees every topic, and may publish on it.
 - Fast DDS documentation, "Disabling all Multicast Traffic"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("info", tags=["CWE-668"])
-def multicast_enabled(robot: Robot):
+def multicast_enabled(robot: Robot) -> Iterator[Finding]:
     closing = {
         "avoid_builtin_multicast",
         "metatrafficUnicastLocatorList",

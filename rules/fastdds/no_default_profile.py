@@ -23,6 +23,9 @@ participants counts.
 - Fast DDS 2.14.5, tried with the real library: silently accepted
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import Span
 from bringup_lint.api import finding
@@ -31,7 +34,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe")
-def no_default_profile(robot: Robot):
+def no_default_profile(robot: Robot) -> Iterator[Finding]:
     for profiles in robot.dds.profile_files:
         participants = profiles.of_kind("participant")
         if not participants or any(profile.is_default for profile in participants) or profiles.dropped:

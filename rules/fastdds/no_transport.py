@@ -23,13 +23,16 @@ The default participant cannot be created: no ROS node starts.
 - Fast DDS 2.14.5, tried with the real library: exit status 1
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["There are not any transports"])
-def no_transport(robot: Robot):
+def no_transport(robot: Robot) -> Iterator[Finding]:
     for profiles in robot.dds.profile_files:
         for profile in profiles.of_kind("participant"):
             rtps = profile.element.find("rtps")

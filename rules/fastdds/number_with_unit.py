@@ -22,6 +22,9 @@ that is no number drops the whole file.
 - Fast DDS 2.14.5, tried with the real library
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -37,7 +40,7 @@ from bringup_lint.api import rule
         "getXMLInt XML_ERROR!",
     ],
 )
-def number_with_unit(robot: Robot):
+def number_with_unit(robot: Robot) -> Iterator[Finding]:
     sizes = {"k": 1 << 10, "kb": 1 << 10, "kib": 1 << 10, "m": 1 << 20, "mb": 1 << 20, "mib": 1 << 20, "b": 1}
     for _, remark in robot.dds.fastdds_remarks("number"):
         text = remark.where

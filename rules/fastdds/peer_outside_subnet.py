@@ -28,6 +28,9 @@ Packets to that machine never leave the robot: it is not discovered, and nothing
 - netplan YAML reference, "addresses", "routes"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -35,7 +38,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning")
-def peer_outside_subnet(robot: Robot):
+def peer_outside_subnet(robot: Robot) -> Iterator[Finding]:
     for profiles in robot.dds.profile_files:
         plan = robot.dds.plan_of(profiles)
         subnets = robot.dds.subnets(plan) if plan else []

@@ -28,6 +28,9 @@ about them has no effect, and nothing tells.
 - rmw_fastrtps, README, "Full QoS configuration"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -35,7 +38,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning")
-def qos_from_xml_off(robot: Robot):
+def qos_from_xml_off(robot: Robot) -> Iterator[Finding]:
     for profiles in robot.dds.profile_files:
         endpoints = [profile for kind in ("data_writer", "data_reader") for profile in profiles.of_kind(kind)]
         overwritten = [element for profile in endpoints for element in robot.dds.overwritten_qos(profile)]

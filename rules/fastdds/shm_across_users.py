@@ -28,6 +28,9 @@ User=robot            # in all of them
 - https://github.com/eProsima/Fast-DDS/issues/3475
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -35,7 +38,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", confidence="medium", symptoms=["Failed init_port fastrtps_port", "open_and_lock_file failed"])
-def shm_across_users(robot: Robot):
+def shm_across_users(robot: Robot) -> Iterator[Finding]:
     for units in robot.units.crews:
         domains: dict[str | None, dict[str, tuple]] = {}
         for process in robot.dds.sharing_memory:

@@ -26,6 +26,9 @@ camera: {image: lawn, network_mode: host, ipc: host}
 - https://github.com/ros2/rmw_fastrtps/issues/812
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -41,7 +44,7 @@ OTHERWISE = (
 
 
 @rule("warning", confidence="medium", symptoms=["topics are listed but no data arrives"])
-def shm_docker(robot: Robot):
+def shm_docker(robot: Robot) -> Iterator[Finding]:
     files: dict[str, dict[tuple, list]] = {}
     for process in robot.ros.processes if robot.of_kind("compose") else ():
         if process.service is not None and process.launcher is None and _shares_by_default(process):

@@ -23,6 +23,9 @@ The library lowers the value without a word: large messages such as point clouds
 - Fast DDS 2.14.5, tried with the real library: 100 MB accepted with a limit of 4 MiB
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -30,7 +33,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning")
-def socket_buffer_exceeds_sysctl(robot: Robot):
+def socket_buffer_exceeds_sysctl(robot: Robot) -> Iterator[Finding]:
     limits = {
         "sendSocketBufferSize": "net.core.wmem_max",
         "sendBufferSize": "net.core.wmem_max",

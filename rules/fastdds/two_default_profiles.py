@@ -22,6 +22,9 @@ Only one of them is used, and no message tells which.
 - Fast DDS 2.14.5, tried with the real library: accepted silently
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -29,7 +32,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning")
-def two_default_profiles(robot: Robot):
+def two_default_profiles(robot: Robot) -> Iterator[Finding]:
     for profiles in robot.dds.profile_files:
         for kind in ("participant", "data_writer", "data_reader", "topic"):
             first, *others = [profile for profile in profiles.of_kind(kind) if profile.is_default] or [None]

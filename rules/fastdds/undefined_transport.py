@@ -26,6 +26,9 @@ peers, no limits. Only a line on the terminal tells.
 - Fast DDS 2.14.5, tried with the real library
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -33,7 +36,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Transport Node not found"])
-def undefined_transport(robot: Robot):
+def undefined_transport(robot: Robot) -> Iterator[Finding]:
     for profiles, remark in robot.dds.fastdds_remarks("transport-undefined"):
         later = robot.dds.transport_named(profiles, remark.where)
         message = f"Transport '{remark.where}' is not defined"

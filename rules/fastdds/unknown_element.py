@@ -30,6 +30,9 @@ peers, no limits. Only a line on the terminal tells.
 - XMLElementParser.cpp of 2.6, 2.14, 3.2 and 3.6
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -37,7 +40,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["Invalid element found into", "Found incorrect tag", "Not expected tag"])
-def unknown_element(robot: Robot):
+def unknown_element(robot: Robot) -> Iterator[Finding]:
     for profiles, remark in robot.dds.fastdds_remarks("unknown-element", "unknown-attribute"):
         library = robot.dds.fastdds
         name = remark.where

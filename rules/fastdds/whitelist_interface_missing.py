@@ -25,6 +25,9 @@ All whitelist interfaces are filtered out: the node is created, and its readers 
 - Fast DDS 2.14.5, tried with the real library
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -32,7 +35,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["All whitelist interfaces were filtered out"])
-def whitelist_interface_missing(robot: Robot):
+def whitelist_interface_missing(robot: Robot) -> Iterator[Finding]:
     for profiles in robot.dds.profile_files:
         own = robot.dds.own_addresses(profiles)
         for element in profiles.document.elements if own else ():

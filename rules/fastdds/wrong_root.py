@@ -26,6 +26,9 @@ peers, no limits. Only a line on the terminal tells.
 - Fast DDS 2.14.5, tried with the real library
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -33,7 +36,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["Not found root tag"])
-def wrong_root(robot: Robot):
+def wrong_root(robot: Robot) -> Iterator[Finding]:
     for profiles, _ in robot.dds.fastdds_remarks("root"):
         root = profiles.document.root
         right = root.name.lower() if root.name.lower() in ("dds", "profiles") else None

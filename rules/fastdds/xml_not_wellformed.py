@@ -27,6 +27,9 @@ peers, no limits. Only a line on the terminal tells.
 - Fast DDS 2.14.5, tried with the real library
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import Span
 from bringup_lint.api import finding
@@ -35,7 +38,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["XMLPARSER Error", "Error opening", "Error parsing XML buffer"])
-def xml_not_wellformed(robot: Robot):
+def xml_not_wellformed(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.dds.fastdds_remarks("xml", "instruction"):
         problem, _, detail = remark.detail.partition(": ")
         if not remark.drops:

@@ -26,6 +26,9 @@ ufw allow 17900:17999/udp
 - DDSI-RTPS 2.5, section 9.6.2, "Port mapping"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -33,7 +36,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning")
-def dds_ports(robot: Robot):
+def dds_ports(robot: Robot) -> Iterator[Finding]:
     domain = robot.dds_domain
     if domain is None:
         return

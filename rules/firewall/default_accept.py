@@ -22,13 +22,16 @@ iptables -A INPUT -p tcp --dport 22 -j ACCEPT
 - robotics-security guide, firewall
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("info")
-def default_accept(robot: Robot):
+def default_accept(robot: Robot) -> Iterator[Finding]:
     for firewall in robot.firewalls:
         uses = {"iptables", "nft"} & set(firewall.tools)
         if uses and "ufw" not in firewall.tools and firewall.first_input is not None and not firewall.drops:

@@ -22,13 +22,16 @@ ip6tables -P INPUT DROP
 - robotics-security guide, firewall
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("info")
-def no_ipv6(robot: Robot):
+def no_ipv6(robot: Robot) -> Iterator[Finding]:
     tools = {tool for firewall in robot.firewalls for tool in firewall.tools}
     off = any("ipv6.disable=1" in source.text or "disable_ipv6" in source.text for source in robot.sources)
     if tools & {"ip6tables", "inet", "ufw"} or off:

@@ -22,13 +22,16 @@ ssh -N -L 7400:localhost:7400 robot@robot-7
 - DDSI-RTPS 2.5, section 9.6.2
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error")
-def ssh_tunnel_udp(robot: Robot):
+def ssh_tunnel_udp(robot: Robot) -> Iterator[Finding]:
     for _, port, where in robot.ssh_forwards:
         domain = robot.dds_domain[0] if robot.dds_domain else 0
         bases = {7400, 7400 + 250 * domain}

@@ -24,6 +24,9 @@ UUID=… /data ext4 defaults,nofail 0 2
 - ext4(5), tmpfs(5)
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -31,7 +34,7 @@ from bringup_lint.api.spelling import nearest
 
 
 @rule("error", symptoms=["Unknown parameter", "bad option"])
-def bad_option(robot: Robot):
+def bad_option(robot: Robot) -> Iterator[Finding]:
     for fstab in robot.fstabs:
         for mount in fstab.mounts:
             known = robot.mount_options(str(mount.type or ""))

@@ -21,6 +21,9 @@ UUID=… /data ext4 defaults,nofail,nosuid,nodev 0 2
 - mount(8)
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -28,7 +31,7 @@ from bringup_lint.api import rule
 
 
 @rule("info", fix="safe", tags=["CWE-250"])
-def data_nosuid(robot: Robot):
+def data_nosuid(robot: Robot) -> Iterator[Finding]:
     for fstab in robot.fstabs:
         for mount in fstab.mounts:
             target = mount.target

@@ -23,6 +23,9 @@ UUID=b /maps ext4 …
 - systemd-fstab-generator(8)
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -30,7 +33,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Duplicate entry in /etc/fstab?"])
-def duplicate_mount(robot: Robot):
+def duplicate_mount(robot: Robot) -> Iterator[Finding]:
     for fstab in robot.fstabs:
         first = {}
         for mount in fstab.mounts:

@@ -24,13 +24,16 @@ UUID=… /data ext4 defaults 0 2
 - verified with util-linux 2.38
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["parse error at line", "ignored"])
-def field_count(robot: Robot):
+def field_count(robot: Robot) -> Iterator[Finding]:
     for fstab in robot.fstabs:
         for mount in fstab.mounts:
             count = len(mount.fields)

@@ -22,7 +22,9 @@ UUID=… /data ext4 defaults,nofail 0 2
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -31,7 +33,7 @@ KERNEL_NAME = re.compile(r"/dev/[sh]d[a-z]\d*")
 
 
 @rule("info")
-def kernel_name(robot: Robot):
+def kernel_name(robot: Robot) -> Iterator[Finding]:
     for fstab in robot.fstabs:
         for mount in fstab.mounts:
             if KERNEL_NAME.fullmatch(mount.device):

@@ -23,6 +23,9 @@ UUID=… /data ext4 defaults,nofail,x-systemd.device-timeout=10s 0 2
 - robotics-security guide, read-only root
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -32,7 +35,7 @@ SYSTEM = ("/boot", "/efi", "/usr", "/var", "/home", "/etc", "/opt", "/srv", "/tm
 
 
 @rule("warning", fix="unsafe", symptoms=["You are in emergency mode", "Timed out waiting for device"])
-def no_nofail(robot: Robot):
+def no_nofail(robot: Robot) -> Iterator[Finding]:
     for fstab in robot.fstabs:
         for mount in fstab.mounts:
             target = mount.target

@@ -21,6 +21,9 @@ of `StandardOutput=`.
 - robotics-security guide, read-only root
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -28,7 +31,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", symptoms=["Read-only file system"])
-def root_ro_writable_paths(robot: Robot):
+def root_ro_writable_paths(robot: Robot) -> Iterator[Finding]:
     for mount, path, where, unit in robot.read_only_writes:
         yield finding(
             where,

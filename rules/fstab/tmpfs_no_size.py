@@ -20,13 +20,16 @@ tmpfs /tmp tmpfs size=128M 0 0
 - tmpfs(5)
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("info")
-def tmpfs_no_size(robot: Robot):
+def tmpfs_no_size(robot: Robot) -> Iterator[Finding]:
     for fstab in robot.fstabs:
         for mount in fstab.mounts:
             if mount.is_tmpfs and not mount.has("size", "nr_blocks") and mount.target not in ("/dev/shm", "/run"):

@@ -23,6 +23,9 @@ tmpfs /var/log tmpfs size=128M,mode=0755 0 0
 - robotics-security guide, read-only root
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -30,7 +33,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", fix="safe", symptoms=["because parent directory has insecure permissions"], tags=["CWE-732"])
-def tmpfs_varlog_mode(robot: Robot):
+def tmpfs_varlog_mode(robot: Robot) -> Iterator[Finding]:
     for fstab in robot.fstabs:
         for mount in fstab.mounts:
             if mount.is_tmpfs and mount.target.rstrip("/") == "/var/log" and not mount.has("mode") and mount.options:

@@ -24,6 +24,9 @@ LogsDirectory=ros2          Environment=ROS_LOG_DIR=/var/log/ros2
 - tmpfiles.d(5)
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -31,7 +34,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Failed at step STDOUT spawning", "Failed to set up mount namespacing"])
-def varlog_tmpfs_dirs(robot: Robot):
+def varlog_tmpfs_dirs(robot: Robot) -> Iterator[Finding]:
     for mount, path, where, unit in robot.lost_directories:
         yield finding(
             where,

@@ -22,7 +22,9 @@ Unattended-Upgrade::Automatic-Reboot "false";
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -32,7 +34,7 @@ REBOOT = re.compile(r"^[ \t]*Unattended-Upgrade::Automatic-Reboot[ \t]+\"?(\w+)\
 
 
 @rule("error", fix="safe")
-def apt_auto_reboot(robot: Robot):
+def apt_auto_reboot(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("apt-conf"):
         for match in REBOOT.finditer(source.text):
             value = source.located(match.start(1), match.end(1))

@@ -27,7 +27,9 @@ Unattended-Upgrade::Allowed-Origins {
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -41,7 +43,7 @@ COMMENT = re.compile(r"(?://|#)[^\n]*|/\*.*?\*/", re.S)
 
 
 @rule("info")
-def apt_no_security_origin(robot: Robot):
+def apt_no_security_origin(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("apt-conf"):
         blocks = list(BLOCK.finditer(source.text))
         if blocks and not any("security" in COMMENT.sub("", match[1]).lower() for match in blocks):

@@ -24,7 +24,9 @@ units are never recorded.
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -33,7 +35,7 @@ WATCH = re.compile(r"^[ \t]*-w[ \t]+(\S+)", re.M)
 
 
 @rule("warning")
-def auditd_prefix_watch(robot: Robot):
+def auditd_prefix_watch(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("audit-rules"):
         for match in WATCH.finditer(source.text):
             path = source.located(match.start(1), match.end(1))

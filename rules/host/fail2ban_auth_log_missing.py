@@ -27,6 +27,9 @@ backend = systemd
 - robotics-security guide
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -34,7 +37,7 @@ from bringup_lint.api import rule
 
 
 @rule("info", symptoms=["Have not found any log file for sshd jail"])
-def fail2ban_auth_log_missing(robot: Robot):
+def fail2ban_auth_log_missing(robot: Robot) -> Iterator[Finding]:
     for jail in robot.jails:
         path = jail.get("sshd", "logpath")
         backend = jail.get("sshd", "backend") or jail.get("DEFAULT", "backend")

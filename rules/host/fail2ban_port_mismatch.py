@@ -24,7 +24,9 @@ port = 2222          # sshd_config: Port 2222
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -36,7 +38,7 @@ PORT = re.compile(r"^[ \t]*Port[ \t=]+(\d+)", re.M | re.I)
 
 
 @rule("warning", fix="safe")
-def fail2ban_port_mismatch(robot: Robot):
+def fail2ban_port_mismatch(robot: Robot) -> Iterator[Finding]:
     ports = [source.located(*match.span(1)) for source in robot.sshd_sources for match in PORT.finditer(source.text)]
     for jail in robot.jails:
         port = jail.get("sshd", "port")

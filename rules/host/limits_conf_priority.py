@@ -23,7 +23,9 @@ everything else.
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -32,7 +34,7 @@ LINE = re.compile(r"^[ \t]*[^#\s]\S*[ \t]+(?:-|soft|hard)[ \t]+(priority)[ \t]+(
 
 
 @rule("warning")
-def limits_conf_priority(robot: Robot):
+def limits_conf_priority(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("limits-conf"):
         for match in LINE.finditer(source.text):
             if int(match[2][:6]) > 0:

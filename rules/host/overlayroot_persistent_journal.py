@@ -23,7 +23,9 @@ overlayroot="tmpfs"      Storage=volatile
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -33,7 +35,7 @@ OVERLAY = re.compile(r"^[ \t]*overlayroot=[\"']?(tmpfs)", re.M)
 
 
 @rule("warning")
-def overlayroot_persistent_journal(robot: Robot):
+def overlayroot_persistent_journal(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("overlayroot"):
         overlay = OVERLAY.search(source.text)
         for journald in robot.journald if overlay else ():

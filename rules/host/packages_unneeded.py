@@ -22,7 +22,9 @@ apt-get purge -y avahi-daemon cups
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -38,7 +40,7 @@ USES = {
 
 
 @rule("info", confidence="medium")
-def packages_unneeded(robot: Robot):
+def packages_unneeded(robot: Robot) -> Iterator[Finding]:
     for source, command in robot.installations:
         for word in command.words:
             uses = USES.get(word.lower())

@@ -23,6 +23,9 @@ systemctl enable chrony
 - chronyd(8)
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -43,7 +46,7 @@ TARGETS = ("multi-user", "sysinit", "default", "graphical", "basic", "network-on
 
 
 @rule("warning")
-def time_sync_daemon_missing(robot: Robot):
+def time_sync_daemon_missing(robot: Robot) -> Iterator[Finding]:
     releases = [source for source in robot.of_kind("os-release") if source.judged]
     if not robot.tree.complete or not releases:
         return

@@ -25,6 +25,9 @@ delete the file.
 - journald.conf(5)
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -46,7 +49,7 @@ BACKUPS = (
 
 
 @rule("warning")
-def dropin_not_conf(robot: Robot):
+def dropin_not_conf(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("daemon-misnamed"):
         if source.judged and not source.basename.endswith(BACKUPS):
             yield finding(

@@ -27,11 +27,14 @@ always ignores these lines.
 - journal: "Assignment outside of section. Ignoring."
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import daemons
 from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["Assignment outside of section"])
-def no_header(robot: Robot):
+def no_header(robot: Robot) -> Iterator[Finding]:
     yield from daemons.lines_without_section(robot.journald)

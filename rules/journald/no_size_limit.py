@@ -27,6 +27,9 @@ When /var/log/journal is on a partition of its own, or when 4 GiB is small compa
 - journald.conf(5), "SystemMaxUse="
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -34,7 +37,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", fix="unsafe")
-def no_size_limit(robot: Robot):
+def no_size_limit(robot: Robot) -> Iterator[Finding]:
     for daemon in robot.journald:
         storage = daemon.get("Storage", read=str)
         if storage is None or storage[1] != "persistent" or not storage[0].span.source.judged or not daemon.certain:

@@ -36,6 +36,9 @@ copy is acceptable.
 - tmpfs(5), "size"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -43,7 +46,7 @@ from bringup_lint.api import rule
 
 
 @rule("error")
-def persistent_on_tmpfs(robot: Robot):
+def persistent_on_tmpfs(robot: Robot) -> Iterator[Finding]:
     if len(robot.fstabs) != 1 or len(robot.journald) != 1:
         return
     (fstab,), (daemon,) = robot.fstabs, robot.journald

@@ -28,6 +28,9 @@ journal.
 - journald.conf(5), "RateLimitIntervalSec="
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import daemons
 from bringup_lint.api import finding
@@ -35,7 +38,7 @@ from bringup_lint.api import rule
 
 
 @rule("info")
-def ratelimit_off(robot: Robot):
+def ratelimit_off(robot: Robot) -> Iterator[Finding]:
     for daemon in robot.journald:
         for keys in (("RateLimitIntervalSec", "RateLimitInterval"), ("RateLimitBurst",)):
             found = daemon.get(*keys, read=daemons.watchdog_seconds)

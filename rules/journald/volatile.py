@@ -27,13 +27,16 @@ machine.
 - journald.conf(5), "Storage="
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("info")
-def volatile(robot: Robot):
+def volatile(robot: Robot) -> Iterator[Finding]:
     by_design = any(mount.target == "/" and mount.is_read_only for fstab in robot.fstabs for mount in fstab.mounts)
     by_design = by_design or bool(robot.of_kind("overlayroot"))
     for daemon in robot.journald if not by_design else ():

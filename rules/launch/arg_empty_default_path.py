@@ -24,6 +24,9 @@ Node(package='demo', executable='planner', parameters=[LaunchConfiguration('para
 - launch_ros, `Node`: "Parameter file path is not a file"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
@@ -32,7 +35,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", symptoms=["Parameter file path is not a file"])
-def arg_empty_default_path(robot: Robot):
+def arg_empty_default_path(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         expansion = robot.launch.expansion(file)
         empty = {

@@ -24,6 +24,9 @@ loads the wrong parameters, without a word.
 - launch, `GroupAction(scoped=True)`
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
@@ -32,7 +35,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning")
-def arg_leak(robot: Robot):
+def arg_leak(robot: Robot) -> Iterator[Finding]:
     for expansion in robot.launch.expansions:
         for declared in expansion.declared:
             before = declared.before

@@ -26,6 +26,9 @@ LaunchDescription([
 - launch, `LaunchConfiguration.perform` and `DeclareLaunchArgument.execute`
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -33,7 +36,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["launch configuration 'robot_name' does not exist"])
-def arg_used_before_declare(robot: Robot):
+def arg_used_before_declare(robot: Robot) -> Iterator[Finding]:
     for expansion in robot.launch.entries:
         declared = {each.name: each for each in expansion.declared if each.file is expansion.entry}
         for used in expansion.unbound:

@@ -26,13 +26,16 @@ except PackageNotFoundError:
 - PEP 8, "Programming Recommendations"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("info")
-def bare_except(robot: Robot):
+def bare_except(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         for span in file.bare_excepts:
             yield finding(

@@ -25,6 +25,9 @@ RegisterEventHandler(OnProcessExit(target_action=check, on_exit=lambda event, co
 - launch, `ExecuteProcess` and `OnProcessExit`
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
@@ -32,7 +35,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", confidence="medium")
-def check_ignored(robot: Robot):
+def check_ignored(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         expansion = robot.launch.expansion(file)
         for node in expansion.nodes:

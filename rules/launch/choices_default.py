@@ -20,6 +20,9 @@ DeclareLaunchArgument('lidar', default_value='a2', choices=['a2', 'a3'])
 - launch, `DeclareLaunchArgument`
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
@@ -28,7 +31,7 @@ from bringup_lint.api.spelling import nearest
 
 
 @rule("error", symptoms=["is not in provided choices"])
-def choices_default(robot: Robot):
+def choices_default(robot: Robot) -> Iterator[Finding]:
     for _, action in robot.launch.actions(launch.DeclareArgument):
         default = launch.literal(action.default)
         choices = [launch.literal(choice) for choice in action.choices or ()]

@@ -21,6 +21,9 @@ launch accepts only these four words, in any case. `yes`, `on` or an empty text 
 - launch, `evaluate_condition_expression`
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -32,7 +35,7 @@ MEANT = {"yes": "true", "on": "true", "y": "true", "no": "false", "off": "false"
 
 
 @rule("error", fix="safe", symptoms=["Caught exception in launch", "InvalidConditionExpressionError"])
-def condition_literal(robot: Robot):
+def condition_literal(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         defaults = {
             each.name: each.action.default

@@ -20,6 +20,9 @@ LoadComposableNodes(target_container='vision', composable_node_descriptions=[...
 - launch_ros, `LoadComposableNodes`
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
@@ -29,7 +32,7 @@ from bringup_lint.api.spelling import nearest
 
 
 @rule("error")
-def container_missing(robot: Robot):
+def container_missing(robot: Robot) -> Iterator[Finding]:
     for expansion in robot.launch.entries:
         if expansion.open:
             continue

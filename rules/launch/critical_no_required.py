@@ -23,6 +23,9 @@ Node(package='sllidar_ros2', executable='sllidar_node', name='lidar', on_exit=Sh
 - https://github.com/ros/ros_comm/issues/919
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
@@ -36,7 +39,7 @@ BY_HAND = ("joy", "joy_linux", "spacenav")
 
 
 @rule("warning")
-def critical_no_required(robot: Robot):
+def critical_no_required(robot: Robot) -> Iterator[Finding]:
     for expansion in robot.launch.entries:
         entry = expansion.entry
         if robot.launch.simulated(entry):

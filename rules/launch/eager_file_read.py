@@ -22,6 +22,9 @@ description = ParameterValue(Command(['xacro ', urdf_path]), value_type=str)
 - launch, `Command` and `OpaqueFunction`
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -30,7 +33,7 @@ READS = ("open", "xacro.process_file", "xacro.process")
 
 
 @rule("info", symptoms=["FileNotFoundError"])
-def eager_file_read(robot: Robot):
+def eager_file_read(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         for call in file.calls:
             if call.name in READS and not call.deferred:

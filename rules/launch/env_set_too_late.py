@@ -27,6 +27,9 @@ LaunchDescription([
 - launch, `SetEnvironmentVariable`
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
@@ -37,7 +40,7 @@ PREFIXES = ("ROS_", "RMW_", "CYCLONEDDS_", "FASTRTPS_", "FASTDDS_", "RCUTILS_", 
 
 
 @rule("warning")
-def env_set_too_late(robot: Robot):
+def env_set_too_late(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         started = None
         for action in file.actions:

@@ -21,6 +21,9 @@ Node(package='my_robot', executable='controller_node')
 - launch_ros, `ExecutableInPackage`
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -34,7 +37,7 @@ PUBLIC = {"gazebo_ros": ("spawn_entity.py",)}
 
 
 @rule("error", fix="unsafe", symptoms=["not found on the libexec directory"])
-def executable_missing(robot: Robot):
+def executable_missing(robot: Robot) -> Iterator[Finding]:
     for node in robot.launch.nodes:
         package = robot.launch.workspace.packages.get(launch.literal_text(node.package) or "")
         executable = launch.literal_text(node.executable)

@@ -21,13 +21,16 @@ config = LaunchConfiguration('config')   # passed by the unit, below /etc or the
 - systemd.exec(5), "User=" and `$HOME`
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("info")
-def expanduser(robot: Robot):
+def expanduser(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         if robot.launch.simulated(file):
             continue

@@ -23,7 +23,9 @@ install(DIRECTORY launch config DESTINATION share/${PROJECT_NAME})
 """
 
 import os
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -31,7 +33,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["FileNotFoundError", "Parameter file path is not a file"])
-def file_not_installed(robot: Robot):
+def file_not_installed(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         for reference in robot.launch.references(file):
             found = reference.found

@@ -23,7 +23,9 @@ parameters=[PathJoinSubstitution([FindPackageShare('my_robot'), 'config', 'motor
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
@@ -33,7 +35,7 @@ PATH = re.compile(r"(?:^|(?<=[=: ,'\"]))/(?:home/[\w.-]+|root|opt/ros/(?!\$)\w+)
 
 
 @rule("warning")
-def hardcoded_path(robot: Robot):
+def hardcoded_path(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         for action, _ in robot.launch.visited(file):
             for value in values(action):

@@ -26,6 +26,9 @@ launch follows the includes for ever: it hangs, uses a whole core and starts not
 - launch, `IncludeLaunchDescription.execute`
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -33,7 +36,7 @@ from bringup_lint.api import rule
 
 
 @rule("error")
-def include_cycle(robot: Robot):
+def include_cycle(robot: Robot) -> Iterator[Finding]:
     seen = set()
     for expansion in robot.launch.expansions:
         for include in expansion.cycle:

@@ -23,6 +23,9 @@ launch checks the arguments when it reaches the include, and aborts.
 - launch, `IncludeLaunchDescription.execute`
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -30,7 +33,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Included launch description missing required argument"])
-def include_missing_required_arg(robot: Robot):
+def include_missing_required_arg(robot: Robot) -> Iterator[Finding]:
     for expansion in robot.launch.entries:
         for include in expansion.includes:
             if include.target is None or include.action.open:

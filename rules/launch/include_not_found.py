@@ -22,7 +22,9 @@ IncludeLaunchDescription(PathJoinSubstitution([FindPackageShare('my_robot'), 'la
 """
 
 import os
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -31,7 +33,7 @@ from bringup_lint.api.spelling import nearest
 
 
 @rule("error", symptoms=["FileNotFoundError", "Caught exception in launch"])
-def include_not_found(robot: Robot):
+def include_not_found(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         for reference in robot.launch.references(file):
             if reference.kind != "include" or reference.found.file is not None or not reference.name:

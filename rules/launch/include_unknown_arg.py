@@ -23,6 +23,9 @@ IncludeLaunchDescription(slam, launch_arguments={'use_sim_time': 'true'}.items()
 - launch, `IncludeLaunchDescription`
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -33,7 +36,7 @@ from bringup_lint.api.spelling import nearest
 
 
 @rule("warning", fix="unsafe")
-def include_unknown_arg(robot: Robot):
+def include_unknown_arg(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         for include in robot.launch.expansion(file).includes:
             if include.source is not file or include.target is None:

@@ -21,6 +21,9 @@ ComposableNode(package='image_proc', plugin='image_proc::RectifyNode', name='rec
 - rclcpp, intra-process communication
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
@@ -38,7 +41,7 @@ IMAGES = (
 
 
 @rule("info")
-def intra_process_unset(robot: Robot):
+def intra_process_unset(robot: Robot) -> Iterator[Finding]:
     for _, node in robot.launch.actions(launch.Node):
         images = any(launch.literal(each.package) in IMAGES for each in node.components)
         set_ = any(

@@ -26,6 +26,9 @@ LaunchDescription([
 - launch, `LaunchConfiguration.perform` and `DeclareLaunchArgument.execute`
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
@@ -34,7 +37,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning")
-def lc_default_shadowed(robot: Robot):
+def lc_default_shadowed(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         declared = {
             each.name: each.action

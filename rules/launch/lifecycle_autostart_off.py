@@ -21,6 +21,9 @@ parameters=[{'autostart': True, 'node_names': ['map_server', 'amcl']}]
 - nav2, lifecycle manager parameters
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
@@ -28,7 +31,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", fix="none")
-def lifecycle_autostart_off(robot: Robot):
+def lifecycle_autostart_off(robot: Robot) -> Iterator[Finding]:
     for expansion in robot.launch.expansions:
         entry = expansion.entry
         if robot.launch.simulated(entry):

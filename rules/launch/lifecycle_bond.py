@@ -22,6 +22,9 @@ parameters=[{'autostart': True, 'bond_timeout': 4.0, 'node_names': ['controller_
 - nav2, lifecycle manager parameters
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
@@ -32,7 +35,7 @@ BONDED = ("nav2_", "opennav_", "slam_toolbox")
 
 
 @rule("warning")
-def lifecycle_bond(robot: Robot):
+def lifecycle_bond(robot: Robot) -> Iterator[Finding]:
     for expansion in robot.launch.entries:
         if robot.launch.simulated(expansion.entry):
             continue

@@ -24,6 +24,9 @@ Node(package='nav2_lifecycle_manager', executable='lifecycle_manager', name='lif
 - nav2, lifecycle manager
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
@@ -32,7 +35,7 @@ from bringup_lint.api import rule
 
 
 @rule("error")
-def lifecycle_node_unmanaged(robot: Robot):
+def lifecycle_node_unmanaged(robot: Robot) -> Iterator[Finding]:
     elsewhere = robot.launch.managed_names
     if elsewhere is None:
         return

@@ -23,6 +23,9 @@ Node(package='nav2_lifecycle_manager', executable='lifecycle_manager', name='man
 - ROS 2 design, "Managed nodes"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
@@ -31,7 +34,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["change_state service"])
-def lifecycle_non_lifecycle_node(robot: Robot):
+def lifecycle_non_lifecycle_node(robot: Robot) -> Iterator[Finding]:
     for expansion in robot.launch.entries:
         started = {launch.full_name(node, robot.launch.role(node)): node for node in expansion.nodes}
         for manager in launch.managers(expansion):

@@ -21,6 +21,9 @@ activation fails and the whole bring-up is aborted.
 - nav2, lifecycle manager
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
@@ -37,7 +40,7 @@ BEFORE = {
 
 
 @rule("warning")
-def lifecycle_order(robot: Robot):
+def lifecycle_order(robot: Robot) -> Iterator[Finding]:
     for expansion in robot.launch.expansions:
         for manager in launch.managers(expansion):
             managed = manager.managed if manager.node.file is expansion.entry else None

@@ -25,6 +25,9 @@ Node(package='nav2_lifecycle_manager', executable='lifecycle_manager', name='man
 - https://github.com/ros-navigation/navigation2/issues/4350
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -35,7 +38,7 @@ from bringup_lint.api.spelling import nearest
 
 
 @rule("error", fix="unsafe", symptoms=["Waiting for service", "Failed to change state for node"])
-def lifecycle_unknown_node(robot: Robot):
+def lifecycle_unknown_node(robot: Robot) -> Iterator[Finding]:
     for expansion in robot.launch.entries:
         managers = launch.managers(expansion)
         if not managers or launch.outside(expansion):

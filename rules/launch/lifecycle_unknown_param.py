@@ -20,6 +20,9 @@ parameters=[{'autostart': True, 'node_names': ['map_server']}]
 - nav2, lifecycle manager parameters
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -41,7 +44,7 @@ KNOWN = (
 
 
 @rule("warning", fix="unsafe")
-def lifecycle_unknown_param(robot: Robot):
+def lifecycle_unknown_param(robot: Robot) -> Iterator[Finding]:
     for expansion in robot.launch.expansions:
         for manager in launch.managers(expansion):
             if manager.node.file is not expansion.entry:

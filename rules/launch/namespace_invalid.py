@@ -22,7 +22,9 @@ PushRosNamespace('robot_1')
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
@@ -35,7 +37,7 @@ VALID = re.compile(r"/?(?:[A-Za-z_][A-Za-z0-9_]*(?:/[A-Za-z_][A-Za-z0-9_]*)*/?)?
     "error",
     symptoms=["namespace must not contain characters other than alphanumerics", "The resulting namespace is invalid"],
 )
-def namespace_invalid(robot: Robot):
+def namespace_invalid(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         for action, _ in robot.launch.visited(file):
             namespace = robot.launch.resolved(getattr(action, "namespace", None), file)

@@ -22,13 +22,16 @@ def generate_launch_description():
 - launch, `get_launch_description_from_python_launch_file`
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["has no attribute 'generate_launch_description'"])
-def no_entry(robot: Robot):
+def no_entry(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         if file.format != "python" or file.entry is not None or file.problems:
             continue

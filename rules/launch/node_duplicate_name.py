@@ -24,6 +24,9 @@ Node(package='usb_cam', executable='usb_cam_node_exe', name='camera_rear'),
 - https://github.com/ros2/launch_ros/issues/124
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
@@ -32,7 +35,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Publisher already registered for node name"])
-def node_duplicate_name(robot: Robot):
+def node_duplicate_name(robot: Robot) -> Iterator[Finding]:
     for expansion in robot.launch.entries:
         first = {}
         for node in expansion.nodes:

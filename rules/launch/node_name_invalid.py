@@ -22,7 +22,9 @@ Node(package='demo', executable='talker', name='front_camera')
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -33,7 +35,7 @@ VALID = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,254}\Z")
 
 
 @rule("error", fix="unsafe", symptoms=["node name must not contain characters other than alphanumerics or '_'"])
-def node_name_invalid(robot: Robot):
+def node_name_invalid(robot: Robot) -> Iterator[Finding]:
     for node in robot.launch.nodes:
         name = launch.literal_text(node.name)
         if name is None or VALID.match(name) or not node.is_node:

@@ -20,6 +20,9 @@ Node(package='demo', executable='talker', output='screen')
 - launch, `OVERRIDE_LAUNCH_PROCESS_OUTPUT`
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -30,7 +33,7 @@ OVERRIDE = "OVERRIDE_LAUNCH_PROCESS_OUTPUT"
 
 
 @rule("info", fix="safe")
-def output_missing(robot: Robot):
+def output_missing(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         for action, _ in robot.launch.visited(file):
             if (

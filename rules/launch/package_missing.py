@@ -24,7 +24,9 @@ Node(package='my_robot_driver', executable='motor')
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -35,7 +37,7 @@ from bringup_lint.api.spelling import nearest
 
 
 @rule("error", fix="safe", symptoms=["PackageNotFoundError", "not found, searching"])
-def package_missing(robot: Robot):
+def package_missing(robot: Robot) -> Iterator[Finding]:
     workspace = robot.launch.workspace
     seen = set()
     for node in robot.launch.nodes:

@@ -23,7 +23,9 @@ Node(package='my_robot', executable='driver', parameters=[PathJoinSubstitution([
 """
 
 import os
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -32,7 +34,7 @@ from bringup_lint.api.spelling import nearest
 
 
 @rule("error", symptoms=["Parameter file path is not a file", "Couldn't parse params file"])
-def param_file_missing(robot: Robot):
+def param_file_missing(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         for reference in robot.launch.references(file):
             if reference.kind != "parameters" or reference.found.file is not None or not reference.name:

@@ -21,6 +21,9 @@ ComposableNode(package='my_vision', plugin='my_vision::Detector')
 - rclcpp_components, `rclcpp_components_register_node`
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
@@ -36,7 +39,7 @@ from bringup_lint.api.spelling import nearest
         "Failed to find class with the requested plugin name",
     ],
 )
-def plugin_missing(robot: Robot):
+def plugin_missing(robot: Robot) -> Iterator[Finding]:
     for node in robot.launch.nodes:
         package = robot.launch.workspace.packages.get(launch.literal_text(node.package) or "")
         plugin = launch.literal_text(node.plugin)

@@ -20,6 +20,9 @@ remappings=[('scan', 'scan_front')]
 - ROS 2 design, "Topic and Service name mapping", remapping rules are applied in order
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
@@ -28,7 +31,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning")
-def remap_duplicate(robot: Robot):
+def remap_duplicate(robot: Robot) -> Iterator[Finding]:
     for node in robot.launch.nodes:
         first = {}
         for src, dst in getattr(node.action, "remappings", ()):

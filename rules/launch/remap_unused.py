@@ -22,6 +22,9 @@ Node(package='usb_cam', executable='usb_cam_node_exe', namespace='front', remapp
 - ROS 2 design, "Topic and Service name mapping"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -30,7 +33,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", fix="unsafe")
-def remap_unused(robot: Robot):
+def remap_unused(robot: Robot) -> Iterator[Finding]:
     for node in robot.launch.nodes:
         topics = robot.launch.role(node).topics
         if not topics or node.namespace is None:

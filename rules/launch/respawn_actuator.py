@@ -21,6 +21,9 @@ Node(package='controller_manager', executable='ros2_control_node', on_exit=Shutd
 - ISO 12100, prevention of unexpected start-up
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
@@ -28,7 +31,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning")
-def respawn_actuator(robot: Robot):
+def respawn_actuator(robot: Robot) -> Iterator[Finding]:
     for node in robot.launch.nodes:
         if not isinstance(node.action, launch.Node) or robot.launch.simulated(node.file):
             continue

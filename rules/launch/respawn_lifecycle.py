@@ -22,6 +22,9 @@ Node(package='nav2_lifecycle_manager', executable='lifecycle_manager', name='man
 - nav2, lifecycle manager: `attempt_respawn_reconnection`
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
@@ -30,7 +33,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning")
-def respawn_lifecycle(robot: Robot):
+def respawn_lifecycle(robot: Robot) -> Iterator[Finding]:
     for expansion in robot.launch.entries:
         if launch.outside(expansion):
             continue

@@ -21,6 +21,9 @@ Node(package='lidar', executable='lidar_node', respawn=True, respawn_delay=2.0)
 - launch, `ExecuteLocal`: `respawn_delay` is 0.0 by default
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -29,7 +32,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", fix="safe")
-def respawn_no_delay(robot: Robot):
+def respawn_no_delay(robot: Robot) -> Iterator[Finding]:
     for node in robot.launch.nodes:
         if not isinstance(node.action, launch.Process) or node.action.open or robot.launch.simulated(node.file):
             continue

@@ -22,6 +22,9 @@ Node(package='lidar', executable='lidar_node', respawn=True, respawn_delay=2.0, 
 - launch, `ExecuteLocal`: `respawn_max_retries` is -1 by default
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
@@ -31,7 +34,7 @@ WITHOUT = ("foxy", "galactic", "humble", "iron")
 
 
 @rule("info", symptoms=["unexpected keyword argument 'respawn_max_retries'"])
-def respawn_unlimited(robot: Robot):
+def respawn_unlimited(robot: Robot) -> Iterator[Finding]:
     ros = robot.target.ros
     if ros is None:
         return

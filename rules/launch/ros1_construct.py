@@ -21,6 +21,9 @@ ROS 2 launch rejects the file; nothing starts.
 - "Migrating launch files from ROS 1 to ROS 2"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -36,7 +39,7 @@ WORDS = {
 
 
 @rule("error", fix="safe", symptoms=["Unexpected attribute(s) found in `node`", "Unknown substitution: arg"])
-def ros1_construct(robot: Robot):
+def ros1_construct(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         for name in file.ros1:
             better = INSTEAD.get(name)

@@ -21,6 +21,9 @@ ExecuteProcess(cmd=['ros2', 'bag', 'record', '-o', LaunchConfiguration('bag')])
 - CWE-78
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
@@ -29,7 +32,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", tags=["CWE-78"])
-def shell_true(robot: Robot):
+def shell_true(robot: Robot) -> Iterator[Finding]:
     for _, action in robot.launch.actions(launch.Process):
         shell = action.options.get("shell")
         if shell is None or launch.truth(shell) is not True:

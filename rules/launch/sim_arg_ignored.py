@@ -24,6 +24,9 @@ Node(package='sllidar_ros2', executable='sllidar_node', condition=UnlessConditio
 - launch, conditions
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
@@ -44,7 +47,7 @@ NAMES = (
 
 
 @rule("warning")
-def sim_arg_ignored(robot: Robot):
+def sim_arg_ignored(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         expansion = robot.launch.expansion(file)
         switches = [each for each in expansion.declared if each.file is file and each.name in NAMES]

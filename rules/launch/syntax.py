@@ -25,7 +25,9 @@ Python launch files with a syntax error, XML and YAML launch files that are not 
 """
 
 import sys
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -45,7 +47,7 @@ OLD = ("foxy", "galactic", "humble", "iron")
 
 
 @rule("error", symptoms=["Caught exception in launch", "invalid syntax", "mismatched tag"])
-def syntax(robot: Robot):
+def syntax(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         for problem in file.problems[:1]:
             newer = sys.version_info < (3, 12) and "f-string" in problem.detail

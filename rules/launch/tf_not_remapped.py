@@ -26,6 +26,9 @@ Node(package='nav2_planner', executable='planner_server', namespace='robot1', re
 - https://github.com/ros-navigation/navigation2/issues/3376
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
@@ -37,7 +40,7 @@ PUBLISHERS = (("robot_state_publisher", "robot_state_publisher"), ("tf2_ros", "s
 
 
 @rule("warning")
-def tf_not_remapped(robot: Robot):
+def tf_not_remapped(robot: Robot) -> Iterator[Finding]:
     for expansion in robot.launch.entries:
         remapping = {}
         for node in expansion.nodes:

@@ -21,6 +21,9 @@ RegisterEventHandler(OnStateTransition(target_lifecycle_node=driver, goal_state=
 - launch, event handlers; nav2 lifecycle manager
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
@@ -29,7 +32,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning")
-def timer_ordering(robot: Robot):
+def timer_ordering(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         if robot.launch.simulated(file):
             continue

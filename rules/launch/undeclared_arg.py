@@ -28,6 +28,9 @@ LaunchDescription([
 - launch, `LaunchConfiguration.perform`
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -39,7 +42,7 @@ OWN = ("ros_namespace", "ros_remaps", "global_params")
 
 
 @rule("error", symptoms=["launch configuration 'robot_name' does not exist"])
-def undeclared_arg(robot: Robot):
+def undeclared_arg(robot: Robot) -> Iterator[Finding]:
     for expansion in robot.launch.entries:
         declared = {each.name: each for each in expansion.declared}
         missing = {str(used.argument.name) for used in expansion.unbound} - declared.keys()

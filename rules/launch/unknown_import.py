@@ -21,6 +21,9 @@ from launch_ros.actions import LoadComposableNodes
 - launch and launch_ros, public names of each distribution
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -29,7 +32,7 @@ from bringup_lint.api.spelling import nearest
 
 
 @rule("error", fix="unsafe", symptoms=["ImportError: cannot import name"])
-def unknown_import(robot: Robot):
+def unknown_import(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         for imported in file.imports:
             known = robot.launch.names_of(imported.module)

@@ -28,14 +28,16 @@ LaunchDescription([
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("warning")
-def unused_arg(robot: Robot):
+def unused_arg(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         expansions = list(robot.launch.leading_to(file))
         files = {id(each): each for expansion in expansions for each in expansion.files}

@@ -22,6 +22,9 @@ DeclareLaunchArgument('use_sim_time', default_value='false')
 - ROS 2 design, "Clock and Time"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -32,7 +35,7 @@ NAMES = ("use_sim_time", "use_sim", "sim", "simulation", "use_simulation", "is_s
 
 
 @rule("error", fix="unsafe")
-def use_sim_default_true(robot: Robot):
+def use_sim_default_true(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         if robot.launch.simulated(file):
             continue

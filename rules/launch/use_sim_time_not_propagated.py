@@ -25,6 +25,9 @@ Node(package='slam_toolbox', executable='async_slam_toolbox_node'),
 - ROS 2 design, "Clock and Time"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
@@ -35,7 +38,7 @@ TIMED = ("localization", "mapping", "planning", "control", "costmap", "map", "st
 
 
 @rule("warning")
-def use_sim_time_not_propagated(robot: Robot):
+def use_sim_time_not_propagated(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         own = [
             node

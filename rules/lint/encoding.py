@@ -22,13 +22,16 @@ Description=Antrieb für Räder        (saved as UTF-8)
 - YAML 1.2.2, section 5.2; XML 1.0, section 4.3.3
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["invalid UTF-8", "is not UTF-8 clean"])
-def encoding(robot: Robot):
+def encoding(robot: Robot) -> Iterator[Finding]:
     for problem in robot.problems:
         if problem.code == "encoding":
             yield finding(problem.where, f"The file {problem.detail}", advice="save it as UTF-8 without NUL bytes")

@@ -22,11 +22,14 @@ Restart=always
 - the README, "Suppressing findings"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import rule
 
 
 @rule("warning")
-def ignore_without_reason(robot: Robot):
+def ignore_without_reason(robot: Robot) -> Iterator[Finding]:
     """Reported by the engine when all other rules have run."""
     return ()

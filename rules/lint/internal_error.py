@@ -20,11 +20,14 @@ All checks ran.
 - the issue tracker: please report the line with the file that caused it
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import rule
 
 
 @rule("error")
-def internal_error(robot: Robot):
+def internal_error(robot: Robot) -> Iterator[Finding]:
     """Reported by the engine."""
     return ()

@@ -21,13 +21,16 @@ $ bringup-lint robot.service
 - the README, "What it reads"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("warning")
-def unknown_kind(robot: Robot):
+def unknown_kind(robot: Robot) -> Iterator[Finding]:
     for problem in robot.problems:
         if problem.code == "unknown-kind":
             yield finding(problem.where, "Nothing was checked: this is no kind of file that bringup-lint knows")

@@ -21,13 +21,16 @@ $ chmod 644 /etc/systemd/system/robot.service
 - open(2)
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error")
-def unreadable(robot: Robot):
+def unreadable(robot: Robot) -> Iterator[Finding]:
     for problem in robot.problems:
         if problem.code == "unreadable":
             yield finding(problem.where, f"Not checked: {problem.detail}")

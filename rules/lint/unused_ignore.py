@@ -25,11 +25,14 @@ ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch bas
 - the README, "Suppressing findings"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import rule
 
 
 @rule("warning")
-def unused_ignore(robot: Robot):
+def unused_ignore(robot: Robot) -> Iterator[Finding]:
     """Reported by the engine when all other rules have run."""
     return ()

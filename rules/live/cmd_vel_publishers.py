@@ -27,6 +27,9 @@ endpoints:
 - twist_mux, README
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -36,7 +39,7 @@ BY_TURNS = ("controller_server", "behavior_server", "recoveries_server", "dockin
 
 
 @rule("error", tags=["CWE-362"])
-def cmd_vel_publishers(robot: Robot):
+def cmd_vel_publishers(robot: Robot) -> Iterator[Finding]:
     observed = robot.observed
     for topic in observed.velocities:
         sources = {source(each.node): each for each in reversed(topic.publishers)}

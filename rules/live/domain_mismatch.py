@@ -25,6 +25,9 @@ ROS_DOMAIN_ID=42
 - ROS 2 documentation, "The ROS_DOMAIN_ID"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -32,7 +35,7 @@ from bringup_lint.api import rule
 
 
 @rule("error")
-def domain_mismatch(robot: Robot):
+def domain_mismatch(robot: Robot) -> Iterator[Finding]:
     observed = robot.observed
     configured = observed.configured
     if configured is None:

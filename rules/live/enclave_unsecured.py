@@ -27,6 +27,9 @@ nodes:
 - ROS 2 design, "ROS 2 Security Enclaves"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -34,7 +37,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", tags=["CWE-306"])
-def enclave_unsecured(robot: Robot):
+def enclave_unsecured(robot: Robot) -> Iterator[Finding]:
     observed = robot.observed
     seen = [node for node in observed.nodes if observed.expected.named(node.name) or not observed.expected.nodes]
     if observed.security and seen and not observed.graph.secured:

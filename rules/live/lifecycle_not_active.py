@@ -27,6 +27,9 @@ nodes:
 - nav2, lifecycle manager
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -36,7 +39,7 @@ PASSING = ("configuring", "activating", "deactivating", "cleaningup", "shuttingd
 
 
 @rule("error", symptoms=["Failed to bring up all requested nodes. Aborting bringup", "Failed to change state for node"])
-def lifecycle_not_active(robot: Robot):
+def lifecycle_not_active(robot: Robot) -> Iterator[Finding]:
     observed = robot.observed
     for node in observed.nodes:
         if node.state in (None, "active") or observed.stays_inactive(node.name):

@@ -26,6 +26,9 @@ nodes:
 - https://github.com/ros2/launch_ros/issues/124
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -33,7 +36,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Publisher already registered for node name"])
-def node_duplicate(robot: Robot):
+def node_duplicate(robot: Robot) -> Iterator[Finding]:
     observed = robot.observed
     for nodes in observed.duplicates:
         name = nodes[0].name

@@ -28,6 +28,9 @@ nodes:
 - ROS 2 documentation, "Understanding nodes"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -37,7 +40,7 @@ CRASHED = "look at its log: it crashed or was never started"
 
 
 @rule("error")
-def node_missing(robot: Robot):
+def node_missing(robot: Robot) -> Iterator[Finding]:
     observed = robot.observed
     domain = observed.graph.domain
     count = len({node.name for nodes in observed.missing.values() for node in nodes})

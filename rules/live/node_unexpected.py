@@ -26,6 +26,9 @@ nodes:
 - ROS 2 documentation, "The ROS_DOMAIN_ID"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -33,7 +36,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", confidence="medium")
-def node_unexpected(robot: Robot):
+def node_unexpected(robot: Robot) -> Iterator[Finding]:
     observed = robot.observed
     if observed.expected.gaps or not observed.expected.nodes:
         return

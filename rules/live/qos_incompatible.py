@@ -26,6 +26,9 @@ endpoints:
 - ROS 2 documentation, "Quality of Service settings", compatibilities
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -33,7 +36,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["requesting incompatible QoS. No messages will be sent to it", "offering incompatible QoS"])
-def qos_incompatible(robot: Robot):
+def qos_incompatible(robot: Robot) -> Iterator[Finding]:
     observed = robot.observed
     for topic in observed.topics:
         for publisher, subscription, conflicts in topic.pairs:

@@ -25,6 +25,9 @@ endpoints:
 - ROS 2 documentation, "Remapping names"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -32,7 +35,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", confidence="medium")
-def topic_typo(robot: Robot):
+def topic_typo(robot: Robot) -> Iterator[Finding]:
     observed = robot.observed
     for subscription, publisher, why in observed.meant:
         topic = publisher.topic

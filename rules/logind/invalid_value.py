@@ -26,11 +26,14 @@ Never: logind ignores the line, so that it has no effect. Correct or delete it.
 - journal: "Failed to parse ... value, ignoring"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import daemons
 from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["Failed to parse", "ignoring:"])
-def invalid_value(robot: Robot):
+def invalid_value(robot: Robot) -> Iterator[Finding]:
     yield from daemons.invalid_values(robot.logind, robot.target)

@@ -35,6 +35,9 @@ When nobody ever logs in as this user, or when lingering is enabled for the user
 - <https://github.com/eProsima/Fast-DDS/issues/5576>
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -45,7 +48,7 @@ FALSE = {"no", "false", "off", "0", "n", "f"}
 
 
 @rule("warning", symptoms=["Failed init_port fastrtps_port", "open_and_lock_file failed"])
-def removeipc(robot: Robot):
+def removeipc(robot: Robot) -> Iterator[Finding]:
     daemon = robot.logind[0] if len(robot.logind) == 1 else None
     setting = daemon.get("RemoveIPC", read=lambda text: text.lower() or None) if daemon else None
     if len(robot.logind) > 1 or (setting and setting[1] in FALSE) or (daemon and not daemon.certain):

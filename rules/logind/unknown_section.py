@@ -28,11 +28,14 @@ Never: logind ignores the section. Rename it, or prefix it with `X-` if another 
 - journal: "Unknown section '...'. Ignoring."
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import daemons
 from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["Unknown section"])
-def unknown_section(robot: Robot):
+def unknown_section(robot: Robot) -> Iterator[Finding]:
     yield from daemons.unknown_sections(robot.logind)

@@ -33,7 +33,9 @@ Never: logrotate skips the stanza, whatever else it says.
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -60,7 +62,7 @@ SIZE = re.compile(r"(\d+)\s*([kKmMgG])(?:i?[bB])?")
     fix="safe",
     symptoms=["found error in", "unknown unit", "bad size", "bad rotation count", "argument expected after"],
 )
-def bad_value(robot: Robot):
+def bad_value(robot: Robot) -> Iterator[Finding]:
     for file in robot.logs.files:
         for problem in file.problems:
             if problem.code not in WHAT:

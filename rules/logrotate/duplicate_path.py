@@ -33,6 +33,9 @@ When the two files never end up on the same robot, for example because they belo
 - logrotate: "duplicate log entry for ..."
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -40,7 +43,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["duplicate log entry for"])
-def duplicate_path(robot: Robot):
+def duplicate_path(robot: Robot) -> Iterator[Finding]:
     for files in robot.logs.by_folder.values():
         known = {}
         for file in files:

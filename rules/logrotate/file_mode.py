@@ -25,6 +25,9 @@ skips such a file.
 - logrotate: "Ignoring ... because it is writable by group or others"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -35,7 +38,7 @@ from bringup_lint.api import rule
     symptoms=["because it is writable by group or others", "because the file owner is wrong"],
     tags=["CWE-732"],
 )
-def file_mode(robot: Robot):
+def file_mode(robot: Robot) -> Iterator[Finding]:
     if robot.tree.root is None:
         return
     owner = robot.tree.find("/etc/passwd")

@@ -24,13 +24,16 @@ When the file was disabled on purpose by renaming it.
 - logrotate(8), "tabooext"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("warning", symptoms=["pattern match"])
-def filename_ignored(robot: Robot):
+def filename_ignored(robot: Robot) -> Iterator[Finding]:
     names = {source.name for source in robot.of_kind("logrotate")}
     for source in robot.of_kind("logrotate-misnamed"):
         stem = source.name.rpartition(".")[0] if "." in source.basename else source.name.rstrip("~")

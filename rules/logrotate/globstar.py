@@ -28,6 +28,9 @@ When all logs are exactly one folder down. Write `*` then, which means the same 
 - logrotate(8), glob(7)
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -35,7 +38,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe")
-def globstar(robot: Robot):
+def globstar(robot: Robot) -> Iterator[Finding]:
     for stanza in robot.logs.stanzas:
         for path in stanza.paths:
             if "/**/" not in path:

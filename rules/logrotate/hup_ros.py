@@ -32,7 +32,9 @@ When every process that receives the signal installs its own handler for SIGHUP.
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -45,7 +47,7 @@ KILLERS = frozenset({"kill", "killall", "pkill", "systemctl"})
 
 
 @rule("error", fix="safe", symptoms=["Main process exited, code=killed, status=1/HUP"])
-def hup_ros(robot: Robot):
+def hup_ros(robot: Robot) -> Iterator[Finding]:
     for stanza in robot.logs.stanzas:
         for script in stanza.scripts:
             for command in robot.logs.commands(script):

@@ -36,7 +36,9 @@ When the sizes are a safety margin that the logs never reach, for example becaus
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -46,7 +48,7 @@ UNITS = {"": 1, "k": 1024, "m": 1024**2, "g": 1024**3}
 
 
 @rule("warning", symptoms=["No space left on device"])
-def larger_than_tmpfs(robot: Robot):
+def larger_than_tmpfs(robot: Robot) -> Iterator[Finding]:
     fstab = robot.fstabs[0] if len(robot.fstabs) == 1 else None
     for stanza in robot.logs.stanzas if fstab else ():
         limit = stanza.get("size", "minsize") or stanza.get("maxsize")

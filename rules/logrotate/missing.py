@@ -30,6 +30,9 @@ on a tmpfs or a partition of its own.
 - <https://github.com/ros2/rcl_logging/issues/100>
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -37,7 +40,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", symptoms=["No space left on device"])
-def missing(robot: Robot):
+def missing(robot: Robot) -> Iterator[Finding]:
     for log in robot.logs.uncovered():
         advice = f"add 'e {log.path} - - - 14d' to tmpfiles.d" if log.folder else f"rotate {log.path} with logrotate"
         yield finding(

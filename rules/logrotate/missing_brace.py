@@ -34,6 +34,9 @@ Never: logrotate does not apply the file as written.
 - logrotate: "unexpected log filename", "missing '{' after log files definition"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -47,7 +50,7 @@ WHAT = {
 
 
 @rule("error", symptoms=["unexpected log filename", "missing '{' after log files definition", "unexpected }"])
-def missing_brace(robot: Robot):
+def missing_brace(robot: Robot) -> Iterator[Finding]:
     for file in robot.logs.files:
         for problem in file.problems:
             if problem.code in WHAT:

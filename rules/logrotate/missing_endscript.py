@@ -31,13 +31,16 @@ Never: logrotate drops the stanza.
 - logrotate: "prerotate, postrotate or preremove without endscript"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["without endscript"])
-def missing_endscript(robot: Robot):
+def missing_endscript(robot: Robot) -> Iterator[Finding]:
     for file in robot.logs.files:
         for problem in file.problems:
             if problem.code == "missing-endscript":

@@ -31,7 +31,9 @@ When the writer reopens its log after the rotation, or when the nodes never run 
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -42,7 +44,7 @@ RESTARTS = re.compile(r"\b(?:try-restart|restart|reload-or-restart|stop)\b")
 
 
 @rule("warning", fix="unsafe")
-def no_copytruncate(robot: Robot):
+def no_copytruncate(robot: Robot) -> Iterator[Finding]:
     for stanza in robot.logs.stanzas:
         create = stanza.own("create")
         if create is None or stanza.skipped or stanza.get("copytruncate", "copy", "minage"):

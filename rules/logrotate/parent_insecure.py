@@ -36,6 +36,9 @@ runs.
 - logrotate: "parent directory has insecure permissions"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -43,7 +46,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["because parent directory has insecure permissions"], tags=["CWE-732"])
-def parent_insecure(robot: Robot):
+def parent_insecure(robot: Robot) -> Iterator[Finding]:
     for stanza in robot.logs.stanzas:
         if stanza.get("su") or stanza.skipped:
             continue

@@ -34,6 +34,9 @@ When the nodes write to a fixed file name, or when a script outside of this tree
 - <https://github.com/ros2/rcl_logging/issues/100>
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -41,7 +44,7 @@ from bringup_lint.api import rule
 
 
 @rule("info")
-def per_run_files(robot: Robot):
+def per_run_files(robot: Robot) -> Iterator[Finding]:
     for stanza in robot.logs.stanzas:
         rotate = stanza.own("rotate")
         if rotate is None or stanza.skipped or stanza.get("maxage"):

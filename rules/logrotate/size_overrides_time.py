@@ -30,6 +30,9 @@ When the later directive is the one that is meant. Deleting the other one says s
 - logrotate(8), "size", "maxsize"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -39,7 +42,7 @@ TIMES = ("hourly", "daily", "weekly", "monthly", "yearly")
 
 
 @rule("info", symptoms=["overrides previously specified"])
-def size_overrides_time(robot: Robot):
+def size_overrides_time(robot: Robot) -> Iterator[Finding]:
     for stanza in robot.logs.stanzas:
         size, time = stanza.own("size"), stanza.own(*TIMES)
         if size is None or time is None or stanza.skipped:

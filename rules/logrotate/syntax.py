@@ -35,6 +35,9 @@ Never: logrotate does not apply the file as written.
 - logrotate: "lines must begin with a keyword or a filename (possibly in double quotes)"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -48,7 +51,7 @@ WHAT = {
 
 
 @rule("error", symptoms=["lines must begin with a keyword", "not properly separated", "unexpected text after }"])
-def syntax(robot: Robot):
+def syntax(robot: Robot) -> Iterator[Finding]:
     for file in robot.logs.files:
         dos = "\r\n" in file.source.text
         for problem in file.problems:

@@ -29,6 +29,9 @@ When the robot's logrotate is newer than this tool and knows the directive: `log
 - logrotate: "unknown option 'rotates' -- ignoring line"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -37,7 +40,7 @@ from bringup_lint.api.spelling import nearest
 
 
 @rule("error", fix="safe", symptoms=["unknown option", "-- ignoring line"])
-def unknown_directive(robot: Robot):
+def unknown_directive(robot: Robot) -> Iterator[Finding]:
     for file in robot.logs.files:
         for problem in file.problems:
             if problem.code != "unknown-directive":

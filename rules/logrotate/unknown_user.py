@@ -29,13 +29,16 @@ When the account is created at the first boot, or comes from a directory service
 - logrotate: "unknown user 'robt'"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["unknown user", "unknown group"])
-def unknown_user(robot: Robot):
+def unknown_user(robot: Robot) -> Iterator[Finding]:
     for file in robot.logs.files:
         for directive in [*file.directives, *(each for stanza in file.stanzas for each in stanza.directives)]:
             user, group = robot.logs.owners(directive)

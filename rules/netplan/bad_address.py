@@ -22,13 +22,16 @@ addresses: [10.0.0.10/24]
 - netplan YAML reference, "addresses"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["is missing /prefixlength", "malformed address", "invalid prefix length in address"])
-def bad_address(robot: Robot):
+def bad_address(robot: Robot) -> Iterator[Finding]:
     for problem in robot.netplan.problems("bad-address"):
         advice = "append the prefix length, such as /24" if "prefix length" in problem.detail else "correct the address"
         message = f"netplan generates nothing: '{problem.where}' {problem.detail}"

@@ -22,6 +22,9 @@ network:
 - netplan YAML reference, "Top-level configuration structure"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -30,7 +33,7 @@ from bringup_lint.api.spelling import nearest
 
 
 @rule("error", fix="safe", symptoms=["Error in network definition: unknown key"])
-def bad_top_level(robot: Robot):
+def bad_top_level(robot: Robot) -> Iterator[Finding]:
     for problem in robot.netplan.problems("unknown-key"):
         key = problem.where
         if problem.detail != "root":

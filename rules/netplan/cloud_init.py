@@ -27,6 +27,9 @@ network: {ethernets: {eth0: {dhcp4: false, addresses: [10.0.0.10/24]}}}
 - cloud-init documentation, "Disabling network configuration"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -34,7 +37,7 @@ from bringup_lint.api import rule
 
 
 @rule("info")
-def cloud_init(robot: Robot):
+def cloud_init(robot: Robot) -> Iterator[Finding]:
     for interface in robot.netplan.interfaces:
         flag = interface.flag("dhcp4")
         if flag is None or not flag.value or "cloud-init" not in flag.where.span.source.basename:

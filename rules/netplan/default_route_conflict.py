@@ -26,6 +26,9 @@ wlan0: {routes: [{to: default, via: 10.0.1.1, metric: 600}]}
 - robot-bringup guide, "Static IP Configuration"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -39,7 +42,7 @@ from bringup_lint.api import rule
         "Problem encountered while validating default route consistency",
     ],
 )
-def default_route_conflict(robot: Robot):
+def default_route_conflict(robot: Robot) -> Iterator[Finding]:
     for plan in robot.netplan.plans:
         first = {}
         for interface, family, table, metric, where in plan.default_routes:

@@ -21,6 +21,9 @@ eth0: {dhcp4: false, addresses: [10.0.0.10/24]}
 - robot-bringup guide, "Static IP Configuration"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -28,7 +31,7 @@ from bringup_lint.api import rule
 
 
 @rule("info")
-def dhcp_and_static(robot: Robot):
+def dhcp_and_static(robot: Robot) -> Iterator[Finding]:
     for interface in robot.netplan.interfaces:
         flag = interface.flag("dhcp4")
         static = [a for a in interface.addresses if a.ip and a.ip.version == 4 and not a.ip.is_link_local]

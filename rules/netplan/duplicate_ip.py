@@ -24,6 +24,9 @@ eth1: {addresses: [10.0.1.10/24]}
 - netplan YAML reference, "addresses"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -31,7 +34,7 @@ from bringup_lint.api import rule
 
 
 @rule("error")
-def duplicate_ip(robot: Robot):
+def duplicate_ip(robot: Robot) -> Iterator[Finding]:
     for plan in robot.netplan.plans:
         owners = {}
         for interface in plan.interfaces.values():

@@ -28,6 +28,9 @@ ethernets:
 - YAML 1.2.2, section 3.2.1.3: keys of a mapping are unique
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -35,7 +38,7 @@ from bringup_lint.api import rule
 
 
 @rule("error")
-def duplicate_key(robot: Robot):
+def duplicate_key(robot: Robot) -> Iterator[Finding]:
     for file in robot.netplan.files:
         if file.embedded:
             continue

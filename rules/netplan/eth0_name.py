@@ -26,7 +26,9 @@ lan0:
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -35,7 +37,7 @@ BOARD = re.compile(r"net\.ifnames=0|raspberry|raspi|rpi|\bjetson\b|tegra|nvidia-
 
 
 @rule("info", confidence="medium")
-def eth0_name(robot: Robot):
+def eth0_name(robot: Robot) -> Iterator[Finding]:
     if any(BOARD.search(source.text) or BOARD.search(source.name) for source in robot.sources):
         return
     for interface in robot.netplan.interfaces:

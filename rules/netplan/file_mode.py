@@ -23,6 +23,9 @@ Whoever logs in can read the password of the robot network. Netplan 0.106 and la
 - CWE-732
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -33,7 +36,7 @@ from bringup_lint.api import rule
     symptoms=["are too open. Netplan configuration should NOT be accessible by others"],
     tags=["CWE-732"],
 )
-def file_mode(robot: Robot):
+def file_mode(robot: Robot) -> Iterator[Finding]:
     for plan in robot.netplan.plans:
         secrets = {secret.path for interface in plan.interfaces.values() for secret in interface.secrets}
         for file in plan.files:

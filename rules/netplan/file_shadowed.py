@@ -23,6 +23,9 @@ The hidden file is not merged but left out whole; who edits it wonders why nothi
 - netplan-generate(8), "Handling multiple files"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -30,7 +33,7 @@ from bringup_lint.api import rule
 
 
 @rule("info")
-def file_shadowed(robot: Robot):
+def file_shadowed(robot: Robot) -> Iterator[Finding]:
     for hidden, winner in robot.netplan.shadowed:
         yield finding(
             hidden.source,

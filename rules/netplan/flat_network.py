@@ -25,13 +25,16 @@ wlan0 (management only)
 - robotics-security guide, network hardening
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("info", confidence="medium")
-def flat_network(robot: Robot):
+def flat_network(robot: Robot) -> Iterator[Finding]:
     for plan in robot.netplan.plans:
         interfaces = [i for i in plan.interfaces.values() if i.is_configured and i.name not in plan.masters]
         wifi = [i for i in interfaces if i.is_wifi and not any(point.mode == "ap" for point in i.access_points)]

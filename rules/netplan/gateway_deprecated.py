@@ -21,6 +21,9 @@ routes: [{to: default, via: 10.0.0.1}]
 - netplan YAML reference, "gateway4, gateway6"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -28,7 +31,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", fix="safe", symptoms=["`gateway4` has been deprecated, use default routes instead"])
-def gateway_deprecated(robot: Robot):
+def gateway_deprecated(robot: Robot) -> Iterator[Finding]:
     for interface in robot.netplan.interfaces:
         for key in ("gateway4", "gateway6"):
             for name, value in interface.entries(key):

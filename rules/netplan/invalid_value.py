@@ -26,6 +26,9 @@ ethernets:
 - netplan YAML reference
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
@@ -67,7 +70,7 @@ def _explain(code: str, where: str, detail: str) -> tuple[str, str]:
 
 
 @rule("error", symptoms=["Error in network definition"])
-def invalid_value(robot: Robot):
+def invalid_value(robot: Robot) -> Iterator[Finding]:
     for code, where, detail in robot.netplan.problems(*CODES):
         text = where if isinstance(where, Located) else where.text.partition("\n")[0]
         message, advice = _explain(code, text, detail)

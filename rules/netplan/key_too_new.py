@@ -25,6 +25,9 @@ ra-overrides:
 - netplan release notes; the packages of Ubuntu 22.04 and 24.04 and of Debian 12
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -42,7 +45,7 @@ def _number(version: str) -> tuple[int, ...]:
 
 
 @rule("warning", symptoms=["Error in network definition: unknown key"])
-def key_too_new(robot: Robot):
+def key_too_new(robot: Robot) -> Iterator[Finding]:
     if not robot.target.systemd_known or robot.target.systemd not in RELEASES:
         return
     release, first, updated = RELEASES[robot.target.systemd]

@@ -22,13 +22,16 @@ addresses: [10.0.0.10/24]
 - RFC 1122, section 3.2.1.3
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("warning")
-def network_address(robot: Robot):
+def network_address(robot: Robot) -> Iterator[Finding]:
     for interface in robot.netplan.interfaces:
         for address in interface.addresses:
             ip = address.ip

@@ -21,6 +21,9 @@ eth0: {addresses: [10.0.0.10/24]}  <Peer address="10.0.0.20"/>
 - robot-bringup guide, checklist
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -28,7 +31,7 @@ from bringup_lint.api import rule
 
 
 @rule("info")
-def no_static_ip(robot: Robot):
+def no_static_ip(robot: Robot) -> Iterator[Finding]:
     for configuration, domain in robot.dds.domains:
         plan = robot.dds.plan_of(configuration)
         peers = domain.all("Discovery/Peers/Peer@Address")

@@ -27,6 +27,9 @@ ethernets:
 - systemd-networkd-wait-online.service(8)
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -36,7 +39,7 @@ from bringup_lint.api.yaml import first_key
 
 
 @rule("info", fix="unsafe", symptoms=["Timeout occurred while waiting for network connectivity"])
-def not_optional_unplugged(robot: Robot):
+def not_optional_unplugged(robot: Robot) -> Iterator[Finding]:
     waiting = robot.waiting_for_network
     plan = robot.netplan.only_plan
     if not waiting or plan is None or not plan.is_waited_for:

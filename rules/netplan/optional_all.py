@@ -27,6 +27,9 @@ ethernets:
 - systemd.special(7), "network-online.target"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -34,7 +37,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning")
-def optional_all(robot: Robot):
+def optional_all(robot: Robot) -> Iterator[Finding]:
     waiting = robot.waiting_for_network
     plan = robot.netplan.only_plan
     if not waiting or plan is None or not plan.is_waited_for:

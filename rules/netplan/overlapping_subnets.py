@@ -25,6 +25,9 @@ wlan0: {addresses: [10.0.1.11/24]}
 - Linux kernel documentation, ip-sysctl, arp_filter
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -32,7 +35,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning")
-def overlapping_subnets(robot: Robot):
+def overlapping_subnets(robot: Robot) -> Iterator[Finding]:
     for plan in robot.netplan.plans:
         seen = []
         for interface in plan.interfaces.values():

@@ -25,6 +25,9 @@ starts. It happens when a file is copied from one robot to the next.
 - Cyclone DDS configuration guide, "General/Interfaces/NetworkInterface"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -32,7 +35,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", symptoms=["does not match an available interface"])
-def peer_ip_mismatch(robot: Robot):
+def peer_ip_mismatch(robot: Robot) -> Iterator[Finding]:
     for configuration, domain in robot.dds.domains:
         plan = robot.dds.plan_of(configuration)
         own = robot.dds.own_addresses(configuration)

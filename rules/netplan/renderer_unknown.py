@@ -20,6 +20,9 @@ renderer: NetworkManager
 - netplan YAML reference, "renderer"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -28,7 +31,7 @@ from bringup_lint.api.spelling import nearest
 
 
 @rule("error", fix="safe", symptoms=["unknown renderer"])
-def renderer_unknown(robot: Robot):
+def renderer_unknown(robot: Robot) -> Iterator[Finding]:
     for problem in robot.netplan.problems("bad-renderer"):
         word = problem.where
         near = nearest(str(word), ["networkd", "NetworkManager"]) or (["networkd"] if "systemd" in word.lower() else [])

@@ -30,13 +30,16 @@ wifis:
 - netplan YAML reference, "Properties for device type wifis:"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["networkd does not support this wifi mode", "networkd backend does not support"])
-def renderer_unsupported(robot: Robot):
+def renderer_unsupported(robot: Robot) -> Iterator[Finding]:
     for _, where, detail in robot.netplan.problems("unsupported"):
         other = "NetworkManager" if detail.startswith("networkd") else "networkd"
         same = "needs the same" in detail

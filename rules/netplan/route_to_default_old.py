@@ -20,6 +20,9 @@ routes: [{to: default, via: 10.0.0.1}]
 - netplan YAML reference, "Default routes"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -27,7 +30,7 @@ from bringup_lint.api import rule
 
 
 @rule("info", fix="safe")
-def route_to_default_old(robot: Robot):
+def route_to_default_old(robot: Robot) -> Iterator[Finding]:
     for interface in robot.netplan.interfaces:
         for route in interface.routes:
             to = route.value("to")

@@ -23,13 +23,16 @@ lidar0:
 - netplan YAML reference, "set-name"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["'set-name:' requires 'match:' properties"])
-def set_name_without_match(robot: Robot):
+def set_name_without_match(robot: Robot) -> Iterator[Finding]:
     for problem in robot.netplan.problems("set-name"):
         yield finding(
             problem.where,

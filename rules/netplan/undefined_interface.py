@@ -25,6 +25,9 @@ bridges:
 - netplan YAML reference, "interfaces"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -32,7 +35,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["is not defined"])
-def undefined_interface(robot: Robot):
+def undefined_interface(robot: Robot) -> Iterator[Finding]:
     for _, name, later in robot.netplan.problems("undefined"):
         related = [note(place, "defined here") for place in robot.netplan.declarations(name) if place.path == later]
         if later:

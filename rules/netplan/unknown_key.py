@@ -30,6 +30,9 @@ network:
 - netplan YAML reference, https://netplan.readthedocs.io/en/stable/netplan-yaml/
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -49,7 +52,7 @@ FOREIGN = {
 
 
 @rule("error", fix="safe", symptoms=["Error in network definition: unknown key"])
-def unknown_key(robot: Robot):
+def unknown_key(robot: Robot) -> Iterator[Finding]:
     for problem in robot.netplan.problems("unknown-key"):
         key, table = problem.where, problem.detail
         if table == "root":

@@ -23,6 +23,9 @@ network:
 - netplan YAML reference, "version"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -30,7 +33,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["Only version 2 is supported"])
-def version(robot: Robot):
+def version(robot: Robot) -> Iterator[Finding]:
     for problem in robot.netplan.problems("bad-version"):
         change = fix("write version 2", (problem.where, "2"))
         yield finding(

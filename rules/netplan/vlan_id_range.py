@@ -21,13 +21,16 @@ vlan10: {link: eth0, id: 10}
 - IEEE 802.1Q: VID 0 is a priority tag, VID 4095 is reserved
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["allowed values are 0 to 4094"])
-def vlan_id_range(robot: Robot):
+def vlan_id_range(robot: Robot) -> Iterator[Finding]:
     for problem in robot.netplan.problems("vlan-id"):
         message = f"VLAN id {problem.where} is out of range: netplan generates nothing"
         yield finding(problem.where, message, advice="choose 1 to 4094")

@@ -25,6 +25,9 @@ vlans:
 - netplan YAML reference, "link"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -32,7 +35,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["is not defined"])
-def vlan_missing_link(robot: Robot):
+def vlan_missing_link(robot: Robot) -> Iterator[Finding]:
     for _, link, later in robot.netplan.problems("vlan-link"):
         related = [note(place, "defined here") for place in robot.netplan.declarations(link) if place.path == later]
         if later:

@@ -21,7 +21,9 @@ vlan20: {link: eth0, id: 20}
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -31,7 +33,7 @@ NUMBERED = re.compile(r"(?:vlan[._-]?|.+\.)0*(\d+)", re.IGNORECASE)
 
 
 @rule("info")
-def vlan_name_id_mismatch(robot: Robot):
+def vlan_name_id_mismatch(robot: Robot) -> Iterator[Finding]:
     for interface in robot.netplan.interfaces:
         named = NUMBERED.fullmatch(interface.name)
         number = interface.value("id")

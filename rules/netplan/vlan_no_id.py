@@ -20,13 +20,16 @@ vlan10: {link: eth0, id: 10}
 - netplan YAML reference, "Properties for device type vlans:"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["missing 'id' property"])
-def vlan_no_id(robot: Robot):
+def vlan_no_id(robot: Robot) -> Iterator[Finding]:
     for problem in robot.netplan.problems("vlan-no-id"):
         number = "".join(char for char in problem.where if char.isdigit())
         yield finding(

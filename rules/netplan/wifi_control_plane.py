@@ -25,7 +25,9 @@ vlans:
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -35,7 +37,7 @@ CONTROL = re.compile(r"(?:^|[^a-z])(?:control|ctrl|motion|safety|estop|e-stop)(?
 
 
 @rule("warning", confidence="medium")
-def wifi_control_plane(robot: Robot):
+def wifi_control_plane(robot: Robot) -> Iterator[Finding]:
     for plan in robot.netplan.plans:
         wifi = {str(i.name): i for i in plan.interfaces.values() if i.is_wifi}
         for interface in plan.interfaces.values():

@@ -24,13 +24,16 @@ wifis:
 - netplan YAML reference, "access-points"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["No access points defined"])
-def wifi_no_ap(robot: Robot):
+def wifi_no_ap(robot: Robot) -> Iterator[Finding]:
     for problem in robot.netplan.problems("no-access-point"):
         message = f"{problem.where} has no access points: netplan generates nothing"
         yield finding(problem.where, message, advice="add access-points")

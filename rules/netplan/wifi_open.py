@@ -23,6 +23,9 @@ access-points:
 - CWE-319
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -30,7 +33,7 @@ from bringup_lint.api.templates import is_example
 
 
 @rule("warning", tags=["CWE-319"])
-def wifi_open(robot: Robot):
+def wifi_open(robot: Robot) -> Iterator[Finding]:
     for interface in robot.netplan.interfaces:
         for point in interface.access_points:
             if point.is_open and not point.ssid.span.source.template and not point.is_passed_through:

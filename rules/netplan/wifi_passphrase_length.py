@@ -24,6 +24,9 @@ access-points:
 - wpa_supplicant.conf(5)
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -37,7 +40,7 @@ from bringup_lint.api.templates import is_stand_in
         "PSK length of 64 is only supported for hex-digit",
     ],
 )
-def wifi_passphrase_length(robot: Robot):
+def wifi_passphrase_length(robot: Robot) -> Iterator[Finding]:
     for _, where, detail in robot.netplan.problems("passphrase"):
         if is_stand_in(where):
             continue

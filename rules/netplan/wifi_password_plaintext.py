@@ -26,6 +26,9 @@ access-points:
 - CWE-256, CWE-798
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -34,7 +37,7 @@ from bringup_lint.api.templates import is_stand_in
 
 
 @rule("warning", tags=["CWE-256", "CWE-798"])
-def wifi_password_plaintext(robot: Robot):
+def wifi_password_plaintext(robot: Robot) -> Iterator[Finding]:
     for interface in robot.netplan.interfaces:
         for password in interface.passwords:
             source = password.span.source

@@ -31,6 +31,9 @@ network:
 - YAML 1.2.2, section 6.1, "Indentation Spaces"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -40,7 +43,7 @@ from bringup_lint.api import rule
     "error",
     symptoms=["Invalid YAML: tabs are not allowed for indent", "Invalid YAML: inconsistent indentation"],
 )
-def yaml_error(robot: Robot):
+def yaml_error(robot: Robot) -> Iterator[Finding]:
     for file in robot.netplan.files:
         if file.source.template:
             continue

@@ -21,13 +21,16 @@ or keeps what another file says.
 - netplan-generate(8), "Handling multiple files"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("warning")
-def yml_suffix(robot: Robot):
+def yml_suffix(robot: Robot) -> Iterator[Finding]:
     for source in robot.netplan.unread:
         yield finding(
             source,

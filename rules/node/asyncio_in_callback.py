@@ -24,6 +24,9 @@ async def execute(self, goal):
 - https://github.com/ros2/rclpy/issues/962
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import nodes
@@ -32,7 +35,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["RuntimeError: no running event loop"])
-def asyncio_in_callback(robot: Robot):
+def asyncio_in_callback(robot: Robot) -> Iterator[Finding]:
     for file, node in robot.nodes.with_callbacks:
         for callback, name, call, function in nodes.awaits_asyncio(robot.nodes.ending(file), node):
             yield finding(

@@ -29,6 +29,9 @@ def on_goal(self, message):
 - https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Executors.html
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import nodes
@@ -39,7 +42,7 @@ WORK = ("subscription", "timer", "service", "action", "client")
 
 
 @rule("warning", tags=["CWE-833"])
-def blocking_in_callback(robot: Robot):
+def blocking_in_callback(robot: Robot) -> Iterator[Finding]:
     for file, node in robot.nodes.with_callbacks:
         threads = robot.nodes.threads(node)
         for found in nodes.blocking(robot.nodes.ending(file), node):

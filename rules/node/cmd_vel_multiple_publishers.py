@@ -28,6 +28,9 @@ Node(package="twist_mux", executable="twist_mux", remappings=[("cmd_vel_out", "c
 - Nav2, collision monitor and velocity smoother
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -36,7 +39,7 @@ from bringup_lint.api import topics
 
 
 @rule("error", confidence="medium", tags=["CWE-362"])
-def cmd_vel_multiple_publishers(robot: Robot):
+def cmd_vel_multiple_publishers(robot: Robot) -> Iterator[Finding]:
     seen = set()
     for running in robot.topics.runs:
         for rivals in topics.rivals(running) if not running.simulated else ():

@@ -25,6 +25,9 @@ Node(package="mower", executable="base"),
 - Nav2, collision monitor and velocity smoother
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -33,7 +36,7 @@ from bringup_lint.api import topics
 
 
 @rule("info", confidence="medium")
-def cmd_vel_no_gate(robot: Robot):
+def cmd_vel_no_gate(robot: Robot) -> Iterator[Finding]:
     seen = set()
     for running in robot.topics.entries:
         if running.simulated or any(map(topics.is_gate, running.nodes)):

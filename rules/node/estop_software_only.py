@@ -25,6 +25,9 @@ ignore = ["node/estop-software-only"]
 - ISO 13849-1, safety-related parts of control systems
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -32,7 +35,7 @@ from bringup_lint.api import topics
 
 
 @rule("info", confidence="medium")
-def estop_software_only(robot: Robot):
+def estop_software_only(robot: Robot) -> Iterator[Finding]:
     stops = [each for each in robot.topics.endpoints if each.name is not None and topics.is_stop(each.name)]
     if stops and not topics.has_stop_hardware(robot):
         yield finding(

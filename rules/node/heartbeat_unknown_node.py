@@ -24,6 +24,9 @@ monitored_nodes: [lidar, base]
 - grep(1): a pattern matches anywhere in a line, without `-x`
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -32,7 +35,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", fix="unsafe")
-def heartbeat_unknown_node(robot: Robot):
+def heartbeat_unknown_node(robot: Robot) -> Iterator[Finding]:
     for name, watched, meant in robot.topics.missing_nodes:
         node = next((each for each in robot.topics.named_nodes if each.name == meant), None)
         what = f"the node is '{meant}'" if meant else "nothing in the tree starts it"

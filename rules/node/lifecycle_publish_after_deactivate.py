@@ -28,6 +28,9 @@ def on_deactivate(self, state):
 - https://design.ros2.org/articles/node_lifecycle.html
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import nodes
@@ -36,7 +39,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", fix="safe")
-def lifecycle_publish_after_deactivate(robot: Robot):
+def lifecycle_publish_after_deactivate(robot: Robot) -> Iterator[Finding]:
     for file, node in robot.nodes.with_callbacks:
         for found in nodes.silenced(robot.nodes.syntax(file), node) if node.is_lifecycle else ():
             place = file.span_of(found.publish)

@@ -22,7 +22,9 @@ super().__init__('front_lidar')
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -31,7 +33,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="unsafe", symptoms=["rclpy.exceptions.InvalidNodeNameException: Invalid node name"])
-def node_name_invalid(robot: Robot):
+def node_name_invalid(robot: Robot) -> Iterator[Finding]:
     for file, node in robot.nodes.with_callbacks:
         name = node.node_name
         if name is None or nodes.valid_node_name(name) or name.span.source is not file.source:

@@ -22,6 +22,9 @@ ParameterDescriptor(floating_point_range=[FloatingPointRange(from_value=0.0, to_
 - rcl_interfaces/msg/FloatingPointRange, rcl_interfaces/msg/IntegerRange
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -30,7 +33,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["AttributeError: 'dict' object has no attribute 'from_value'"])
-def param_range_dict(robot: Robot):
+def param_range_dict(robot: Robot) -> Iterator[Finding]:
     for file in robot.nodes.programs:
         syntax = robot.nodes.syntax(file)
         for found in nodes.dict_ranges(syntax):

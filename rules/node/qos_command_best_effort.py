@@ -25,6 +25,9 @@ self.create_subscription(Twist, "cmd_vel", self.drive, 1)
 - ROS 2 documentation, "Quality of Service settings"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -35,7 +38,7 @@ QUEUE = 10
 
 
 @rule("warning")
-def qos_command_best_effort(robot: Robot):
+def qos_command_best_effort(robot: Robot) -> Iterator[Finding]:
     for node in robot.nodes.classes:
         if robot.nodes.purpose(node.source):
             continue

@@ -29,6 +29,9 @@ self.create_subscription(LaserScan, "scan", self.on_scan, qos_profile_sensor_dat
 - https://github.com/ros2/rviz/issues/1122
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -43,7 +46,7 @@ from bringup_lint.api import rule
         "Last incompatible policy: RELIABILITY",
     ],
 )
-def qos_incompatible(robot: Robot):
+def qos_incompatible(robot: Robot) -> Iterator[Finding]:
     for publisher, subscription in robot.topics.pairs:
         conflict = next(robot.topics.conflicts(publisher, subscription), None)
         if conflict is None or robot.topics.types_differ(publisher, subscription):

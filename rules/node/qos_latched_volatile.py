@@ -26,6 +26,9 @@ self.map.publish(self.load(path))
 - REP 2003, maps are published transient local
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -40,7 +43,7 @@ LATCHED = {
 
 
 @rule("warning", symptoms=["Waiting for map", "Waiting for robot_description"])
-def qos_latched_volatile(robot: Robot):
+def qos_latched_volatile(robot: Robot) -> Iterator[Finding]:
     for node in robot.nodes.classes:
         for endpoint in node.endpoints if not robot.nodes.purpose(node.source) else ():
             name = topics.tail(endpoint.name or "")

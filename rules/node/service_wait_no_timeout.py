@@ -23,6 +23,9 @@ while not self.dock.wait_for_service(timeout_sec=2.0):
 - https://docs.ros.org/en/jazzy/p/rclpy/, rclpy.client.Client.wait_for_service
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import nodes
@@ -31,7 +34,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning")
-def service_wait_no_timeout(robot: Robot):
+def service_wait_no_timeout(robot: Robot) -> Iterator[Finding]:
     for file, node in robot.nodes.with_callbacks:
         for call, service, where in nodes.waits(robot.nodes.ending(file), node):
             what = f"'{service}'" if service else "the service"

@@ -34,6 +34,9 @@ finally:
 - https://docs.ros.org/en/jazzy/p/rclpy/, rclpy.try_shutdown
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -43,7 +46,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", fix="safe", symptoms=["failed to shutdown: rcl_shutdown already called on the given context"])
-def shutdown_double(robot: Robot):
+def shutdown_double(robot: Robot) -> Iterator[Finding]:
     for file in robot.nodes.programs:
         for call, spin in nodes.doubles(robot.nodes.ending(file)):
             name = file.span_of(call.func)

@@ -37,6 +37,9 @@ finally:
 - https://control.ros.org/jazzy/doc/ros2_controllers/diff_drive_controller/doc/userdoc.html, cmd_vel_timeout
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import nodes
@@ -50,7 +53,7 @@ ADVICE = (
 
 
 @rule("warning", confidence="medium", tags=["CWE-404"])
-def shutdown_no_safe_state(robot: Robot):
+def shutdown_no_safe_state(robot: Robot) -> Iterator[Finding]:
     for file in robot.nodes.programs:
         ending = robot.nodes.ending(file)
         made = [node for node in robot.nodes.made(file) if nodes.commands(node)]

@@ -30,6 +30,9 @@ except (KeyboardInterrupt, ExternalShutdownException):
 - https://docs.ros.org/en/jazzy/p/rclpy/, rclpy.executors.ExternalShutdownException
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -39,7 +42,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", fix="safe", symptoms=["rclpy.executors.ExternalShutdownException"])
-def shutdown_only_keyboardinterrupt(robot: Robot):
+def shutdown_only_keyboardinterrupt(robot: Robot) -> Iterator[Finding]:
     for file in robot.nodes.programs:
         if robot.nodes.stopped_by(file) == {"SIGINT"}:
             continue

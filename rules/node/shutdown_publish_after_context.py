@@ -40,6 +40,9 @@ finally:
 - tried with rclpy 7.1 (Jazzy)
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import nodes
@@ -56,7 +59,7 @@ WHY = {
 
 
 @rule("error", symptoms=["Failed to publish: publisher's context is invalid"], tags=["CWE-404"])
-def shutdown_publish_after_context(robot: Robot):
+def shutdown_publish_after_context(robot: Robot) -> Iterator[Finding]:
     for file in robot.nodes.programs:
         told = set()
         for late in nodes.too_late(robot.nodes.ending(file)):

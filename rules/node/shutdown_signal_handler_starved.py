@@ -29,6 +29,9 @@ class Gripper(Node):
 - https://docs.python.org/3/library/signal.html, "Execution of Python signal handlers"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import nodes
@@ -37,7 +40,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["State 'stop-sigterm' timed out. Killing."])
-def shutdown_signal_handler_starved(robot: Robot):
+def shutdown_signal_handler_starved(robot: Robot) -> Iterator[Finding]:
     for file in robot.nodes.programs:
         waiting = robot.nodes.without_timer(file)
         for found in nodes.starved(robot.nodes.ending(file), waiting) if waiting else ():

@@ -24,6 +24,9 @@ self.create_subscription(Twist, "cmd_vel", self.drive, 1)
 - https://github.com/ros-navigation/navigation2/issues/3376
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -33,7 +36,7 @@ from bringup_lint.api import topics
 
 
 @rule("warning", fix="unsafe", confidence="medium")
-def topic_absolute_under_namespace(robot: Robot):
+def topic_absolute_under_namespace(robot: Robot) -> Iterator[Finding]:
     for running in robot.topics.runs:
         for uses in topics.shared_by_namespaces(running):
             first = uses[0]

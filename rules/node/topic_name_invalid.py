@@ -26,7 +26,9 @@ self.create_publisher(Image, "camera_1/image", 10)
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -45,7 +47,7 @@ ROLES = {"publisher": "topic", "subscription": "topic", "service": "service", "c
         "InvalidTopicNameException",
     ],
 )
-def topic_name_invalid(robot: Robot):
+def topic_name_invalid(robot: Robot) -> Iterator[Finding]:
     for endpoint in robot.topics.endpoints:
         if endpoint.role not in ROLES or endpoint.name is None:
             continue

@@ -23,14 +23,16 @@ self.create_publisher(LaserScan, "scan", 10)
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("info")
-def topic_reserved_style(robot: Robot):
+def topic_reserved_style(robot: Robot) -> Iterator[Finding]:
     for endpoint in robot.topics.endpoints:
         if endpoint.role not in ("publisher", "subscription") or endpoint.name is None:
             continue

@@ -23,6 +23,9 @@ self.create_publisher(TwistStamped, "cmd_vel", 10)
 - https://design.ros2.org/articles/topic_and_service_names.html
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -30,7 +33,7 @@ from bringup_lint.api import rule
 
 
 @rule("error")
-def topic_type_mismatch(robot: Robot):
+def topic_type_mismatch(robot: Robot) -> Iterator[Finding]:
     for publisher, subscription in robot.topics.pairs:
         if not robot.topics.types_differ(publisher, subscription):
             continue

@@ -24,6 +24,9 @@ self.create_publisher(Twist, "cmd_vel", 10)
 - ROS 2 documentation, "Topic and service name mapping"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -33,7 +36,7 @@ from bringup_lint.api import topics
 
 
 @rule("warning", fix="unsafe", symptoms=["does not appear to be published yet"])
-def topic_typo(robot: Robot):
+def topic_typo(robot: Robot) -> Iterator[Finding]:
     for running in robot.topics.runs:
         for use, meant, near in topics.misspelt(running):
             nobody = "Nobody publishes" if use.role == "subscription" else "Nobody subscribes"

@@ -23,6 +23,9 @@ Node(package="mower", executable="safety", remappings=[("scan", "scan_filtered")
 - ROS 2 documentation, "Understanding topics"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -31,7 +34,7 @@ from bringup_lint.api import topics
 
 
 @rule("warning", confidence="medium")
-def topic_unconnected(robot: Robot):
+def topic_unconnected(robot: Robot) -> Iterator[Finding]:
     for running in robot.topics.runs:
         near = {each.use.topic for each in topics.misspelt(running)}
         for use in topics.unserved(running) if running.whole else ():

@@ -23,6 +23,9 @@ from rcl_interfaces.msg import SetParametersResult
 - https://docs.python.org/3/reference/executionmodel.html, "Resolution of names"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -31,7 +34,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["NameError: name 'SetParametersResult' is not defined"])
-def undefined_name(robot: Robot):
+def undefined_name(robot: Robot) -> Iterator[Finding]:
     for file in robot.nodes.programs:
         for name, module, function in nodes.undefined(robot.nodes.syntax(file)):
             when = f"when {function}() is called" if function else "when the file is loaded"

@@ -24,6 +24,9 @@ def beat(self):
 - sd_notify(3), WATCHDOG=1; systemd.service(5), WatchdogSec=
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import nodes
@@ -31,7 +34,7 @@ from bringup_lint.api import rule
 
 
 @rule("info", confidence="medium")
-def watchdog_unconditional(robot: Robot):
+def watchdog_unconditional(robot: Robot) -> Iterator[Finding]:
     for file, node in robot.nodes.with_callbacks:
         for call, callback in nodes.fed_without_condition(robot.nodes.syntax(file), node):
             yield finding(

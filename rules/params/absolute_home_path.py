@@ -27,7 +27,9 @@ map_server:
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -39,7 +41,7 @@ _PATH_KEY = re.compile(r"(?:path|file|filename|dir|directory|folder)\Z")
 
 
 @rule("warning")
-def absolute_home_path(robot: Robot):
+def absolute_home_path(robot: Robot) -> Iterator[Finding]:
     kept = (
         [str(value) for unit in robot.units.judged if (value := unit.get("WorkingDirectory"))]
         if robot.of_kind("systemd-unit")

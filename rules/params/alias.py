@@ -30,13 +30,16 @@ right:
 - rcl_yaml_param_parser, `parse_file_events`
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Will not support aliasing"])
-def alias(robot: Robot):
+def alias(robot: Robot) -> Iterator[Finding]:
     for file, problem in robot.params.problems("alias"):
         if robot.params.reader(file) != "pyyaml":
             yield finding(

@@ -25,6 +25,9 @@ motor_driver:
 - rcl_yaml_param_parser, `_validate_name`
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -40,7 +43,7 @@ from bringup_lint.api import rule
         "contains repeated forward slash",
     ],
 )
-def bad_node_key(robot: Robot):
+def bad_node_key(robot: Robot) -> Iterator[Finding]:
     for _, problem in robot.params.problems("unquoted-star"):
         yield finding(
             problem.where,

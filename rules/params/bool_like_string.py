@@ -25,6 +25,9 @@ fan:
 - rcl_yaml_param_parser, `get_value`
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -35,7 +38,7 @@ _WORDS = {"true": "true", "yes": "true", "on": "true", "false": "false", "no": "
 
 
 @rule("warning", fix="safe", symptoms=["InvalidParameterTypeException"])
-def bool_like_string(robot: Robot):
+def bool_like_string(robot: Robot) -> Iterator[Finding]:
     for parameter, declared in robot.params.typed:
         value = parameter.value
         if value.type == "bool" and declared.type == "string":

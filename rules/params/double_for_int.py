@@ -26,7 +26,9 @@ motors:
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -37,7 +39,7 @@ _WHOLE = re.compile(r"([+-]?(?:0|[1-9][0-9]*))\.0*\Z")
 
 
 @rule("warning", fix="safe", symptoms=["InvalidParameterTypeException", "of type {double}", "expecting type {integer}"])
-def double_for_int(robot: Robot):
+def double_for_int(robot: Robot) -> Iterator[Finding]:
     for parameter, declared in robot.params.typed:
         if (parameter.value.type, declared.type) not in (("double", "integer"), ("double_array", "integer_array")):
             continue

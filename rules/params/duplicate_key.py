@@ -28,6 +28,9 @@ motors:
 - rclcpp, `parameter_value_from`
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -35,7 +38,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning")
-def duplicate_key(robot: Robot):
+def duplicate_key(robot: Robot) -> Iterator[Finding]:
     for file, first, second in robot.params.duplicates:
         wins = robot.params.winner(file, second)
         same = first.value == second.value

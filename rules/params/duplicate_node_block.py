@@ -24,6 +24,9 @@ motors:
 - rcl_yaml_param_parser, `find_node`
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -31,7 +34,7 @@ from bringup_lint.api import rule
 
 
 @rule("info")
-def duplicate_node_block(robot: Robot):
+def duplicate_node_block(robot: Robot) -> Iterator[Finding]:
     for file in robot.params.judged:
         seen = {}
         for block in file.blocks:

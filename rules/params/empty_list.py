@@ -28,6 +28,9 @@ planner:
   PARAMETER_NOT_SET"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -37,7 +40,7 @@ from bringup_lint.api import rule
     "warning",
     symptoms=["No parameter value set", "statically typed parameter with default value of type PARAMETER_NOT_SET"],
 )
-def empty_list(robot: Robot):
+def empty_list(robot: Robot) -> Iterator[Finding]:
     ended = set()
     for file, problem in robot.params.problems("after-empty-map"):
         if robot.params.reader(file) != "pyyaml":

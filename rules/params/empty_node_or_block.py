@@ -25,6 +25,9 @@ motors:
 - rcl_yaml_param_parser, `parse_file_events`
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -32,7 +35,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["Cannot have a value before ros__parameters"])
-def empty_node_or_block(robot: Robot):
+def empty_node_or_block(robot: Robot) -> Iterator[Finding]:
     for file, problem in robot.params.problems("empty-block"):
         if robot.params.reader(file) == "pyyaml":
             continue

@@ -24,13 +24,16 @@ motors:
 - rcl_yaml_param_parser, `parse_value`
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["No value at line", "Couldn't parse params file"])
-def empty_value(robot: Robot):
+def empty_value(robot: Robot) -> Iterator[Finding]:
     for file, problem in robot.params.problems("no-value"):
         if robot.params.reader(file) == "pyyaml":
             continue

@@ -26,7 +26,9 @@ filter:
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -37,7 +39,7 @@ _EXPONENT = re.compile(r"([+-]?)([0-9]+)(\.[0-9]*)?[eE]([+-]?)([0-9]+)\Z")
 
 
 @rule("warning", fix="safe", symptoms=["InvalidParameterTypeException"])
-def exponent_pyyaml(robot: Robot):
+def exponent_pyyaml(robot: Robot) -> Iterator[Finding]:
     for file, parameter in robot.params.parameters:
         composed = next((load for load in robot.params.loads(file) if load.how == "pyyaml"), None)
         for item in robot.params.items(parameter) if composed else ():

@@ -25,6 +25,9 @@ planner:                # the node is /robot1/planner
 - rcl_yaml_param_parser, node names and wildcards
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -33,7 +36,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="unsafe")
-def file_key_mismatch(robot: Robot):
+def file_key_mismatch(robot: Robot) -> Iterator[Finding]:
     for found in robot.params.unreached:
         tail = found.name.rpartition("/")[2]
         better = found.name if found.misspelt else f"/**/{tail}"

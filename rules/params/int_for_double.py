@@ -27,7 +27,9 @@ motors:
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -38,7 +40,7 @@ _DECIMAL = re.compile(r"[+-]?(?:0|[1-9][0-9]*)\Z")
 
 
 @rule("warning", fix="safe", symptoms=["InvalidParameterTypeException", "of type {integer}", "expecting type {double}"])
-def int_for_double(robot: Robot):
+def int_for_double(robot: Robot) -> Iterator[Finding]:
     for parameter, declared in robot.params.typed:
         if (parameter.value.type, declared.type) not in (("integer", "double"), ("integer_array", "double_array")):
             continue

@@ -27,6 +27,9 @@ planner:
 - rcl_yaml_param_parser, `parse_file_events`
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -35,7 +38,7 @@ _ADVICE = "write a list of names and one mapping for each of them"
 
 
 @rule("warning", symptoms=["Sequence should be of same type"])
-def list_of_maps(robot: Robot):
+def list_of_maps(robot: Robot) -> Iterator[Finding]:
     refused = set()
     for file, problem in robot.params.problems("list-of-maps"):
         refused.add(problem.where)

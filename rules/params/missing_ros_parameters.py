@@ -26,6 +26,9 @@ motors:
 - rcl_yaml_param_parser, `parse_file_events`
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -36,7 +39,7 @@ _FOLDERS = ("config", "cfg", "conf", "param", "params")
 
 
 @rule("error", fix="safe", symptoms=["Cannot have a value before ros__parameters", "Couldn't parse params file"])
-def missing_ros_parameters(robot: Robot):
+def missing_ros_parameters(robot: Robot) -> Iterator[Finding]:
     for file, problem in robot.params.problems("misspelt-header"):
         if (
             robot.params.reader(file)

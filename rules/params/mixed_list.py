@@ -26,7 +26,9 @@ motors:
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -36,7 +38,7 @@ _DECIMAL = re.compile(r"[+-]?(?:0|[1-9][0-9]*)\Z")
 
 
 @rule("error", fix="safe", symptoms=["Sequence should be of same type"])
-def mixed_list(robot: Robot):
+def mixed_list(robot: Robot) -> Iterator[Finding]:
     for file, problem in robot.params.problems("mixed-list"):
         parameter = robot.params.at(file, problem.where)
         if parameter is None:

@@ -24,13 +24,16 @@ planner:
 - rcl_yaml_param_parser, `parse_file_events`
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Sequences cannot be key"])
-def nested_list(robot: Robot):
+def nested_list(robot: Robot) -> Iterator[Finding]:
     for _, problem in robot.params.problems("nested-list"):
         yield finding(
             problem.where,

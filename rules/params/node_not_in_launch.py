@@ -28,6 +28,9 @@ motor_controller:
 - https://github.com/ros-navigation/navigation2/issues/3182
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -36,7 +39,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", fix="unsafe")
-def node_not_in_launch(robot: Robot):
+def node_not_in_launch(robot: Robot) -> Iterator[Finding]:
     for found in robot.params.unused:
         name = found.name.removeprefix("/")
         single = len(found.block.keys) == 1

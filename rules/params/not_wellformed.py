@@ -25,6 +25,9 @@ motors:
 - rcl_yaml_param_parser, `parse_file_events`
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -45,7 +48,7 @@ _ADVICE = {
 
 
 @rule("error", fix="safe", symptoms=["Error parsing a event near line", "Couldn't parse params file"])
-def not_wellformed(robot: Robot):
+def not_wellformed(robot: Robot) -> Iterator[Finding]:
     for file, problem in robot.params.problems(
         "syntax", "tab", "control-character", "yaml-version", "no-key", "list-at-root"
     ):

@@ -25,6 +25,9 @@ motors:
 - rcl_yaml_param_parser, `get_value`
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -33,7 +36,7 @@ _NULLS = ("null", "~", "NULL", "Null", "None", "none")
 
 
 @rule("warning")
-def null_string(robot: Robot):
+def null_string(robot: Robot) -> Iterator[Finding]:
     for file, parameter in robot.params.parameters:
         if robot.params.reader(file) == "pyyaml":
             continue

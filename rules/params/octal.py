@@ -25,7 +25,9 @@ motors:
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -35,7 +37,7 @@ _OCTAL = re.compile(r"[+-]?0+[1-9][0-9]*\Z")
 
 
 @rule("warning", fix="unsafe")
-def octal(robot: Robot):
+def octal(robot: Robot) -> Iterator[Finding]:
     for _, parameter in robot.params.parameters:
         for item in robot.params.items(parameter):
             if item.type in ("integer", "double") and _OCTAL.match(item.text):

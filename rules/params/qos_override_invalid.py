@@ -33,7 +33,9 @@ detector:
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -52,7 +54,7 @@ _FLAG = "avoid_ros_namespace_conventions"
 
 
 @rule("warning", symptoms=["InvalidQosOverridesException"])
-def qos_override_invalid(robot: Robot):
+def qos_override_invalid(robot: Robot) -> Iterator[Finding]:
     for _, parameter in robot.params.parameters:
         parts = parameter.name.split(".")
         if parts[0] != "qos_overrides" or len(parts) < 2 or "$(" in parameter.name + parameter.text:

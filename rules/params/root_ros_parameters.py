@@ -23,13 +23,16 @@ ros__parameters:
 - rcl_yaml_param_parser, `parse_key`
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["There are no node names before ros__parameters"])
-def root_ros_parameters(robot: Robot):
+def root_ros_parameters(robot: Robot) -> Iterator[Finding]:
     for _, problem in robot.params.problems("no-node-name"):
         yield finding(
             problem.where,

@@ -24,7 +24,9 @@ Node(package='demo', executable='map', name='map', parameters=[ParameterFile('co
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -38,7 +40,7 @@ _SUBSTITUTION = re.compile(
 
 
 @rule("error", fix="unsafe")
-def substitution_without_allow_substs(robot: Robot):
+def substitution_without_allow_substs(robot: Robot) -> Iterator[Finding]:
     for file, parameter in robot.params.parameters:
         if "$(" not in parameter.text or any(load.substitutes is not False for load in robot.params.loads(file)):
             continue

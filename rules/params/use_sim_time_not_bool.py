@@ -27,6 +27,9 @@ it ends with an exception.
 - https://github.com/ros/joint_state_publisher/issues/103
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -45,7 +48,7 @@ _PLAIN = {
 
 
 @rule("error", fix="safe", symptoms=["Invalid type", "use_sim_time parameter cannot be set to anything but a bool"])
-def use_sim_time_not_bool(robot: Robot):
+def use_sim_time_not_bool(robot: Robot) -> Iterator[Finding]:
     for file, parameter in robot.params.parameters:
         value = parameter.value
         if parameter.name != "use_sim_time" or value.type in ("bool", "not_set") or "$(" in parameter.text:

@@ -25,6 +25,9 @@ Nobody publishes /clock: the time stays at zero and timers never fire. The nodes
 - https://github.com/ros2/rclcpp/issues/940
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -33,7 +36,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="unsafe")
-def use_sim_time_real_robot(robot: Robot):
+def use_sim_time_real_robot(robot: Robot) -> Iterator[Finding]:
     for found in robot.params.simulated:
         yield finding(
             found.parameter.span,

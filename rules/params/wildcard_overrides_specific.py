@@ -27,6 +27,9 @@ motors:
 - rclcpp, `parameter_map_from`
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -34,7 +37,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning")
-def wildcard_overrides_specific(robot: Robot):
+def wildcard_overrides_specific(robot: Robot) -> Iterator[Finding]:
     for file in robot.params.judged:
         for specific, general in robot.params.taken_back(file) if file.accepted else ():
             yield finding(

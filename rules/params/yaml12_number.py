@@ -25,7 +25,9 @@ motors:
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -35,7 +37,7 @@ _NUMBER = re.compile(r"0o[0-7]+|0b[01]+|[+-]?[1-9][0-9]{0,2}(?:_[0-9]{3})+(?:\.[
 
 
 @rule("warning", fix="unsafe", symptoms=["InvalidParameterTypeException"])
-def yaml12_number(robot: Robot):
+def yaml12_number(robot: Robot) -> Iterator[Finding]:
     for _, parameter in robot.params.parameters:
         if robot.params.declared_type(parameter) == "string":
             continue

@@ -23,13 +23,16 @@ the robot. sshd does not start with a host key that others may read.
 - CWE-732
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", tags=["CWE-732"], symptoms=["Permissions 0644 for", "UNPROTECTED PRIVATE KEY FILE"])
-def file_mode(robot: Robot):
+def file_mode(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("ssh-private-key", "sros2-key"):
         if source.mode is not None and source.judged and source.mode & 0o077 and not is_group_of_keys(source):
             yield finding(

@@ -29,6 +29,9 @@ LoadCredential=mqtt-password:/etc/rover/mqtt-password
 - systemd.exec(5), "LoadCredential=" and the warning at "Environment="
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -56,7 +59,7 @@ INSTEAD = {
 
 
 @rule("error", tags=["CWE-798", "CWE-312"])
-def plain_secret(robot: Robot):
+def plain_secret(robot: Robot) -> Iterator[Finding]:
     for secret in robot.secrets:
         source = secret.value.span.source
         who = WHO[secret.holder]

@@ -28,13 +28,16 @@ bridge:
 - systemd.exec(5), "LoadCredential="
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("warning", tags=["CWE-200"])
-def ros_parameter(robot: Robot):
+def ros_parameter(robot: Robot) -> Iterator[Finding]:
     for found in robot.exposed_secrets:
         yield finding(
             found.where,

@@ -25,7 +25,9 @@ robots/heron/authorized_keys: ssh-ed25519 BBBB... operator@heron
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -37,7 +39,7 @@ KEY = re.compile(
 
 
 @rule("warning", tags=["CWE-321"])
-def ssh_key_shared(robot: Robot):
+def ssh_key_shared(robot: Robot) -> Iterator[Finding]:
     known = {}
     for source in robot.of_kind("authorized-keys"):
         for match in KEY.finditer(source.text):

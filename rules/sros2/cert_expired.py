@@ -1,11 +1,12 @@
-"""A certificate that has ended.
+"""A certificate has expired.
 
 ## What it finds
-A certificate of an enclave or of the authority whose last day lies before the day of the run (or the day given
-with `--now`).
+A certificate of an enclave or of the authority whose last day is before the day of the run (or before the day
+given with `--now`).
 
 ## Why it matters on a robot
-The participant is rejected: no node of the enclave starts, and with the authority's certificate no node at all.
+The participant is rejected: no node of the enclave starts. With the authority's certificate, no node starts
+at all.
 
 ## Bad
 ```text
@@ -17,17 +18,23 @@ notAfter=Jan  1 00:00:00 2020 GMT
 notAfter=Jan  1 00:00:00 2036 GMT
 ```
 
+## When to ignore it
+If the keystore is a test fixture or a sample that no robot uses.
+
 ## References
 - RFC 5280, section 4.1.2.5
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", tags=["CWE-298"], symptoms=["certificate has expired"])
-def cert_expired(robot: Robot):
+def cert_expired(robot: Robot) -> Iterator[Finding]:
     for source, certificate in robot.sros2.certificates:
         if source.judged and certificate.last_day < robot.today:
             yield finding(

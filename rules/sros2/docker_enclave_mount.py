@@ -1,11 +1,11 @@
-"""One enclave mounted as if it were the keystore.
+"""A single enclave is mounted in place of the keystore.
 
 ## What it finds
 A compose service that mounts a folder below `enclaves` at the path of its `ROS_SECURITY_KEYSTORE`.
 
 ## Why it matters on a robot
-rcl looks for `KEYSTORE/enclaves/...`, which does not exist there, and the links of the enclave to
-`../../../public` lead nowhere: with Enforce no node starts.
+rcl looks for `KEYSTORE/enclaves/...`, which does not exist there, and the enclave's links to
+`../../../public` are broken: with Enforce no node starts.
 
 ## Bad
 ```yaml
@@ -24,12 +24,17 @@ environment:
   ROS_SECURITY_KEYSTORE: /keystore
 ```
 
+## When to ignore it
+If the mounted folder is itself laid out as a keystore, with an `enclaves` folder of its own inside.
+
 ## References
 - rcl, security.c; tried with the real rcl of Jazzy
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -37,7 +42,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["SECURITY ERROR: directory"])
-def docker_enclave_mount(robot: Robot):
+def docker_enclave_mount(robot: Robot) -> Iterator[Finding]:
     if not robot.of_kind("compose"):
         return
     for service in robot.compose.services:
@@ -51,7 +56,7 @@ def docker_enclave_mount(robot: Robot):
                 yield finding(
                     volume.where,
                     f"rcl looks in {keystore}/enclaves, but {keystore} is a single enclave: the directory does not "
-                    "exist, and its links lead nowhere",
-                    advice=f"mount public and enclaves of the keystore below {keystore}, read-only and without private",
+                    "exist, and its links are broken",
+                    advice=f"mount public and enclaves of the keystore below {keystore}, read-only, without private",
                     related=[note(variable.value, "the keystore is expected here")],
                 )

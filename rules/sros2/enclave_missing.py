@@ -1,11 +1,11 @@
-"""An enclave that the keystore does not have.
+"""A process selects an enclave that the keystore does not have.
 
 ## What it finds
-An enclave named by `--enclave` or `ROS_SECURITY_ENCLAVE_OVERRIDE` that none of the tree's keystores holds. Without
-a keystore in the tree nothing can be said.
+An enclave named by `--enclave` or `ROS_SECURITY_ENCLAVE_OVERRIDE` that none of the keystores in the tree
+contains. Without a keystore in the tree, nothing is reported.
 
 ## Why it matters on a robot
-With Enforce the process ends (`directory does not exist`); with Permissive it runs unsecured.
+With Enforce the process ends (`directory does not exist`). With Permissive it runs unsecured.
 
 ## Bad
 ```sh
@@ -19,12 +19,18 @@ ros2 run lawn driver --ros-args --enclave /lawn/driver
 # keystore/enclaves/lawn/driver
 ```
 
+## When to ignore it
+If the enclave is created on the robot when it is provisioned, and the keystore in the tree is only a part of
+it.
+
 ## References
 - rcl, security.c; tried with the real rcl of Jazzy
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -33,7 +39,7 @@ from bringup_lint.api.spelling import nearest
 
 
 @rule("error", symptoms=["SECURITY ERROR: directory"])
-def enclave_missing(robot: Robot):
+def enclave_missing(robot: Robot) -> Iterator[Finding]:
     for name in robot.sros2.selected:
         keystores = [each for each in robot.sros2.keystores if robot.same_robot(name, robot.sros2.anchor_of(each))]
         known = sorted({path for keystore in keystores for path in keystore.enclaves})

@@ -1,12 +1,12 @@
-"""An enclave name that rcl does not accept.
+"""rcl does not accept the name of an enclave.
 
 ## What it finds
-A name behind `--enclave`, or a path in a policy, that is not absolute or not a valid namespace, and a
-`ROS_SECURITY_ENCLAVE_OVERRIDE` without a slash in front.
+A name after `--enclave`, or a path in a policy, that is not absolute or not a valid namespace. A
+`ROS_SECURITY_ENCLAVE_OVERRIDE` that does not start with a slash.
 
 ## Why it matters on a robot
-With `--enclave` the process ends at start, even with security off: `Enclave name is not valid`. The variable is
-not checked: its first component is cut short, and the enclave is not found.
+With `--enclave` the process ends at start, even with security off: `Enclave name is not valid`. rcl does not
+check the variable: it cuts off the first character, and does not find the enclave.
 
 ## Bad
 ```sh
@@ -18,12 +18,17 @@ ros2 run lawn driver --ros-args --enclave lawn/driver
 ros2 run lawn driver --ros-args --enclave /lawn/driver
 ```
 
+## When to ignore it
+Never: no version of rcl accepts the name.
+
 ## References
 - rcl, security.c; tried with the real rcl of Jazzy
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -31,7 +36,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["Enclave name is not valid"])
-def enclave_name_invalid(robot: Robot):
+def enclave_name_invalid(robot: Robot) -> Iterator[Finding]:
     overrides = {id(setting.value) for setting in robot.ros.of("ROS_SECURITY_ENCLAVE_OVERRIDE")}
     paths = [enclave.path for policy in robot.sros2.policies for enclave in policy.enclaves if enclave.path]
     described = {id(path) for path in paths}
@@ -43,7 +48,7 @@ def enclave_name_invalid(robot: Robot):
         valid = re.fullmatch(r"(?:/[A-Za-z_][A-Za-z0-9_]*)+", right)
         consequence = "rcl looks for another enclave" if override else "the process ends at start"
         if id(name) in described:
-            consequence = "sros2 makes no enclave of it"
+            consequence = "sros2 cannot create this enclave"
         yield finding(
             name,
             f"'{name}' is not a valid enclave name: {consequence}",

@@ -1,15 +1,19 @@
-"""A secured node without an enclave.
+"""A node with security switched on selects no enclave.
 
 ## What it finds
-A process with security switched on that selects no enclave: nodes of launch files (by `additional_env`,
-`SetEnvironmentVariable`, or the environment of the unit, service or script that runs `ros2 launch`) and `ros2 run` on
-command lines, without `--enclave` and without `ROS_SECURITY_ENCLAVE_OVERRIDE`. A keystore with an enclave for `/` is
-taken as on purpose.
+A process that has `ROS_SECURITY_ENABLE` set to true, but neither `--enclave` nor
+`ROS_SECURITY_ENCLAVE_OVERRIDE`. Two kinds of processes are checked:
+- nodes of launch files, secured by `additional_env`, by `SetEnvironmentVariable`, or by the environment of
+  the unit, service or script that runs `ros2 launch`
+- nodes that a command line starts with `ros2 run`
+
+A keystore with an enclave for `/` counts as intent, and nothing is reported. Without a keystore in the tree
+the finding is a warning, because the robot may have an enclave `/`, unless the node itself sets the variable
+(`additional_env`).
 
 ## Why it matters on a robot
-The process uses the enclave `/`, whatever the node is called: with Enforce it ends because the directory is
-incomplete, else all such processes share one identity. Where no keystore is in the tree, an enclave `/` may exist: then
-it is a warning.
+The process uses the enclave `/`, whatever the node is called. With Enforce it ends because the directory is
+incomplete. Otherwise all such processes share one identity.
 
 ## Bad
 ```python
@@ -22,10 +26,16 @@ Node(package="lawn", executable="driver", ros_arguments=["--enclave", "/lawn/dri
      additional_env={"ROS_SECURITY_ENABLE": "true"})
 ```
 
+## When to ignore it
+If one identity for the whole robot is intended and the keystore on the robot has an enclave for `/`.
+
 ## References
 - rcl, security.c; tried with the real rcl of Jazzy
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -33,7 +43,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["SECURITY ERROR: directory"])
-def enclave_not_selected(robot: Robot):
+def enclave_not_selected(robot: Robot) -> Iterator[Finding]:
     if robot.sros2.overridden or any("/" in keystore.enclaves for keystore in robot.sros2.keystores):
         return
     for group in robot.sros2.without_enclave:
@@ -41,14 +51,14 @@ def enclave_not_selected(robot: Robot):
         if not first.own and robot.ros.is_development(first.where):
             continue
         more = f" and {len(group) - 1} more select" if len(group) > 1 else " selects"
-        they = "they use '/' and not their names" if len(group) > 1 else "it uses '/' and not its name"
+        they = "they use '/'" if len(group) > 1 else "it uses '/'"
         yield finding(
             first.where,
-            f"{first.label}{more} no enclave: {they}, with Enforce nothing of it starts, else it shares that identity",
-            advice="add --ros-args --enclave /... to each process, in launch files ros_arguments=['--enclave', '/...']",
+            f"{first.label}{more} no enclave: {they}, which fails with Enforce and is a shared identity without it",
+            advice="add --ros-args --enclave /... to each process; in launch files ros_arguments=['--enclave', '/...']",
             related=[
                 note(first.switch, "security is switched on here"),
-                *(note(other.where, "selects none either") for other in group[1:6]),
+                *(note(other.where, "this one selects none either") for other in group[1:6]),
             ],
             severity=None if first.own or robot.sros2.keystores else "warning",
         )

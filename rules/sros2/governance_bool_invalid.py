@@ -1,12 +1,12 @@
-"""A boolean in a governance document that is not true or false.
+"""A boolean in a governance document is neither true nor false.
 
 ## What it finds
-A boolean other than `true`, `false`, `1` or `0`. `TRUE` and the like pass in Cyclone DDS and in newer
-builds of Fast DDS, so they are only a warning.
+A boolean other than `true`, `false`, `1` or `0`. Cyclone DDS and newer builds of Fast DDS accept `TRUE` and
+similar spellings, which are therefore only a warning.
 
 ## Why it matters on a robot
-A library that cannot read the value rejects the whole document: no node starts. Which one does differs from
-vendor to vendor and from version to version.
+A library that cannot read the value rejects the whole document: no node starts. Which libraries accept a
+spelling differs between vendors and versions.
 
 ## Bad
 ```xml
@@ -18,11 +18,18 @@ vendor to vendor and from version to version.
 <enable_join_access_control>true</enable_join_access_control>
 ```
 
+## When to ignore it
+Only for the warning: if all computers of the robot run a middleware that accepts the spelling, and will keep
+doing so.
+
 ## References
 - Cyclone DDS 0.10.5 with security, tried with the real library
 - OMG DDS Security 1.1, clause 9.4.1.2
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -30,7 +37,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe")
-def governance_bool_invalid(robot: Robot):
+def governance_bool_invalid(robot: Robot) -> Iterator[Finding]:
     for document, remark in robot.sros2.remarks("bool"):
         text = remark.element.text
         right = text.lower() if text.lower() in ("true", "false") else ""
@@ -38,9 +45,9 @@ def governance_bool_invalid(robot: Robot):
             continue
         yield finding(
             remark.where,
-            f"'{text}' is no boolean of the specification: Cyclone DDS takes it, others may reject the document"
+            f"'{text}' is not a boolean of the specification: Cyclone DDS accepts it, others may reject the document"
             if right
-            else f"'{text}' is no boolean for {remark.detail}: the document is rejected, no node starts",
+            else f"'{text}' is not a valid {remark.detail}: the document is rejected, no node starts",
             advice=f"write {right}" if right else "write true or false",
             severity="warning" if right else None,
             fix=fix(f"write {right}", (remark.where, right)) if right else None,

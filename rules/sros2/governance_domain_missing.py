@@ -1,9 +1,9 @@
-"""A governance document that does not cover the robot's domain.
+"""The governance document does not cover the robot's domain.
 
 ## What it finds
-A governance document without the ROS_DOMAIN_ID of the processes that use its keystore; where none names the keystore,
-without the one that all units, or all files, of the robot agree on. sros2 writes the domain of the moment at which
-the keystore was created, 0 by default.
+A governance document that does not cover the ROS_DOMAIN_ID of the processes that use its keystore. If no
+process names the keystore, the document is compared with the domain that all units, or all files, of the
+robot agree on. sros2 writes the domain that was set when the keystore was created, 0 by default.
 
 ## Why it matters on a robot
 The plugin answers `Could not find domain` (code 141): no participant is created and no node starts.
@@ -24,11 +24,17 @@ The plugin answers `Could not find domain` (code 141): no participant is created
 </domains>
 ```
 
+## When to ignore it
+If the keystore belongs to another robot or computer that runs in a domain the document covers.
+
 ## References
 - Cyclone DDS 0.10.5 with security, tried with the real library
 - OMG DDS Security 1.1, clause 9.4.1.2
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -36,7 +42,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Could not find domain"])
-def governance_domain_missing(robot: Robot):
+def governance_domain_missing(robot: Robot) -> Iterator[Finding]:
     for governance in robot.sros2.used_governances:
         used = robot.sros2.domain_of(governance)
         if used is None:

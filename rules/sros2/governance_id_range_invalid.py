@@ -1,8 +1,8 @@
-"""A range of domains that has no minimum, or whose minimum is above its maximum.
+"""A range of domains has no minimum, or a minimum above its maximum.
 
 ## What it finds
-An `id_range` without `min`, or with `min` above `max`, in governance and permissions documents. Schema
-validators accept both.
+An `id_range` without `min`, or with `min` above `max`, or a domain that is not a number, in governance and
+permissions documents. Schema validators accept the first two.
 
 ## Why it matters on a robot
 Cyclone DDS rejects the document (code 110): no participant is created and no node starts.
@@ -23,25 +23,31 @@ Cyclone DDS rejects the document (code 110): no participant is created and no no
 </id_range>
 ```
 
+## When to ignore it
+Never: Cyclone DDS rejects the document as a whole.
+
 ## References
 - Cyclone DDS 0.10.5 with security, tried with the real library
 - OMG DDS Security 1.1, clause 9.4.1.2
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Found domain range in Governance file without minimum value", "with invalid range"])
-def governance_id_range_invalid(robot: Robot):
+def governance_id_range_invalid(robot: Robot) -> Iterator[Finding]:
     for document, remark in robot.sros2.remarks("range", "number"):
         code = " (code 110)" if document in robot.sros2.governances else ""
         if remark.code == "number":
             text = remark.element.text
-            message = f"'{text}' is no domain" if text else f"{remark.detail} is empty"
+            message = f"'{text}' is not a domain" if text else f"{remark.detail} is empty"
         else:
-            message = f"The range of domains is not valid, {remark.detail}"
+            message = f"The range of domains is not valid ({remark.detail})"
         yield finding(
             remark.where,
             f"{message}: the document is rejected{code}, no node starts",

@@ -1,11 +1,12 @@
-"""A protection kind that no DDS library can read.
+"""DDS libraries cannot read a protection kind.
 
 ## What it finds
 A protection kind other than NONE, SIGN, ENCRYPT, SIGN_WITH_ORIGIN_AUTHENTICATION and
-ENCRYPT_WITH_ORIGIN_AUTHENTICATION; `data_protection_kind` takes the first three only. Capital letters matter.
+ENCRYPT_WITH_ORIGIN_AUTHENTICATION. `data_protection_kind` accepts only the first three. Kinds are
+case-sensitive.
 
 ## Why it matters on a robot
-The governance document cannot be parsed (code 137): no participant is created and no node starts.
+The library cannot parse the governance document (code 137): no participant is created and no node starts.
 
 ## Bad
 ```xml
@@ -17,11 +18,17 @@ The governance document cannot be parsed (code 137): no participant is created a
 <data_protection_kind>ENCRYPT</data_protection_kind>
 ```
 
+## When to ignore it
+Never: the libraries refuse the whole document.
+
 ## References
 - Cyclone DDS 0.10.5 with security, tried with the real library
 - OMG DDS Security 1.1, clause 9.4.1.2
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -29,13 +36,17 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["Can not parse governance file"])
-def governance_kind_invalid(robot: Robot):
+def governance_kind_invalid(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.sros2.remarks("kind"):
         right = remark.where.upper() if remark.element.text else ""
         kinds = ("NONE", "SIGN", "ENCRYPT")
         if remark.detail != "data_protection_kind":
             kinds += ("SIGN_WITH_ORIGIN_AUTHENTICATION", "ENCRYPT_WITH_ORIGIN_AUTHENTICATION")
-        shown = f"'{remark.element.text}' is no {remark.detail}" if remark.element.text else f"{remark.detail} is empty"
+        shown = (
+            f"'{remark.element.text}' is not a valid {remark.detail}"
+            if remark.element.text
+            else f"{remark.detail} is empty"
+        )
         yield finding(
             remark.where,
             f"{shown}: the document cannot be parsed (code 137), no node starts",

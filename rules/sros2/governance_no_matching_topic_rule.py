@@ -1,11 +1,11 @@
-"""A topic that no governance rule covers.
+"""No governance rule covers a topic.
 
 ## What it finds
-A topic that an enclave of the keystore is granted by its full name, or that every process needs, and that no
-`topic_rule` of its domain matches.
+A topic that no `topic_rule` of its domain matches, and that is either `ros_discovery_info`, which every
+process needs, or granted to an enclave of the keystore by its full name.
 
 ## Why it matters on a robot
-A topic without a rule cannot be created (code 142): the node ends with an exception.
+The library cannot create a topic without a rule (code 142): the node ends with an exception.
 
 ## Bad
 ```xml
@@ -22,13 +22,18 @@ A topic without a rule cannot be created (code 142): the node ends with an excep
   <topic_expression>*</topic_expression>
 ```
 
+## When to ignore it
+If the grant is left over and no node uses the topic. The finding for `ros_discovery_info` is always right.
+
 ## References
 - Cyclone DDS 0.10.5 with security, tried with the real library
 - OMG DDS Security 1.1, clause 9.4.1.2
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -36,7 +41,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["topic attributes for domain"])
-def governance_no_matching_topic_rule(robot: Robot):
+def governance_no_matching_topic_rule(robot: Robot) -> Iterator[Finding]:
     for governance in robot.sros2.used_governances:
         granted = [
             topic

@@ -1,11 +1,13 @@
-"""Topics that nothing protects on the network.
+"""Topics are not protected on the network.
 
 ## What it finds
 A topic rule with `metadata_protection_kind` and `data_protection_kind` NONE, in a domain rule with
-`rtps_protection_kind` NONE. For topics that move or stop the robot it is an error, for others a remark.
+`rtps_protection_kind` NONE:
+- **error**: the rule covers topics that move or stop the robot.
+- **info**: it covers other topics.
 
 ## Why it matters on a robot
-Messages travel in clear text and unsigned: whoever is on the network reads them, and forges commands.
+Messages are sent in clear text and unsigned: anyone on the network can read them and forge commands.
 
 ## Bad
 ```xml
@@ -23,13 +25,19 @@ Messages travel in clear text and unsigned: whoever is on the network reads them
 <data_protection_kind>ENCRYPT</data_protection_kind>
 ```
 
+## When to ignore it
+If the data may be public and forging it does no harm, such as camera images for a display, and encryption
+would cost too much CPU time.
+
 ## References
 - Cyclone DDS 0.10.5 with security, tried with the real library
 - OMG DDS Security 1.1, clause 9.4.1.2
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -46,7 +54,7 @@ def _commands(robot, expression):
 
 
 @rule("error", fix="unsafe", tags=["CWE-319"])
-def governance_protection_none(robot: Robot):
+def governance_protection_none(robot: Robot) -> Iterator[Finding]:
     for governance in robot.sros2.used_governances:
         for rule_ in governance.rules:
             if rule_.fields.get("rtps_protection_kind") != "NONE":

@@ -1,10 +1,10 @@
-"""A topic rule that is never used.
+"""A topic rule is never used.
 
 ## What it finds
-A topic rule behind one whose expression covers all its topics, with other settings.
+A topic rule after one whose expression covers all its topics but has other settings.
 
 ## Why it matters on a robot
-The first rule that matches decides: the later rule, usually the stricter one, has no effect.
+The first rule that matches decides. The later rule, usually the stricter one, has no effect.
 
 ## Bad
 ```xml
@@ -20,12 +20,18 @@ The first rule that matches decides: the later rule, usually the stricter one, h
 <topic_expression>*</topic_expression>
 ```
 
+## When to ignore it
+Never: libraries read the rules in order and stop at the first match. Delete the later rule if the first one
+is right.
+
 ## References
 - OMG DDS Security 1.1, clause 9.4.1.2.5
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -33,7 +39,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning")
-def governance_rule_shadowed(robot: Robot):
+def governance_rule_shadowed(robot: Robot) -> Iterator[Finding]:
     for governance in robot.sros2.used_governances:
         for rule_ in governance.rules:
             before = []
@@ -45,7 +51,7 @@ def governance_rule_shadowed(robot: Robot):
                 if wider is not None and wider.fields != topics.fields:
                     yield finding(
                         topics.expression,
-                        f"The rule for {topics.expression} is never used: '{wider.expression}' stands before it, and "
+                        f"The rule for {topics.expression} is never used: '{wider.expression}' comes before it, and "
                         "the first match wins",
                         advice="put the specific rules first, and sign the document again",
                         related=[note(wider.expression, "this rule decides")],

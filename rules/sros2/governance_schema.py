@@ -1,12 +1,12 @@
-"""A governance document whose elements are missing, unknown or out of order.
+"""Elements of a governance document are missing, unknown or out of order.
 
 ## What it finds
-Elements of a governance document that are missing, unknown, repeated, or not in the order of the
-specification. Cyclone DDS accepts another order, Fast DDS reads strictly in sequence.
+Elements of a governance document that are missing, unknown, repeated, empty, or not in the order of the
+specification. Cyclone DDS accepts another order; Fast DDS reads strictly in sequence.
 
 ## Why it matters on a robot
 The security plugin rejects the document when the participant is created (code 110): no node of the robot
-starts. `enable_liveliness_protection` is the one that examples forget.
+starts. Examples often omit `enable_liveliness_protection`.
 
 ## Bad
 ```xml
@@ -25,11 +25,17 @@ starts. `enable_liveliness_protection` is the one that examples forget.
   <enable_read_access_control>true</enable_read_access_control>
 ```
 
+## When to ignore it
+Only for the order of elements, if every computer of the robot uses Cyclone DDS.
+
 ## References
 - Cyclone DDS 0.10.5 with security, tried with the real library
 - OMG DDS Security 1.1, clause 9.4.1.2
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import Span
 from bringup_lint.api import finding
@@ -38,14 +44,14 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="unsafe", symptoms=["Found topic rule in Governance file without", "code: 110"])
-def governance_schema(robot: Robot):
+def governance_schema(robot: Robot) -> Iterator[Finding]:
     for document, remark in robot.sros2.remarks("missing", "unknown", "duplicate", "order", "empty"):
         if document not in robot.sros2.governances:
             continue
         if remark.code == "missing":
             yield finding(
                 remark.where,
-                f"{remark.where} lacks {remark.detail}: the document is rejected (code 110), no node starts",
+                f"{remark.where} has no {remark.detail}: the document is rejected (code 110), no node starts",
                 advice=f"add {remark.detail}{_place(remark)}, and sign the document again",
                 fix=_insertion(remark),
             )
@@ -54,7 +60,7 @@ def governance_schema(robot: Robot):
         elif remark.code == "order":
             yield finding(
                 remark.where,
-                f"{remark.detail} is out of order: Cyclone DDS takes it, Fast DDS rejects the document and no node "
+                f"{remark.detail} is out of order: Cyclone DDS accepts it, Fast DDS rejects the document and no node "
                 "starts",
                 advice="keep the order of the specification, and sign the document again",
             )
@@ -65,7 +71,7 @@ def governance_schema(robot: Robot):
                 advice="write a topic name or a pattern, such as *",
             )
         else:
-            what = "is no element of a governance document" if remark.code == "unknown" else "stands here twice"
+            what = "is not an element of a governance document" if remark.code == "unknown" else "appears twice"
             yield finding(
                 remark.where,
                 f"{remark.detail} {what}: the document is rejected, no node starts",
@@ -74,7 +80,7 @@ def governance_schema(robot: Robot):
 
 
 def _place(remark):
-    return f" in front of {remark.before.local}" if remark.before is not None else ""
+    return f" before {remark.before.local}" if remark.before is not None else ""
 
 
 def _insertion(remark):

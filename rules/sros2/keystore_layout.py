@@ -1,8 +1,8 @@
-"""An enclave that lacks files, or whose links lead nowhere.
+"""An enclave has missing files or broken links.
 
 ## What it finds
-An enclave without one of the files that the RMW opens, and links in it that lead nowhere. In a repository, which
-rightly holds no keys, only enclaves with a certificate are looked at, and the key may be elsewhere.
+An enclave without one of the files that the RMW opens, or with broken links. In a repository, which should
+not contain keys, only enclaves with a certificate are checked, and a missing key is not reported.
 
 ## Why it matters on a robot
 The participant cannot be created (code 117): no node of the enclave starts.
@@ -23,17 +23,23 @@ enclaves/lawn/driver/governance.p7s -> ../../governance.p7s
 enclaves/lawn/driver/permissions.p7s
 ```
 
+## When to ignore it
+If the missing files are created or mounted when the robot is provisioned.
+
 ## References
 - sros2, create_keystore and create_enclave; Cyclone DDS 0.10.5 with security
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["File could not be found, opened or is empty"])
-def keystore_layout(robot: Robot):
+def keystore_layout(robot: Robot) -> Iterator[Finding]:
     whole = robot.tree.complete
     for keystore in robot.sros2.keystores:
         for enclave in keystore.enclaves.values():
@@ -45,13 +51,13 @@ def keystore_layout(robot: Robot):
             if dangling:
                 yield finding(
                     where,
-                    f"The links {', '.join(dangling)} of enclave {enclave.path} lead nowhere: code 117, its nodes do "
+                    f"The links {', '.join(dangling)} of enclave {enclave.path} are broken: code 117, its nodes do "
                     "not start",
-                    advice="copy the whole keystore with its links, or put the files themselves there",
+                    advice="copy the whole keystore with its links, or replace the links with the files",
                 )
             if missing and (whole or "cert.pem" in enclave.files):
                 yield finding(
                     where,
-                    f"Enclave {enclave.path} lacks {', '.join(missing)}: code 117, its nodes do not start",
+                    f"Enclave {enclave.path} has no {', '.join(missing)}: code 117, its nodes do not start",
                     advice="copy the whole keystore, or create the enclave again",
                 )

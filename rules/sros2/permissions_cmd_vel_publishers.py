@@ -1,11 +1,11 @@
-"""Several enclaves that may command the same motion.
+"""Several enclaves may publish the same velocity command.
 
 ## What it finds
 More than one enclave with an explicit right to publish the same velocity topic, in a tree whose launch files
-name no multiplexer, smoother, collision monitor or gate.
+do not mention a multiplexer, smoother, collision monitor or gate.
 
 ## Why it matters on a robot
-Two sources of commands fight over the wheels, and a compromised one drives the robot.
+Two sources of commands conflict, and a single compromised one drives the robot.
 
 ## Bad
 ```text
@@ -20,12 +20,18 @@ enclaves/lawn/navigation/permissions.xml   publish rt/nav/cmd_vel
 enclaves/lawn/gate/permissions.xml         publish rt/cmd_vel
 ```
 
+## When to ignore it
+If only one of the processes runs at a time, for example teleoperation and navigation in separate modes, or a
+multiplexer is started in another way than by a launch file.
+
 ## References
 - twist_mux, nav2_collision_monitor
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -33,7 +39,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning")
-def permissions_cmd_vel_publishers(robot: Robot):
+def permissions_cmd_vel_publishers(robot: Robot) -> Iterator[Finding]:
     if any(robot.sros2.in_launch(word) for word in ("mux", "collision_monitor", "smoother", "gate", "arbiter")):
         return
     publishers = {}
@@ -47,7 +53,7 @@ def permissions_cmd_vel_publishers(robot: Robot):
             first, *others = enclaves.values()
             yield finding(
                 others[0],
-                f"{' and '.join(enclaves)} may both publish {topic}: they fight over it, and either drives the robot",
-                advice="give each source an input topic of its own, and one gate the right to publish the command",
+                f"{' and '.join(enclaves)} may both publish {topic}: their commands conflict, and both drive the robot",
+                advice="give each source its own input topic, and only one gate the right to publish the command",
                 related=[note(each, "and this one") for each in (first, *others[1:])],
             )

@@ -1,10 +1,11 @@
-"""A validity date that DDS libraries cannot read.
+"""DDS libraries cannot read a validity date.
 
 ## What it finds
 A `not_before` or `not_after` that is not `YYYY-MM-DDThh:mm:ss`, with or without `Z` or an offset.
 
 ## Why it matters on a robot
-A date without a time is read as expired (code 147): the participant is rejected and the node does not start.
+The library reads a date without a time as expired (code 147): the participant is rejected and the node does
+not start.
 
 ## Bad
 ```xml
@@ -16,13 +17,18 @@ A date without a time is read as expired (code 147): the participant is rejected
 <not_after>2036-11-17T00:00:00</not_after>
 ```
 
+## When to ignore it
+Never: the library cannot read the date.
+
 ## References
 - Cyclone DDS 0.10.5 with security, tried with the real library
 - OMG DDS Security 1.1, clause 9.4.1.3
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -30,13 +36,13 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["Permissions validity period expired"])
-def permissions_date_format(robot: Robot):
+def permissions_date_format(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.sros2.remarks("date"):
         text = remark.element.text
         short = re.fullmatch(r"\d{4}-\d\d-\d\d", text)
         yield finding(
             remark.where,
-            f"'{text}' is no date with a time: it is read as long past, the node does not start",
+            f"'{text}' is not a date with a time: it is read as expired, the node does not start",
             advice=f"write {text}T00:00:00, and sign the document again" if short else "write YYYY-MM-DDThh:mm:ss",
             fix=fix("add the time", (remark.where, f"{text}T00:00:00")) if short else None,
         )

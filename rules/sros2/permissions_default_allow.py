@@ -1,10 +1,10 @@
-"""Permissions that allow whatever no rule names.
+"""Permissions allow everything that no rule names.
 
 ## What it finds
 `<default>ALLOW</default>` in a grant of a document that a robot uses.
 
 ## Why it matters on a robot
-Every topic that no rule denies is open to the enclave, whatever the allow rules list: a compromised node may
+Every topic that no rule denies is open to the enclave, whatever the allow rules list: a compromised node can
 command the motors.
 
 ## Bad
@@ -17,11 +17,18 @@ command the motors.
 <default>DENY</default>
 ```
 
+## When to ignore it
+While the permissions are still being collected on a network that only the developers can reach, or for a
+debugging enclave that is not deployed.
+
 ## References
 - Cyclone DDS 0.10.5 with security, tried with the real library
 - OMG DDS Security 1.1, clause 9.4.1.3
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -29,13 +36,12 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="unsafe", tags=["CWE-276"])
-def permissions_default_allow(robot: Robot):
+def permissions_default_allow(robot: Robot) -> Iterator[Finding]:
     for permissions, grant in robot.sros2.grants:
         if grant.default == "ALLOW" and robot.sros2.is_used(permissions.source):
             yield finding(
                 grant.default,
-                "The default is ALLOW: the allow rules above have no effect, everything that is not denied is "
-                "permitted",
+                "The default is ALLOW: the allow rules have no effect, everything that is not denied is permitted",
                 advice="write DENY, list what the enclave needs, and sign the document again",
                 fix=fix("write DENY", (grant.default, "DENY"), safe=False),
             )

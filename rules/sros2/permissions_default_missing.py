@@ -1,10 +1,11 @@
-"""Permissions without a valid default.
+"""A grant has no valid default.
 
 ## What it finds
-A grant whose `default` is missing, or not exactly `ALLOW` or `DENY`.
+A grant whose `default` is missing, or is not exactly `ALLOW` or `DENY`.
 
 ## Why it matters on a robot
-Cyclone DDS denies then; other libraries may reject the document, and the node does not start.
+Cyclone DDS then denies what no rule allows. Other libraries may reject the document, and the node does not
+start.
 
 ## Bad
 ```xml
@@ -16,11 +17,17 @@ Cyclone DDS denies then; other libraries may reject the document, and the node d
 <default>DENY</default>
 ```
 
+## When to ignore it
+If every computer of the robot uses Cyclone DDS and the default should be DENY.
+
 ## References
 - Cyclone DDS 0.10.5 with security, tried with the real library
 - OMG DDS Security 1.1, clause 9.4.1.3
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -28,7 +35,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", fix="safe")
-def permissions_default_missing(robot: Robot):
+def permissions_default_missing(robot: Robot) -> Iterator[Finding]:
     for permissions in robot.sros2.permissions:
         if not robot.sros2.is_used(permissions.source):
             continue
@@ -38,7 +45,7 @@ def permissions_default_missing(robot: Robot):
                 right = text.upper() if text.upper() in ("ALLOW", "DENY") else "DENY"
                 yield finding(
                     remark.where,
-                    f"'{text}' is no default: Cyclone DDS denies, other libraries may reject the document",
+                    f"'{text}' is not a valid default: Cyclone DDS denies, other libraries may reject the document",
                     advice=f"write {right}",
                     fix=fix(f"write {right}", (remark.where, right)) if text else None,
                 )

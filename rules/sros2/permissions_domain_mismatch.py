@@ -1,12 +1,12 @@
-"""Permissions for another domain than the robot's.
+"""Permissions are for a different domain than the robot's.
 
 ## What it finds
-An enclave none of whose allow rules covers the ROS_DOMAIN_ID of the processes that use its keystore; where none names
-the keystore, the one that all units, or all files, of the robot agree on. sros2 writes the domain of the moment at
-which the enclave was created.
+An enclave none of whose allow rules covers the ROS_DOMAIN_ID of the processes that use its keystore. If no
+process names the keystore, the rules are compared with the domain that all units, or all files, of the robot
+agree on. sros2 writes the domain that was set when the enclave was created.
 
 ## Why it matters on a robot
-The participant is denied by the default rule (code 145): no node of the enclave starts.
+The default rule denies the participant (code 145): no node of the enclave starts.
 
 ## Bad
 ```xml
@@ -24,11 +24,18 @@ The participant is denied by the default rule (code 145): no node of the enclave
 </domains>
 ```
 
+## When to ignore it
+If the enclave belongs to a process that runs in another domain, such as a bridge or a second robot that
+shares the keystore.
+
 ## References
 - Cyclone DDS 0.10.5 with security, tried with the real library
 - OMG DDS Security 1.1, clause 9.4.1.3
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -36,7 +43,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["participant denied by default rule"])
-def permissions_domain_mismatch(robot: Robot):
+def permissions_domain_mismatch(robot: Robot) -> Iterator[Finding]:
     for document, grant in robot.sros2.ros_grants:
         used = robot.sros2.domain_of(document)
         if used is None:

@@ -1,11 +1,11 @@
-"""Permissions whose validity has ended.
+"""Permissions have expired.
 
 ## What it finds
-A grant whose `not_after` lies before the day of the run (or the day given with `--now`).
+A grant whose `not_after` is before the day of the run (or before the day given with `--now`).
 
 ## Why it matters on a robot
-The participant is rejected (code 147): the node does not start, from one boot to the next and on all robots
-that were set up on the same day.
+The participant is rejected (code 147): the node does not start after the next boot, on all robots that were
+set up on the same day.
 
 ## Bad
 ```xml
@@ -17,18 +17,24 @@ that were set up on the same day.
 <not_after>2027-01-01T00:00:00</not_after>
 ```
 
+## When to ignore it
+If the document is a sample or a test fixture that no robot uses.
+
 ## References
 - Cyclone DDS 0.10.5 with security, tried with the real library
 - OMG DDS Security 1.1, clause 9.4.1.3
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Permissions validity period expired for"], tags=["CWE-298"])
-def permissions_expired(robot: Robot):
+def permissions_expired(robot: Robot) -> Iterator[Finding]:
     for _, grant in robot.sros2.grants:
         end = robot.sros2.moment(grant.not_after)
         if end is not None and end.date() < robot.today:
@@ -36,5 +42,5 @@ def permissions_expired(robot: Robot):
                 grant.not_after,
                 f"The permissions expired on {end.date()}: the participant is rejected (code 147), the node does not "
                 "start",
-                advice="give the grant a new validity and sign the document again",
+                advice="extend the validity of the grant and sign the document again",
             )

@@ -1,10 +1,10 @@
-"""Permissions that end within 30 days.
+"""Permissions expire within 30 days.
 
 ## What it finds
-A grant whose `not_after` lies within 30 days of the day of the run (or the day given with `--now`).
+A grant whose `not_after` is at most 30 days after the day of the run (or after the day given with `--now`).
 
 ## Why it matters on a robot
-From that day on the participant is rejected (code 147) and the node does not start any more.
+After that day the participant is rejected (code 147) and the node no longer starts.
 
 ## Bad
 ```xml
@@ -16,18 +16,24 @@ From that day on the participant is rejected (code 147) and the node does not st
 <not_after>2027-06-01T00:00:00</not_after>
 ```
 
+## When to ignore it
+If permissions are deliberately short-lived and a job renews and deploys them in time.
+
 ## References
 - Cyclone DDS 0.10.5 with security, tried with the real library
 - OMG DDS Security 1.1, clause 9.4.1.3
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("warning")
-def permissions_expiring(robot: Robot):
+def permissions_expiring(robot: Robot) -> Iterator[Finding]:
     for _, grant in robot.sros2.grants:
         end = robot.sros2.moment(grant.not_after)
         left = (end.date() - robot.today).days if end else -1

@@ -1,11 +1,11 @@
-"""Permissions without the topics that every node publishes.
+"""Permissions do not include the topics that every node publishes.
 
 ## What it finds
-A grant to an enclave that does not allow to publish `rt/rosout` or `rt/parameter_events`.
+A grant to an enclave that does not allow publishing `rt/rosout` or `rt/parameter_events`.
 
 ## Why it matters on a robot
-Unless a node switches them off, its constructor makes these publishers and throws at the first one that is
-denied: the node does not start.
+The constructor of a node creates these publishers, unless the node switches them off, and throws at the first
+one that is denied: the node does not start.
 
 ## Bad
 ```xml
@@ -19,18 +19,25 @@ denied: the node does not start.
 <topic>rt/odom</topic>
 ```
 
+## When to ignore it
+If every node of the enclave disables the two publishers in its NodeOptions (`enable_rosout(false)`,
+`start_parameter_event_publisher(false)`).
+
 ## References
 - https://github.com/ros2/sros2/issues/65
 - Cyclone DDS 0.10.5 with security, tried with the real library
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("warning", symptoms=["Not Allowed By Security"])
-def permissions_missing_node_infrastructure(robot: Robot):
+def permissions_missing_node_infrastructure(robot: Robot) -> Iterator[Finding]:
     for _, grant in robot.sros2.ros_grants:
         if grant.default == "ALLOW" or not grant.allowed:
             continue
@@ -43,6 +50,6 @@ def permissions_missing_node_infrastructure(robot: Robot):
         if lacks:
             yield finding(
                 grant.subject,
-                f"{grant.enclave} may not publish {' and '.join(lacks)}: an ordinary node throws when it is created",
+                f"{grant.enclave} cannot publish {' and '.join(lacks)}: an ordinary node throws when it is created",
                 advice=f"add {' and '.join(lacks)} to publish, and sign the document again",
             )

@@ -1,12 +1,12 @@
-"""A topic in permissions that is no DDS name of ROS 2.
+"""A topic in permissions is not a DDS name of ROS 2.
 
 ## What it finds
-Topics of an enclave's grant without `rt/`, `rq/` or `rr/` in front, with a slash in front, or with two behind
-the prefix.
+Topics of an enclave's grant that do not start with `rt/`, `rq/` or `rr/`, that start with a slash, or that
+have two slashes after the prefix.
 
 ## Why it matters on a robot
-ROS 2 puts `rt` in front of topics, `rq` and `rr` in front of services. The grant matches nothing: the endpoint
-is denied, and the node ends with an exception.
+ROS 2 adds `rt` to the names of topics, `rq` and `rr` to those of services. The grant matches nothing: the
+endpoint is denied, and the node ends with an exception.
 
 ## Bad
 ```xml
@@ -18,13 +18,19 @@ is denied, and the node ends with an exception.
 <topic>rt/cmd_vel</topic>
 ```
 
+## When to ignore it
+If the topic belongs to a DDS program that does not use ROS 2, or to a node with
+`avoid_ros_namespace_conventions`.
+
 ## References
 - ROS 2 design, "Topic and Service name mapping to DDS"
 - Cyclone DDS 0.10.5 with security, tried with the real library
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -32,7 +38,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["Not Allowed By Security"])
-def permissions_missing_ros_prefix(robot: Robot):
+def permissions_missing_ros_prefix(robot: Robot) -> Iterator[Finding]:
     for _, grant in robot.sros2.ros_grants:
         for rule_ in grant.allowed:
             for topic in (*rule_.publish, *rule_.subscribe):

@@ -1,8 +1,8 @@
-"""Permissions whose elements are missing, unknown or misplaced.
+"""Elements of a permissions document are missing, unknown or repeated.
 
 ## What it finds
-Elements of a permissions document that the specification does not know or that stand twice, a grant without a
-name, subject or validity, and a validity without its start or end.
+Elements of a permissions document that the specification does not know or that appear twice, a grant without
+a name, subject or validity, and a validity without its start or end.
 
 ## Why it matters on a robot
 The security plugin rejects the document: no node of the enclave starts.
@@ -22,18 +22,24 @@ The security plugin rejects the document: no node of the enclave starts.
 </validity>
 ```
 
+## When to ignore it
+Never: the plugin rejects the whole document.
+
 ## References
 - Cyclone DDS 0.10.5 with security, tried with the real library
 - OMG DDS Security 1.1, clause 9.4.1.3
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error")
-def permissions_schema(robot: Robot):
+def permissions_schema(robot: Robot) -> Iterator[Finding]:
     for permissions in robot.sros2.permissions:
         for remark in permissions.remarks:
             if remark.code not in ("missing", "unknown", "duplicate", "attribute") or remark.detail in (
@@ -42,11 +48,11 @@ def permissions_schema(robot: Robot):
             ):
                 continue
             if remark.code in ("missing", "attribute"):
-                message, advice = f"{remark.where} lacks {remark.detail}", f"add {remark.detail}"
+                message, advice = f"{remark.where} has no {remark.detail}", f"add {remark.detail}"
             elif remark.code == "unknown":
-                message, advice = f"{remark.detail} is no element of permissions", "delete it"
+                message, advice = f"{remark.detail} is not an element of permissions", "delete it"
             else:
-                message, advice = f"{remark.detail} stands here twice", "delete one of the two"
+                message, advice = f"{remark.detail} appears twice", "delete one of the two"
             yield finding(
                 remark.where,
                 f"{message}: the document is rejected, no node of the enclave starts",

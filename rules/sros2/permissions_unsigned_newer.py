@@ -1,8 +1,8 @@
-"""A security document that was changed and not signed again.
+"""A security document was changed but not signed again.
 
 ## What it finds
-A governance or permissions document that differs from the clear text inside the signed file beside it, blanks
-and line ends apart.
+A governance or permissions document whose text differs from the one inside the signed file beside it. Spaces
+and line ends are ignored.
 
 ## Why it matters on a robot
 The robot reads only the signed file: the change has no effect, and the old rules stay in force.
@@ -19,10 +19,16 @@ permissions.xml   grants rt/odom
 permissions.p7s   grants rt/odom
 ```
 
+## When to ignore it
+If the documents in the tree are only sources, and the build signs them before they are deployed.
+
 ## References
 - Cyclone DDS 0.10.5 with security: a signed file that is changed gives a digest failure (code 127)
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -30,7 +36,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", symptoms=["digest failure"])
-def permissions_unsigned_newer(robot: Robot):
+def permissions_unsigned_newer(robot: Robot) -> Iterator[Finding]:
     for document in (*robot.sros2.governances, *robot.sros2.permissions):
         signed = robot.sros2.signed_text(document.source)
         if signed is None or _squeezed(document.source.text) == _squeezed(signed[1]):

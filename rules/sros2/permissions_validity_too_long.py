@@ -1,10 +1,10 @@
-"""Permissions that are valid for more than 398 days.
+"""Permissions are valid for more than 398 days.
 
 ## What it finds
 A grant whose validity is longer than 398 days. sros2 writes ten years.
 
 ## Why it matters on a robot
-A key that is copied from the robot works until its permissions end: nothing else locks it out.
+A key that is copied from the robot works until its permissions expire: nothing else revokes it.
 
 ## Bad
 ```xml
@@ -18,11 +18,18 @@ A key that is copied from the robot works until its permissions end: nothing els
 <not_after>2027-01-01T00:00:00</not_after>
 ```
 
+## When to ignore it
+If the robot cannot be reached for renewal during its service life, or an expired permission in the field is a
+greater risk than a stolen key.
+
 ## References
 - CA/Browser Forum Baseline Requirements, 6.3.2 (398 days)
 - sros2, create_permission
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -30,7 +37,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", tags=["CWE-324"])
-def permissions_validity_too_long(robot: Robot):
+def permissions_validity_too_long(robot: Robot) -> Iterator[Finding]:
     for _, grant in robot.sros2.ros_grants:
         start, end = robot.sros2.moment(grant.not_before), robot.sros2.moment(grant.not_after)
         days = (end - start).days if start and end else 0
@@ -38,7 +45,7 @@ def permissions_validity_too_long(robot: Robot):
             span = f"{round(days / 365.25)} years" if days > 700 else f"{days} days"
             yield finding(
                 grant.not_after,
-                f"{grant.enclave} is valid for {span}: a stolen key works that long",
-                advice="sign permissions for a year at most, and renew them with a job on the signing machine",
+                f"{grant.enclave} is valid for {span}: a stolen key can be used that long",
+                advice="sign permissions for at most a year, and renew them with a job on the signing machine",
                 related=[note(grant.not_before, "the validity begins here")],
             )

@@ -1,13 +1,16 @@
-"""A right in a policy that becomes no right.
+"""A right in a policy grants nothing.
 
 ## What it finds
-In a `policy.xml`: topics, services or actions without any of publish, subscribe, reply, request, call and execute; a
-profile whose namespace does not begin with a slash; names with the DDS prefixes `rt/`, `rq/`, `rr/`; `~name` instead of
-`~/name`; empty names and names with blanks.
+Rights in a `policy.xml` that have no effect:
+- topics, services or actions without publish, subscribe, reply, request, call or execute
+- a profile whose namespace does not start with a slash
+- names with the DDS prefixes `rt/`, `rq/`, `rr/`
+- `~name` instead of `~/name`
+- empty names, and names with spaces
 
 ## Why it matters on a robot
-`ros2 security create_permission` takes all of them and writes a topic that nobody uses: the endpoint is denied when the
-robot runs, and the node ends with an exception.
+`ros2 security create_permission` accepts all of them and writes a topic that nothing uses. The endpoint is
+denied when the robot runs, and the node ends with an exception.
 
 ## Bad
 ```xml
@@ -23,13 +26,18 @@ robot runs, and the node ends with an exception.
     <topic>odom</topic>
 ```
 
+## When to ignore it
+Never: sros2 writes the name as it is, and no node can have it.
+
 ## References
 - sros2, how permissions are made of a policy
 - ROS 2 design, "Topic and Service name mapping to DDS"
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -39,13 +47,13 @@ PREFIXED = re.compile(r"/?r[tqr]/(.+)")
 
 
 @rule("error", fix="safe", symptoms=["Not Allowed By Security"])
-def policy_grants_nothing(robot: Robot):
+def policy_grants_nothing(robot: Robot) -> Iterator[Finding]:
     for profile in robot.sros2.policy_profiles:
         if profile.namespace and not profile.namespace.startswith(("/", "$")):
             yield finding(
                 profile.namespace,
-                f"The namespace '{profile.namespace}' has no slash in front: relative names of {profile.node} become "
-                f"rt{profile.namespace}/..., which nobody uses",
+                f"The namespace '{profile.namespace}' has no leading slash: relative names of {profile.node} become "
+                f"rt{profile.namespace}/..., which nothing uses",
                 advice=f"write /{profile.namespace}",
                 fix=fix(f"write /{profile.namespace}", (profile.namespace, f"/{profile.namespace}")),
             )
@@ -54,7 +62,7 @@ def policy_grants_nothing(robot: Robot):
             ways = WAYS[str(element.local)]
             yield finding(
                 element.name,
-                f"These {element.local} of {profile.fqn} say neither {' nor '.join(ways)}: nothing is granted",
+                f"The {element.local} of {profile.fqn} have neither {' nor '.join(ways)}: nothing is granted",
                 advice=f'write {ways[0]}="ALLOW"',
             )
         for right in profile.rights:
@@ -82,9 +90,9 @@ def _fault(right) -> tuple[str, str]:
         return "is empty", ""
     prefixed = PREFIXED.fullmatch(name)
     if prefixed:
-        return "is a name of DDS, a policy holds names of ROS", f"/{prefixed[1]}" if right.kind == "topic" else ""
+        return "is a DDS name, but a policy contains ROS names", f"/{prefixed[1]}" if right.kind == "topic" else ""
     if name.startswith("~") and not name.startswith("~/"):
         return "is joined to the node's name without a slash", f"~/{name[1:]}" if name[1:] else ""
     if name != right.name or re.search(r"\s", name):
-        return "has blanks, which become part of the name", name if not re.search(r"\s", name) else ""
+        return "has spaces, which become part of the name", name if not re.search(r"\s", name) else ""
     return "", ""

@@ -1,13 +1,16 @@
-"""A launched node for which the policy of its enclave speaks under another name, or not at all.
+"""The policy of an enclave does not describe a node that runs in it.
 
 ## What it finds
-A node that a launch file starts with `--enclave E`, whose full name is known, where the one policy of the tree that
-describes E has a profile for a node of this name in another namespace, or no profile for it. Policies that include
-their profiles from elsewhere, and profiles that allow everything, are left alone.
+A node that a launch file starts with `--enclave E`, whose full name is known, and for which the only policy
+of the tree that describes E has no matching profile:
+- **error**: the policy has a profile for a node of this name in another namespace.
+- **warning**: it has no profile for the node at all.
+
+Policies that include their profiles from other files, and profiles that allow everything, are not checked.
 
 ## Why it matters on a robot
-Relative names and `~` of a profile are resolved with its namespace and node: the grants are for topics and parameter
-services of a node that does not exist, and the real one is denied its own.
+sros2 resolves relative names and `~` of a profile with its namespace and node. The grants are for topics and
+parameter services of a node that does not exist, and the real node is denied its own.
 
 ## Bad
 ```xml
@@ -24,10 +27,17 @@ Node(package="lawn", executable="driver", name="driver", namespace="lawn", ros_a
   <profile ns="/lawn" node="driver">
 ```
 
+## When to ignore it
+If the profile is for another launch of the same enclave, and this node is only started in simulation or
+without security.
+
 ## References
 - sros2, how permissions are made of a policy
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -35,7 +45,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Not Allowed By Security"])
-def policy_node_mismatch(robot: Robot):
+def policy_node_mismatch(robot: Robot) -> Iterator[Finding]:
     for node, selected, enclave in robot.sros2.policed_nodes:
         names = {profile.fqn: profile for profile in enclave.profiles}
         if node.fqn in names:

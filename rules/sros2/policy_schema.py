@@ -1,13 +1,13 @@
-"""A policy that sros2 does not accept.
+"""sros2 does not accept a policy.
 
 ## What it finds
-Elements and attributes of a `policy.xml` that are missing, unknown, repeated or misplaced, words other than ALLOW and
-DENY, text between elements, a namespace, and another version than 0.2.0. What `xi:include` brings is not looked at, and
-may be what seems to be missing.
+Mistakes in the structure of a `policy.xml`: elements and attributes that are missing, unknown, repeated or
+misplaced, words other than ALLOW and DENY, text between elements, an XML namespace, and a version other than
+0.2.0. Files that `xi:include` adds are not read, so nothing that they may contain is reported as missing.
 
 ## Why it matters on a robot
-`ros2 security create_permission` and `generate_artifacts` end with an error: the enclave keeps the permissions that it
-had, after `create_enclave` those that allow everything.
+`ros2 security create_permission` and `generate_artifacts` end with an error. The enclave keeps its previous
+permissions; after `create_enclave` those allow everything.
 
 ## Bad
 ```xml
@@ -23,31 +23,37 @@ had, after `create_enclave` those that allow everything.
 </topics>
 ```
 
+## When to ignore it
+If the policy is a template that a script completes before it calls sros2.
+
 ## References
-- sros2, policy schema 0.2.0; compared over 1,100 bred policies
+- sros2, policy schema 0.2.0; compared over 1,100 generated policies
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
 
 MESSAGES = {
-    "missing": "{where} lacks {detail}",
-    "attribute": "{where} lacks the attribute {detail}",
-    "unknown": "{detail} is no element of a policy at this place",
-    "duplicate": "{detail} stands here twice",
+    "missing": "{where} has no {detail}",
+    "attribute": "{where} has no attribute {detail}",
+    "unknown": "{detail} is not allowed here in a policy",
+    "duplicate": "{detail} appears twice",
     "order": "{detail} is out of order",
     "version": "Version {detail} is not 0.2.0",
-    "namespace": "A policy has no namespace",
-    "unknown attribute": "{detail} is no attribute of this element",
+    "namespace": "A policy must not have an XML namespace",
+    "unknown attribute": "{detail} is not an attribute of this element",
     "qualifier": "'{where}' is neither ALLOW nor DENY",
-    "text": "{detail} holds elements, no text",
+    "text": "{detail} contains text, but only elements are allowed",
 }
 
 
 @rule("error", fix="safe", symptoms=["No matching global declaration", "SCHEMAV_CVC"])
-def policy_schema(robot: Robot):
+def policy_schema(robot: Robot) -> Iterator[Finding]:
     for policy in robot.sros2.policies:
         for remark in policy.remarks:
             if remark.code not in MESSAGES:
@@ -56,7 +62,7 @@ def policy_schema(robot: Robot):
             right = str(remark.where).strip().upper() if remark.code == "qualifier" else ""
             yield finding(
                 remark.where,
-                f"{what}: ros2 security ends with an error, the permissions stay as they were",
+                f"{what}: ros2 security fails, the permissions do not change",
                 advice=f"write {right}" if right in ("ALLOW", "DENY") else "follow sros2's policy schema 0.2.0",
                 fix=fix(f"write {right}", (remark.where, right)) if right in ("ALLOW", "DENY") else None,
             )

@@ -1,11 +1,12 @@
-"""A rotation restarts units by a pattern, which matches only those that are loaded.
+"""A rotation script restarts units by a pattern, which matches loaded units only.
 
 ## What it finds
-`systemctl restart` or `try-restart` with a wildcard in a shell script that works with keys of SROS2.
+`systemctl restart`, `try-restart` or `reload-or-restart` with a wildcard in a shell script that runs `ros2
+security`.
 
 ## Why it matters on a robot
-systemctl matches units in memory: one that is stopped or has failed is left out without a word, and comes back with the
-old credentials.
+systemctl compares the pattern with the units in memory. A stopped unit is usually not in memory: systemctl
+skips it without a message, and it stays down although the rotation should bring it back with new keys.
 
 ## Bad
 ```sh
@@ -17,17 +18,23 @@ systemctl restart 'robot-*.service'
 systemctl restart robot-base.service robot-navigation.service
 ```
 
+## When to ignore it
+With `try-restart`, or if stopped units should stay stopped: they read the new keys when they start.
+
 ## References
 - systemctl(1), "Parameter Syntax"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("info")
-def restart_glob(robot: Robot):
+def restart_glob(robot: Robot) -> Iterator[Finding]:
     for _, commands in robot.sros2.scripts("ros2 security"):
         for command in commands:
             words = [word for word in command.words if not word.startswith("-")]
@@ -38,6 +45,6 @@ def restart_glob(robot: Robot):
                 if "*" in word and "$" not in word:
                     yield finding(
                         word,
-                        f"{word} matches loaded units only: one that is stopped or failed keeps its old credentials",
+                        f"{word} matches loaded units only: a unit that is not loaded stays stopped",
                         advice="name the units, or restart a target that they are part of",
                     )

@@ -1,12 +1,12 @@
-"""A rotation of keys that rotates nothing.
+"""A script that should rotate keys does not replace them.
 
 ## What it finds
-A script that rotates or renews, calls `ros2 security create_enclave`, and removes neither keys nor enclaves
-before.
+A script whose name or text mentions rotating or renewing, and that calls `ros2 security create_enclave`
+without removing keys or enclaves first.
 
 ## Why it matters on a robot
-`create_enclave` leaves the certificate and key of an existing enclave as they are, and replaces its permissions
-by ones that allow everything: least privilege is gone and the stolen key still works.
+`create_enclave` does not change the certificate and key of an existing enclave, and replaces its permissions
+with ones that allow everything: least privilege is lost and the stolen key still works.
 
 ## Bad
 ```sh
@@ -20,19 +20,24 @@ ros2 security create_enclave /etc/lawn/keystore /lawn/driver
 ros2 security create_permission /etc/lawn/keystore /lawn/driver policy.xml
 ```
 
+## When to ignore it
+If the script only creates enclaves that do not exist yet, and another one renews them.
+
 ## References
 - sros2, create_enclave, tried with the real tool
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error")
-def rotation_ineffective(robot: Robot):
+def rotation_ineffective(robot: Robot) -> Iterator[Finding]:
     for source, commands in robot.sros2.scripts("create_enclave"):
         if not re.search(r"rotat|renew|refresh|expir", source.name + source.text, re.I):
             continue
@@ -44,7 +49,7 @@ def rotation_ineffective(robot: Robot):
             if not removed and words[:2] == ["ros2", "security"] and "create_enclave" in words:
                 yield finding(
                     command.words[words.index("create_enclave")],
-                    "The rotation does nothing: an existing enclave keeps its certificate and key, and its "
+                    "The rotation has no effect: an existing enclave keeps its certificate and key, and its "
                     "permissions become 'allow everything'",
                     advice="remove cert.pem and key.pem first, and run create_permission with the policy afterwards",
                 )

@@ -1,12 +1,17 @@
-"""Nothing renews the keys that are made on this machine.
+"""Nothing renews the keys that this machine signs.
 
 ## What it finds
-A root file system that holds the private key of the certificate authority beside the enclaves, so that this machine
-signs for itself, with security switched on, and without any script, unit, timer or cron job that mentions
-`ros2 security` or `openssl`. Where the authority's key lies elsewhere, the rotation does too, and nothing is said.
+A root file system for which all of the following is true:
+- It holds the private key of the certificate authority beside the enclaves, so this machine signs for itself.
+- Security is switched on.
+- The certificates are valid for more than 398 more days.
+- No script, unit, timer or cron job mentions `ros2 security`, `openssl` or a similar tool.
+
+If the authority's key is on another machine, so is the rotation, and nothing is reported.
 
 ## Why it matters on a robot
-sros2 makes certificates and permissions for ten years: a key that is copied once works as long, and nobody notices.
+sros2 creates certificates and permissions for ten years: a key that is copied once works that long, and
+nobody notices.
 
 ## Bad
 ```text
@@ -20,13 +25,18 @@ sros2 makes certificates and permissions for ten years: a key that is copied onc
 /usr/local/sbin/renew-keys.sh: ros2 security create_permission ...
 ```
 
+## When to ignore it
+If the keys are renewed from outside, for example by the fleet management or by flashing a new image.
+
 ## References
 - NIST SP 800-57 Part 1, section 5.3 (cryptoperiods)
 - sros2, utilities: certificates for 3650 days
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -36,7 +46,7 @@ ROTATES = re.compile(r"ros2[\s\"',]+security|create_enclave|create_permission|op
 
 
 @rule("warning", confidence="medium", tags=["CWE-324"])
-def rotation_missing(robot: Robot):
+def rotation_missing(robot: Robot) -> Iterator[Finding]:
     if not robot.tree.complete or not robot.sros2.keystores or not robot.sros2.switched_on:
         return
     kinds = ("sros2-governance", "sros2-permissions", "sros2-key", "sros2-certificate")

@@ -32,6 +32,9 @@ When the script connects to another machine than this robot, such as a build ser
 - sshd_config(5), "AllowUsers", "Port"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -39,7 +42,7 @@ from bringup_lint.api import rule
 
 
 @rule("info")
-def allowusers_vs_deploy(robot: Robot):
+def allowusers_vs_deploy(robot: Robot) -> Iterator[Finding]:
     if len(robot.sshd) != 1 or not robot.sshd[0].files:
         return
     (sshd,) = robot.sshd

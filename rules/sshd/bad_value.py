@@ -25,6 +25,9 @@ Only if the robot's OpenSSH is newer than this tool and accepts the value: `sshd
 - sshd: "unsupported option", "extra arguments at end of line"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -47,7 +50,7 @@ WHAT = {
         "Bad Match condition",
     ],
 )
-def bad_value(robot: Robot):
+def bad_value(robot: Robot) -> Iterator[Finding]:
     for sshd in robot.sshd:
         for file in sshd.files:
             for problem in file.problems:

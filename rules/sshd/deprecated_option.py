@@ -24,13 +24,16 @@ When the same file is deployed to robots with an OpenSSH so old that it still ne
 - sshd: "Deprecated option UsePrivilegeSeparation"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("info", symptoms=["Deprecated option"])
-def deprecated_option(robot: Robot):
+def deprecated_option(robot: Robot) -> Iterator[Finding]:
     for sshd in robot.sshd:
         for file in sshd.files:
             for problem in file.problems:

@@ -25,6 +25,9 @@ Never for files that are installed together. Ignore it when one of them replaces
 - sshd: "Subsystem 'sftp' already defined."
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -32,7 +35,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["already defined"])
-def duplicate_subsystem(robot: Robot):
+def duplicate_subsystem(robot: Robot) -> Iterator[Finding]:
     for sshd in robot.sshd:
         known = {}
         for option in sshd.all("Subsystem"):

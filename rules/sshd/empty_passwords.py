@@ -23,6 +23,9 @@ On an emulator or a test container that no network but its host's can reach. Nev
 - sshd_config(5), "PermitEmptyPasswords"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -30,7 +33,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", tags=["CWE-258"])
-def empty_passwords(robot: Robot):
+def empty_passwords(robot: Robot) -> Iterator[Finding]:
     for sshd in robot.sshd:
         first = sshd.get("PermitEmptyPasswords")
         for option in sshd.all("PermitEmptyPasswords"):

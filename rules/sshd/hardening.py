@@ -34,6 +34,9 @@ forwarding for rviz2.
 - sshd_config(5)
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -67,7 +70,7 @@ MOST_TRIES = 4
         "sshd/no-allowusers",
     ],
 )
-def hardening(robot: Robot):
+def hardening(robot: Robot) -> Iterator[Finding]:
     for sshd in robot.sshd:
         if not sshd.files:
             continue

@@ -27,6 +27,9 @@ When sshd_config is meant to be the only source and the drop-ins are leftovers o
 - sshd_config(5), "Include"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -34,7 +37,7 @@ from bringup_lint.api import rule
 
 
 @rule("info")
-def include_missing(robot: Robot):
+def include_missing(robot: Robot) -> Iterator[Finding]:
     for sshd in robot.sshd:
         if sshd.main is None or not sshd.complete or not sshd.main.source.judged or sshd.main.source.template:
             continue

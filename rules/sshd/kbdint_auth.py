@@ -28,6 +28,9 @@ When PAM asks for a one-time code instead of the password.
 - sshd_config(5), "KbdInteractiveAuthentication", "UsePAM"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -36,7 +39,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", tags=["CWE-287"])
-def kbdint_auth(robot: Robot):
+def kbdint_auth(robot: Robot) -> Iterator[Finding]:
     for sshd in robot.sshd:
         password = sshd.get("PasswordAuthentication")
         if password is None or password.value.lower() != "no" or not sshd.files or not password.span.source.judged:

@@ -32,6 +32,9 @@ it.
 - sshd: "Directive 'Port' is not allowed within a Match block"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -39,7 +42,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["is not allowed within a Match block"])
-def not_in_match(robot: Robot):
+def not_in_match(robot: Robot) -> Iterator[Finding]:
     for sshd in robot.sshd:
         for file in sshd.files:
             places = {option.keyword.span: option.match for option in file.options}

@@ -28,6 +28,9 @@ When the line is meant for the block. Indent it, so that the next reader sees it
 - sshd_config(5), "Match"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -35,7 +38,7 @@ from bringup_lint.api import rule
 
 
 @rule("error")
-def option_swallowed_by_match(robot: Robot):
+def option_swallowed_by_match(robot: Robot) -> Iterator[Finding]:
     for sshd in robot.sshd:
         for file in sshd.files:
             indented = set()

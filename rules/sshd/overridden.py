@@ -29,6 +29,9 @@ When the later line is a fallback for robots that do not have the drop-in.
 - sshd_config(5)
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -48,7 +51,7 @@ PROTECTS = {
 
 
 @rule("error")
-def overridden(robot: Robot):
+def overridden(robot: Robot) -> Iterator[Finding]:
     for sshd in robot.sshd:
         for option, winner in sshd.overridden():
             source = option.span.source

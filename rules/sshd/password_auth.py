@@ -26,6 +26,9 @@ On a development robot in a closed network, or during the first setup, before th
 - sshd_config(5), "PasswordAuthentication"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -33,7 +36,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", tags=["CWE-287", "CWE-307"])
-def password_auth(robot: Robot):
+def password_auth(robot: Robot) -> Iterator[Finding]:
     for sshd in robot.sshd:
         if not sshd.files or sshd.says("PasswordAuthentication", "yes") != "yes" or sshd.get("AuthenticationMethods"):
             continue

@@ -24,6 +24,9 @@ When an image has no account but root, or a fleet tool logs in as root with a ke
 - sshd_config(5), "PermitRootLogin"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -31,7 +34,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", tags=["CWE-250"])
-def root_login(robot: Robot):
+def root_login(robot: Robot) -> Iterator[Finding]:
     for sshd in robot.sshd:
         value = sshd.says("PermitRootLogin", "prohibit-password")
         option = sshd.get("PermitRootLogin")

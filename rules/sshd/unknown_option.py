@@ -26,6 +26,9 @@ shows it.
 - sshd: "Bad configuration option: PasswordAuthentification"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -34,7 +37,7 @@ from bringup_lint.api.spelling import nearest
 
 
 @rule("error", fix="unsafe", symptoms=["Bad configuration option"])
-def unknown_option(robot: Robot):
+def unknown_option(robot: Robot) -> Iterator[Finding]:
     for sshd in robot.sshd:
         for file in sshd.files:
             for problem in file.problems:

@@ -26,13 +26,16 @@ When a device that cannot be updated, such as an old PLC, must connect to the ro
 - RFC 9142
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("warning", tags=["CWE-327"])
-def weak_crypto(robot: Robot):
+def weak_crypto(robot: Robot) -> Iterator[Finding]:
     for sshd in robot.sshd:
         for name in sshd.weak_algorithms():
             if name.span.source.judged and not name.span.source.template:

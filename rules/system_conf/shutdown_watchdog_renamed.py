@@ -25,6 +25,9 @@ When the file must also work with systemd older than 243, which knows only the o
 - systemd-system.conf(5), "RebootWatchdogSec="
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -33,7 +36,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", fix="safe")
-def shutdown_watchdog_renamed(robot: Robot):
+def shutdown_watchdog_renamed(robot: Robot) -> Iterator[Finding]:
     for daemon in robot.system_conf:
         new = next((line.assignment for line in daemon.lines if line.assignment.key == "RebootWatchdogSec"), None)
         for line in daemon.lines:

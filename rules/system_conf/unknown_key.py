@@ -30,11 +30,14 @@ setting.
 - journal: "Unknown key name '...' in section 'Manager', ignoring."
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import daemons
 from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["Unknown key name", "Unknown lvalue"])
-def unknown_key(robot: Robot):
+def unknown_key(robot: Robot) -> Iterator[Finding]:
     yield from daemons.unknown_keys(robot.system_conf, robot.target)

@@ -29,6 +29,9 @@ long boot. Say so in the comment.
 - systemd-system.conf(5), "RuntimeWatchdogSec="
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import daemons
 from bringup_lint.api import finding
@@ -44,7 +47,7 @@ DEFAULTS = {
 
 
 @rule("warning", fix="unsafe")
-def watchdog_commented(robot: Robot):
+def watchdog_commented(robot: Robot) -> Iterator[Finding]:
     for daemon in robot.system_conf:
         seen = set()
         for file, line, key, value in daemon.commented():

@@ -32,6 +32,9 @@ is installed but disabled.
 - Linux kernel documentation, "The Linux Watchdog driver API"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import daemons
 from bringup_lint.api import finding
@@ -40,7 +43,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["cannot open /dev/watchdog (errno = 16 = 'Device or resource busy')"])
-def watchdog_device_contention(robot: Robot):
+def watchdog_device_contention(robot: Robot) -> Iterator[Finding]:
     for daemon in robot.system_conf:
         runtime = daemon.get("RuntimeWatchdogSec", read=daemons.watchdog_seconds)
         if runtime is None or not runtime[1] or not daemon.certain:

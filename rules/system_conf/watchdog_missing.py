@@ -28,13 +28,16 @@ power.
 - systemd-system.conf(5), "RuntimeWatchdogSec="
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("info")
-def watchdog_missing(robot: Robot):
+def watchdog_missing(robot: Robot) -> Iterator[Finding]:
     if not robot.tree.complete or not robot.is_ros or robot.watchdog.owners:
         return
     for daemon in robot.system_conf:

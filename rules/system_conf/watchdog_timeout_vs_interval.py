@@ -31,6 +31,9 @@ error.
 - watchdog.conf(5)
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -40,7 +43,7 @@ DEFAULT_TIMEOUT = 60
 
 
 @rule("error")
-def watchdog_timeout_vs_interval(robot: Robot):
+def watchdog_timeout_vs_interval(robot: Robot) -> Iterator[Finding]:
     for settings in robot.watchdog.files:
         interval, timeout = settings.get("interval"), settings.get("watchdog-timeout")
         if interval is None or not interval.isdigit() or (timeout is not None and not timeout.isdigit()):

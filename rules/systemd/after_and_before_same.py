@@ -30,6 +30,9 @@ Never: systemd cannot satisfy both orders.
 - systemd.unit(5), "Before=, After="
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -40,7 +43,7 @@ DEPENDS = ("Requires", "BindsTo", "PartOf", "Requisite", "Wants")
 
 
 @rule("error", fix="safe", symptoms=["Transaction order is cyclic", "Found ordering cycle on"])
-def after_and_before_same(robot: Robot):
+def after_and_before_same(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.judged:
         before = {str(word): word for word in unit.words("After")}
         for line in unit.assignments("Before"):

@@ -29,6 +29,9 @@ another package.
 - systemd.unit(5), "After="
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -37,7 +40,7 @@ from bringup_lint.api import rule
 
 
 @rule("info", fix="unsafe")
-def after_without_requires(robot: Robot):
+def after_without_requires(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     for unit in units.judged:
         for line in unit.assignments("After"):

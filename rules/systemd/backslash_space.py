@@ -30,6 +30,9 @@ Never: systemd does not continue the line.
 - journal: "Missing '=', ignoring line."
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -37,7 +40,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["Missing '=', ignoring line"])
-def backslash_space(robot: Robot):
+def backslash_space(robot: Robot) -> Iterator[Finding]:
     for file in robot.units.files:
         for problem in file.problems:
             if problem.code == "backslash-blank":

@@ -28,6 +28,9 @@ Never: systemd drops the word, and the dependency does not exist.
 - journal: "Failed to add dependency on robot-drivers.service,, ignoring: Invalid argument"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -36,7 +39,7 @@ from bringup_lint.api.spelling import nearest
 
 
 @rule("error", fix="safe", symptoms=["Failed to add dependency on"])
-def bad_unit_name_in_dep(robot: Robot):
+def bad_unit_name_in_dep(robot: Robot) -> Iterator[Finding]:
     for line in robot.units.lines:
         if line.directive.type not in ("units", "socket-units"):
             continue

@@ -32,6 +32,9 @@ resource that the other one uses.
 - systemd.unit(5), "Before=, After=": "the ordering at shutdown is the inverse"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -42,7 +45,7 @@ DEPENDS = ("Requires", "BindsTo", "PartOf")
 
 
 @rule("warning", fix="safe")
-def before_for_shutdown_order(robot: Robot):
+def before_for_shutdown_order(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         if unit.get("Type") == "oneshot":
             continue

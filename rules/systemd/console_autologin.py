@@ -31,7 +31,9 @@ display.
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -40,7 +42,7 @@ SERIAL = re.compile(r"(?:/dev/)?tty(?:S|AMA|THS|USB|ACM|GS|mxc|PS)\d")
 
 
 @rule("warning", tags=["CWE-287"], symptoms=["automatic login"])
-def console_autologin(robot: Robot):
+def console_autologin(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         for process in robot.units.started(unit):
             user = autologin(process)

@@ -28,6 +28,9 @@ Never: the backslash has no use, and removing it changes nothing.
 - systemd.syntax(7): a trailing backslash joins the next line
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -35,7 +38,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", fix="safe")
-def continuation_at_eof(robot: Robot):
+def continuation_at_eof(robot: Robot) -> Iterator[Finding]:
     for file in robot.units.files:
         for problem in file.problems:
             if problem.code == "continuation-at-end":

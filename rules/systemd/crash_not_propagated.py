@@ -31,6 +31,9 @@ to a safe state.
 - systemd.unit(5), "Requires=", "BindsTo="
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -39,7 +42,7 @@ from bringup_lint.api import rule
 
 
 @rule("info", fix="unsafe")
-def crash_not_propagated(robot: Robot):
+def crash_not_propagated(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     layers = units.layers(units.ros)
     for unit in units.ros:

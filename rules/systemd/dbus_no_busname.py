@@ -29,13 +29,16 @@ Never: systemd does not load the unit.
 - journal: "Service is of type D-Bus but no D-Bus service name has been specified. Refusing."
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["no D-Bus service name has been specified"])
-def dbus_no_busname(robot: Robot):
+def dbus_no_busname(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         kind = unit.get("Type")
         if kind == "dbus" and unit.fragment and not unit.uncertain and not unit.has("BusName"):

@@ -35,7 +35,9 @@ lidar on Ethernet.
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -50,7 +52,7 @@ PULLS = ("BindsTo", "Requires", "Wants", "After", "Requisite")
 
 
 @rule("info")
-def device_check_missing(robot: Robot):
+def device_check_missing(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.ros:
         if not unit.complete or unit.get("Type") == "oneshot" or not DRIVER.search(unit.stem):
             continue

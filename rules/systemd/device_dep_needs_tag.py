@@ -32,6 +32,9 @@ When a rule outside of this tree, for example from the vendor's package, adds th
 - systemd.device(5), "The udev Database"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -42,7 +45,7 @@ _KEYS = ("BindsTo", "Requires", "Requisite", "Wants", "After")
 
 
 @rule("warning", fix="safe", symptoms=["Timed out waiting for device", "Job dev-", "Dependency failed for"])
-def device_dep_needs_tag(robot: Robot):
+def device_dep_needs_tag(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.judged:
         seen = set()
         for key in _KEYS:

@@ -29,6 +29,9 @@ When a rule outside of this tree creates the path that the unit name means.
 - systemd.unit(5), "String Escaping for Inclusion in Unit Names"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -39,7 +42,7 @@ _KEYS = ("BindsTo", "Requires", "Requisite", "Wants", "After", "PartOf", "Wanted
 
 
 @rule("error", fix="safe", symptoms=["Timed out waiting for device"])
-def device_unit_escape(robot: Robot):
+def device_unit_escape(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.judged:
         for key in _KEYS:
             for word in unit.words(key, "Install") if key == "WantedBy" else unit.words(key):

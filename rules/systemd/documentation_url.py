@@ -26,13 +26,16 @@ Never: systemd ignores the word.
 - journal: "Invalid URL, ignoring"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("warning", symptoms=["Invalid URL, ignoring"])
-def documentation_url(robot: Robot):
+def documentation_url(robot: Robot) -> Iterator[Finding]:
     for line in robot.units.lines:
         for problem in line.problems:
             if line.directive.type == "documentation" and problem.code == "invalid":

@@ -27,7 +27,9 @@ When the name disables the file on purpose. Rename it to `.disabled`, which this
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -39,7 +41,7 @@ MEANT = re.compile(
 
 
 @rule("warning")
-def dropin_not_conf(robot: Robot):
+def dropin_not_conf(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("systemd-dropin"):
         name = source.basename
         if ".conf" in name or MEANT.search(name) or not re.search(r"^\s*\[\w+\]\s*$", source.text, re.M):

@@ -27,6 +27,9 @@ When the unit comes from a package that is installed later, or is created at run
 - systemd.unit(5), "Description": drop-in files
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -34,7 +37,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning")
-def dropin_orphan(robot: Robot):
+def dropin_orphan(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     for file in units.orphans:
         (near,) = [unit for unit in units.all if file in unit.dropins][:1] or [None]

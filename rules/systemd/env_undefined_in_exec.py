@@ -34,7 +34,9 @@ DefaultEnvironment=, or when empty is a valid value.
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -48,7 +50,7 @@ OF_SYSTEMD = re.compile(
 
 
 @rule("error", symptoms=["Referenced but unset environment variable evaluates to an empty string"])
-def env_undefined_in_exec(robot: Robot):
+def env_undefined_in_exec(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     for unit in units.services:
         environment = units.environment(unit)

@@ -30,6 +30,9 @@ agent.
 - systemd.exec(5), "EnvironmentFile="
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -44,7 +47,7 @@ RUNTIME = ("/run/", "/var/run/", "/tmp/", "/var/tmp/", "/proc/", "/dev/", "/sys/
         "Failed with result 'resources'",
     ],
 )
-def envfile_missing(robot: Robot):
+def envfile_missing(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         for file in robot.units.environment_files(unit):
             if file.missing and not file.optional and not file.path.startswith(RUNTIME):

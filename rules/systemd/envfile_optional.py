@@ -29,7 +29,9 @@ When the command works with an empty value, for example because the variable hol
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -38,7 +40,7 @@ from bringup_lint.api import rule
 
 
 @rule("info", fix="unsafe")
-def envfile_optional(robot: Robot):
+def envfile_optional(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     for unit in units.services:
         environment = units.environment(unit)

@@ -32,6 +32,9 @@ for shell keywords.
 - journal: "Failed to locate executable ros2: No such file or directory"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -56,7 +59,7 @@ _SHELL_WORDS = (
 
 
 @rule("error", fix="unsafe", symptoms=["status=203/EXEC", "Failed to locate executable", "is not executable"])
-def exec_bare_ros2(robot: Robot):
+def exec_bare_ros2(robot: Robot) -> Iterator[Finding]:
     for line in robot.units.lines:
         searched = any(other.key == "ExecSearchPath" for other in line.file.assignments)
         for command in line.commands:

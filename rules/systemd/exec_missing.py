@@ -31,6 +31,9 @@ When a drop-in outside of this tree adds ExecStart=.
 - journal: "Service has no ExecStart=, ExecStop=, or SuccessAction=. Refusing."
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -38,7 +41,7 @@ from bringup_lint.api.systemd import directives
 
 
 @rule("error", symptoms=["Service has no ExecStart=", "has a bad unit file setting"])
-def exec_missing(robot: Robot):
+def exec_missing(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         if unit.fragment is None or unit.uncertain or unit.has("ExecStart") or _misplaced(unit):
             continue

@@ -30,6 +30,9 @@ Never: systemd does not load the unit.
 - journal: "Service has more than one ExecStart= setting, which is only allowed for Type=oneshot services. Refusing."
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -38,7 +41,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["Service has more than one ExecStart= setting"])
-def exec_multiple(robot: Robot):
+def exec_multiple(robot: Robot) -> Iterator[Finding]:
     lines = {line.value.span: line for line in robot.units.lines if line.key == "ExecStart"}
     for unit in robot.units.services:
         if unit.uncertain or unit.get("Type") == "oneshot":

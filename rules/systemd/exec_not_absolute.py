@@ -30,13 +30,16 @@ Never: systemd does not load the unit.
 - journal: "Neither a valid executable name nor an absolute path"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Neither a valid executable name nor an absolute path", "has a bad unit file setting"])
-def exec_not_absolute(robot: Robot):
+def exec_not_absolute(robot: Robot) -> Iterator[Finding]:
     for line in robot.units.lines:
         if line.directive.type != "command" or line.value == ".":
             continue

@@ -30,7 +30,9 @@ When the program interprets the word itself, for example an own wrapper that pas
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -57,7 +59,7 @@ _HANDS_ON = (
 
 
 @rule("error", fix="unsafe")
-def exec_shell_syntax(robot: Robot):
+def exec_shell_syntax(robot: Robot) -> Iterator[Finding]:
     for line in robot.units.lines:
         for command in line.commands:
             names = [word.rpartition("/")[2] for word in command.argv]

@@ -40,7 +40,9 @@ on the robot before the service starts.
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -53,7 +55,7 @@ TEXT = re.compile(r"\.(?:sh|bash|py|pl)$")
 
 
 @rule("error", symptoms=["status=203/EXEC", "Failed to locate executable", "Exec format error"])
-def execstartpre_missing_script(robot: Robot):
+def execstartpre_missing_script(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         for process in robot.units.processes(unit):
             program = process.program

@@ -32,13 +32,16 @@ without a ready signal.
 - systemd.device(5)
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("info")
-def execstartpre_sleep(robot: Robot):
+def execstartpre_sleep(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         for process in robot.units.processes(unit):
             commands = [step.command for step in process.steps if not step.depth or process.shell]

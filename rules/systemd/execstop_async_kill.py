@@ -29,7 +29,9 @@ When the program expects exactly this pair of signals, for example a first SIGIN
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -41,7 +43,7 @@ SIGNAL = re.compile(r"-{1,2}(?:s|signal|n)?=?\s*((?:SIG)?[A-Z][A-Z0-9]+|\d+)$")
 
 
 @rule("info", fix="safe", symptoms=["user interrupted with ctrl-c (SIGINT) again, ignoring"])
-def execstop_async_kill(robot: Robot):
+def execstop_async_kill(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         service = robot.units.supervision(unit)
         for process in robot.units.processes(unit):

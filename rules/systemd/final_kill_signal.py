@@ -29,6 +29,9 @@ When killing the process would be more dangerous than leaving it, for example wh
 - systemd.kill(5), FinalKillSignal= and SendSIGKILL=
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -37,7 +40,7 @@ from bringup_lint.api.systemd import delete_lines
 
 
 @rule("error", fix="safe", symptoms=["Processes still around after final SIGTERM. Entering failed mode."])
-def final_kill_signal(robot: Robot):
+def final_kill_signal(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.ros:
         service = robot.units.supervision(unit)
         if service.final_signal.value not in ("SIGKILL", None) and service.sends_kill.value:

@@ -29,13 +29,16 @@ When the daemon always leaves exactly one process.
 - systemd.service(5), "PIDFile=", "GuessMainPID="
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("info")
-def forking_no_pidfile(robot: Robot):
+def forking_no_pidfile(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         kind = unit.get("Type")
         if kind != "forking" or unit.fragment is None or unit.uncertain:

@@ -30,6 +30,9 @@ When the program forks by itself, which ros2 launch, ros2 run and ordinary nodes
 - journal: "start operation timed out. Terminating."
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -38,7 +41,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="unsafe", symptoms=["start operation timed out. Terminating"])
-def forking_with_ros(robot: Robot):
+def forking_with_ros(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         kind = unit.get("Type")
         if kind != "forking":

@@ -36,6 +36,9 @@ group.
 - udev(7), "GROUP"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -44,7 +47,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="unsafe", symptoms=["Permission denied: '/dev/", "could not open port /dev/"])
-def group_missing_for_device(robot: Robot):
+def group_missing_for_device(robot: Robot) -> Iterator[Finding]:
     seen = set()
     for closed in robot.closed_devices:
         unit, group = closed.unit, closed.group

@@ -30,7 +30,9 @@ On a development robot where the other user's home is readable on purpose.
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -40,7 +42,7 @@ HOME = re.compile(r"/home/([^/$%]+)/")
 
 
 @rule("info")
-def hardcoded_ws_home(robot: Robot):
+def hardcoded_ws_home(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     for unit in units.services:
         user = unit.get("User")

@@ -32,13 +32,16 @@ Never: systemctl enable fails.
 - systemctl: "Failed to enable unit, cannot alias robot-drivers.service as drivers.target."
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Failed to enable unit, cannot alias"])
-def install_alias_type(robot: Robot):
+def install_alias_type(robot: Robot) -> Iterator[Finding]:
     for line in robot.units.lines:
         if line.directive.type != "aliases" or line.assignment.opaque:
             continue

@@ -31,6 +31,9 @@ When another package ships the target.
 - systemd.unit(5), "WantedBy="
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -53,7 +56,7 @@ COMMON = (
     fix="unsafe",
     symptoms=["added as a dependency to a non-existent unit", "is not a valid unit name"],
 )
-def install_bad_target(robot: Robot):
+def install_bad_target(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     for unit in units.judged:
         known = sorted(

@@ -27,6 +27,9 @@ Only if the robot's systemd is newer than this tool and knows the key.
 - journal: "Unknown key name 'WantBy' in section 'Install', ignoring."
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -36,7 +39,7 @@ from bringup_lint.api.systemd import directives
 
 
 @rule("error", fix="safe", symptoms=["Unknown key name", "The unit files have no installation config"])
-def install_unknown_key(robot: Robot):
+def install_unknown_key(robot: Robot) -> Iterator[Finding]:
     known = directives.sections()["Install"]
     for file in robot.units.files:
         allowed = directives.sections_of_type(file.type)

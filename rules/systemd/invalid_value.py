@@ -37,6 +37,9 @@ robot shows it.
 - journal: "Failed to parse", "Invalid memory limit", "path is not absolute, ignoring"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -44,7 +47,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["Failed to parse", "Invalid memory limit", "is not absolute", "ignoring:"])
-def invalid_value(robot: Robot):
+def invalid_value(robot: Robot) -> Iterator[Finding]:
     for line in robot.units.lines:
         for problem in line.problems:
             if line.directive.type in ELSEWHERE or problem.code not in CODES:

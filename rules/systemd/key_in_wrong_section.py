@@ -35,6 +35,9 @@ Never: systemd ignores the line.
 - https://github.com/systemd/systemd/issues/16644
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -44,7 +47,7 @@ from bringup_lint.api.systemd import move_lines
 
 
 @rule("error", fix="safe", symptoms=["Unknown key name", "Unknown lvalue"])
-def key_in_wrong_section(robot: Robot):
+def key_in_wrong_section(robot: Robot) -> Iterator[Finding]:
     for file in robot.units.files:
         allowed = directives.sections_of_type(file.type)
         for section in file.sections:

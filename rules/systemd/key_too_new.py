@@ -34,6 +34,9 @@ setting.
 - journal: "Unknown key name 'RestartSteps' in section 'Service', ignoring."
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -43,7 +46,7 @@ from bringup_lint.api import rule
     "warning",
     symptoms=["Unknown key name", "Failed to parse service type", "Failed to resolve unit specifiers"],
 )
-def key_too_new(robot: Robot):
+def key_too_new(robot: Robot) -> Iterator[Finding]:
     target = robot.target
     if not target.systemd_known:
         return

@@ -30,6 +30,9 @@ starts.
 - systemd.kill(5), KillMode=: process is not recommended, none is deprecated
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -37,7 +40,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", fix="unsafe", symptoms=["left-over process", "Unit configured to use KillMode=none"])
-def kill_mode(robot: Robot):
+def kill_mode(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.ros:
         service = robot.units.supervision(unit)
         mode = service.kill_mode

@@ -30,6 +30,9 @@ When every node handles SIGTERM, and KillMode=control-group sends it to all of t
 - <https://github.com/ros2/launch/issues/666>
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -45,7 +48,7 @@ THEN = {
 
 
 @rule("warning", fix="safe", symptoms=["using SIGTERM or SIGQUIT can result in orphaned processes"])
-def kill_signal_not_sigint(robot: Robot):
+def kill_signal_not_sigint(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.ros:
         service = robot.units.supervision(unit)
         launches = [found for process in robot.units.started(unit) for _, found in process.launches]

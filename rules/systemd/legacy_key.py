@@ -36,6 +36,9 @@ When the same file must work on a release so old that it knows only the old name
 - journal: "Standard output type syslog is obsolete"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -46,7 +49,7 @@ from bringup_lint.api.systemd import move_lines
 
 
 @rule("warning", fix="safe", symptoms=["is obsolete", "please use", "Support for option", "deprecated"])
-def legacy_key(robot: Robot):
+def legacy_key(robot: Robot) -> Iterator[Finding]:
     table = directives.legacy()
     for line in robot.units.lines:
         section = str(line.assignment.section)

@@ -29,13 +29,16 @@ Never: systemd ignores the line.
 - journal: "Assignment outside of section. Ignoring."
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Assignment outside of section"])
-def line_outside_section(robot: Robot):
+def line_outside_section(robot: Robot) -> Iterator[Finding]:
     for file in robot.units.files:
         for problem in file.problems:
             if problem.code == "line-outside-section" and not file.source.template:

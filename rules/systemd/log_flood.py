@@ -27,13 +27,16 @@ While you debug this service, on a robot that is not in operation.
 - systemd.exec(5), LogRateLimitIntervalSec=; journald.conf(5), RateLimitBurst=
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("info", symptoms=["Suppressed", "messages from"])
-def log_flood(robot: Robot):
+def log_flood(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.ros:
         if unit.get("LogRateLimitIntervalSec") or unit.get("LogRateLimitBurst"):
             continue

@@ -28,6 +28,9 @@ Never: MemoryHigh= has no effect. To set only a hard limit, delete MemoryHigh=.
 - systemd.resource-control(5), MemoryHigh= and MemoryMax=
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -36,7 +39,7 @@ from bringup_lint.api.systemd import memory
 
 
 @rule("error", symptoms=["A process of this unit has been killed by the OOM killer"])
-def memory_high_ge_max(robot: Robot):
+def memory_high_ge_max(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.judged:
         high, most = memory(unit, "MemoryHigh"), memory(unit, "MemoryMax")
         if high is None or most is None or high.unit != most.unit or high.amount < most.amount:

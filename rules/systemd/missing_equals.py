@@ -30,13 +30,16 @@ Never: systemd ignores the line.
 - journal: "Missing '=', ignoring line."
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Missing '=', ignoring line", "Missing key name before '='"])
-def missing_equals(robot: Robot):
+def missing_equals(robot: Robot) -> Iterator[Finding]:
     for file in robot.units.files:
         if file.source.template:
             continue

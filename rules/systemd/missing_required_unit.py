@@ -34,6 +34,9 @@ When another package ships the unit, or a generator creates it at boot.
 - systemd.unit(5), "Requires="
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -43,7 +46,7 @@ KEYS = ("Requires", "Requisite", "BindsTo")
 
 
 @rule("error", fix="unsafe", symptoms=["not found.", "Failed to start: Unit not found"])
-def missing_required_unit(robot: Robot):
+def missing_required_unit(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     for unit in units.judged:
         for key in KEYS:

@@ -31,6 +31,9 @@ When the unit is optional and comes from a package that some robots do not have.
 - systemd.unit(5), "Wants=", "After="
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -40,7 +43,7 @@ KEYS = ("Wants", "Upholds", "After", "Before", "PartOf")
 
 
 @rule("warning", fix="unsafe")
-def missing_wanted_unit(robot: Robot):
+def missing_wanted_unit(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     for unit in units.judged:
         required = {word for key in ("Requires", "Requisite", "BindsTo") for word in unit.words(key)}

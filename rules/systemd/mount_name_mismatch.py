@@ -32,13 +32,16 @@ Never: systemd refuses the unit.
 - journal: "Where= setting doesn't match unit name. Refusing."
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Where= setting doesn't match unit name"])
-def mount_name_mismatch(robot: Robot):
+def mount_name_mismatch(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.judged:
         if unit.type not in ("mount", "automount") or unit.is_template or unit.instance:
             continue

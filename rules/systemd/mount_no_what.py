@@ -27,13 +27,16 @@ When a drop-in outside of this tree adds What=.
 - journal: "What= setting is missing. Refusing."
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["What= setting is missing"])
-def mount_no_what(robot: Robot):
+def mount_no_what(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.judged:
         if unit.type == "mount" and unit.fragment and not unit.uncertain and not unit.has("What"):
             yield finding(unit.where, f"{unit.name} has no What=: systemd refuses it", advice="add What=")

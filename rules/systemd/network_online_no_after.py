@@ -30,6 +30,9 @@ When the unit only needs the network to come up at some time, and does not wait 
 - systemd.special(7), "network-online.target"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -40,7 +43,7 @@ ONLINE = "network-online.target"
 
 
 @rule("warning", fix="safe", symptoms=["does not match an available interface", "Network is unreachable"])
-def network_online_no_after(robot: Robot):
+def network_online_no_after(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     for unit in units.judged:
         lines = [pair for key in ("Wants", "Requires", "BindsTo") for pair in unit.naming(key, ONLINE)]

@@ -28,6 +28,9 @@ When something that is not in this tree enables the wait service, for example a 
 - <https://github.com/clearpathrobotics/robot_upstart/issues/71>
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -36,7 +39,7 @@ ONLINE = "network-online.target"
 
 
 @rule("info", symptoms=["does not match an available interface"])
-def network_online_no_waiter(robot: Robot):
+def network_online_no_waiter(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     if not units.knows_enabled or robot.of_kind("netplan") or any(link.unit == ONLINE for link in units.links):
         return

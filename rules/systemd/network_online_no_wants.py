@@ -30,6 +30,9 @@ When a package outside of this tree always pulls in the target, for example clou
 - <https://systemd.io/NETWORK_ONLINE/>
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -39,7 +42,7 @@ ONLINE = "network-online.target"
 
 
 @rule("warning", fix="safe", symptoms=["does not match an available interface", "Network is unreachable"])
-def network_online_no_wants(robot: Robot):
+def network_online_no_wants(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     for unit in units.judged:
         for line, word in unit.naming("After", ONLINE):

@@ -39,7 +39,9 @@ interface.
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -59,7 +61,7 @@ WAITS = re.compile(
     fix="safe",
     symptoms=["does not match an available interface", 'failed to find interfaces for "udp"'],
 )
-def network_target(robot: Robot):
+def network_target(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     for unit in (*units.dds, *units.presumed_ros):
         lines = [

@@ -34,6 +34,9 @@ simulation mode.
 - systemd.exec(5), NoNewPrivileges=; capabilities(7), "File capabilities"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -43,7 +46,7 @@ from bringup_lint.api.systemd import flag
 
 
 @rule("warning", symptoms=["Operation not permitted", "could not open raw socket"])
-def nnp_filecaps(robot: Robot):
+def nnp_filecaps(robot: Robot) -> Iterator[Finding]:
     units = [
         unit
         for unit in robot.units.services

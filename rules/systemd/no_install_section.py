@@ -28,6 +28,9 @@ When the service is only ever started by hand, by a script or by a program throu
 - systemd.unit(5), "[Install] Section Options"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -35,7 +38,7 @@ from bringup_lint.api import rule
 
 
 @rule("info", fix="unsafe", symptoms=["The unit files have no installation config"])
-def no_install_section(robot: Robot):
+def no_install_section(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     for unit in units.services:
         if unit.fragment is None or unit.uncertain or not unit.fragment.source.judged or units.is_started(unit):

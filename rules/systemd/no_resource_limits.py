@@ -31,6 +31,9 @@ it.
 - systemd.resource-control(5)
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -39,7 +42,7 @@ LIMITS = ("MemoryMax", "MemoryHigh", "MemoryLimit", "CPUQuota")
 
 
 @rule("info")
-def no_resource_limits(robot: Robot):
+def no_resource_limits(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.ros:
         service = robot.units.supervision(unit)
         if not unit.complete or unit.get("Type") == "oneshot" or service.in_container:

@@ -32,6 +32,9 @@ activation.
 - systemd.unit(5), "After="
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -41,7 +44,7 @@ RANK = {"hardware": 0, "perception": 1, "application": 2}
 
 
 @rule("warning", confidence="medium")
-def no_startup_order(robot: Robot):
+def no_startup_order(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     for stack in units.stacks:
         layers = units.layers(stack)

@@ -40,7 +40,9 @@ time source.
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -64,7 +66,7 @@ SIMULATED = re.compile(r"use_sim_time:=[Tt]rue|(?:^|[-_/])(?:sim|simulation|gaze
     confidence="medium",
     symptoms=["Lookup would require extrapolation into the future", "TF_OLD_DATA"],
 )
-def no_time_sync_gate(robot: Robot):
+def no_time_sync_gate(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     daemon = next((path for path in DAEMONS if units.ros and configures(robot, path)), None)
     if daemon is None:

@@ -30,6 +30,9 @@ When a library that is not in the tree sends READY=1.
 - sd_notify(3); systemd.service(5), Type=notify
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -43,7 +46,7 @@ from bringup_lint.api.systemd import duration
     symptoms=["start operation timed out. Terminating."],
     aliases=["node/sd-notify-missing"],
 )
-def notify_nobody_notifies(robot: Robot):
+def notify_nobody_notifies(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.ros:
         service = robot.units.supervision(unit)
         if not unit.complete or not service.notifies or service.access.value not in ("all", "exec"):

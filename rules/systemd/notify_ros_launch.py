@@ -35,6 +35,9 @@ When a wrapper that is not in this tree is the main process and sends READY=1 it
   PID"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -48,7 +51,7 @@ from bringup_lint.api.systemd import duration
     fix="unsafe",
     symptoms=["reception only permitted for main PID", "start operation timed out. Terminating."],
 )
-def notify_ros_launch(robot: Robot):
+def notify_ros_launch(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.ros:
         service = robot.units.supervision(unit)
         if not unit.complete or not service.notifies or service.access.value in ("all", None) or service.main is None:

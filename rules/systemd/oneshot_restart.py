@@ -27,6 +27,9 @@ Restart=on-failure
 - journal: "Restart= set to either always or on-success, which isn't allowed for Type=oneshot services. Refusing."
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -34,7 +37,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["which isn't allowed for Type=oneshot services"])
-def oneshot_restart(robot: Robot):
+def oneshot_restart(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         kind, restart = unit.get("Type"), unit.get("Restart")
         if kind == "oneshot" and restart in ("always", "on-success"):

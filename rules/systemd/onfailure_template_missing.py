@@ -25,13 +25,16 @@ ExecStart=/opt/robot/bin/alarm %i
 - systemd.unit(5), OnFailure= and "Specifiers"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Failed to enqueue OnFailure= job, ignoring: Unit not found"])
-def onfailure_template_missing(robot: Robot):
+def onfailure_template_missing(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     for unit in units.judged:
         for word in (*unit.words("OnFailure", "Unit"), *unit.words("OnFailure", "Service")):

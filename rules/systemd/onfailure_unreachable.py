@@ -38,6 +38,9 @@ RestartSec=5
 - <https://github.com/systemd/systemd/issues/33710>: the change of behaviour in 254
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -46,7 +49,7 @@ from bringup_lint.api.systemd import duration
 
 
 @rule("warning")
-def onfailure_unreachable(robot: Robot):
+def onfailure_unreachable(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         policy = robot.units.restart(unit)
         handlers = [*unit.values("OnFailure", "Unit"), *unit.values("OnFailure", "Service")]

@@ -36,6 +36,9 @@ After=drivers.service
 - bootup(7)
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -50,7 +53,7 @@ from bringup_lint.api import rule
         "Transaction order is cyclic",
     ],
 )
-def ordering_cycle(robot: Robot):
+def ordering_cycle(robot: Robot) -> Iterator[Finding]:
     for cycle in robot.units.cycles:
         lines = [edge for edge in cycle.waits if edge.where and edge.where.source.judged]
         if not lines or cycle.against_targets:

@@ -25,6 +25,9 @@ Unit=robot-upload.service
 - journal: "Path unit lacks path setting. Refusing."
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -33,7 +36,7 @@ _WATCHES = ("PathExists", "PathExistsGlob", "PathChanged", "PathModified", "Dire
 
 
 @rule("error", symptoms=["Path unit lacks path setting"])
-def path_no_path(robot: Robot):
+def path_no_path(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.judged:
         if unit.type != "path" or unit.fragment is None or unit.uncertain:
             continue

@@ -28,7 +28,9 @@ DeviceAllow=char-ttyUSB rw
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -48,7 +50,7 @@ PSEUDO = re.compile(
     fix="unsafe",
     symptoms=["Operation not permitted", "could not open port", "No such file or directory: '/dev/"],
 )
-def private_devices(robot: Robot):
+def private_devices(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         closed = _closed(unit)
         if closed is None or robot.units.supervision(unit).in_container:

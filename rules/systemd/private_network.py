@@ -26,6 +26,9 @@ RestrictAddressFamilies=AF_INET AF_INET6 AF_UNIX AF_NETLINK
 - getifaddrs(3) asks the kernel through AF_NETLINK
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -33,7 +36,7 @@ from bringup_lint.api.systemd import flag
 
 
 @rule("error", symptoms=["failed to find interfaces", "Address family not supported by protocol"])
-def private_network(robot: Robot):
+def private_network(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.dds:
         if robot.units.supervision(unit).in_container or unit.unsure_of("RestrictAddressFamilies", "IPAddressAllow"):
             continue

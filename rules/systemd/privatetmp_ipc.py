@@ -27,7 +27,9 @@ or JoinsNamespaceOf= in all services that use it.
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -38,7 +40,7 @@ SHARED = re.compile(r"<SharedMemory\b[^>]*>(?:(?!</SharedMemory>).)*?<Enable>\s*
 
 
 @rule("warning", symptoms=["Timeout registering at RouDi", "RouDi not found"])
-def privatetmp_ipc(robot: Robot):
+def privatetmp_ipc(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         private = flag(unit, "PrivateTmp")
         if not private.value or unit.has("JoinsNamespaceOf") or robot.units.supervision(unit).in_container:

@@ -27,6 +27,9 @@ ReadWritePaths=/var/lib/rover
 - systemd.exec(5), PrivateTmp=
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -37,7 +40,7 @@ from bringup_lint.api.systemd import paths
 
 
 @rule("info", fix="safe")
-def privatetmp_redundant(robot: Robot):
+def privatetmp_redundant(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.judged:
         private = flag(unit, "PrivateTmp", unit.section)
         if not private.value:

@@ -33,7 +33,9 @@ or ProtectHome=read-only, when the service only reads there.
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -54,7 +56,7 @@ REOPENED = ("ReadWritePaths", "ReadOnlyPaths", "ExecPaths")
         "status=226/NAMESPACE",
     ],
 )
-def protecthome_workspace(robot: Robot):
+def protecthome_workspace(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         box = sandbox(unit, robot)
         home = box.protect_home

@@ -36,6 +36,9 @@ ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rov
 - <https://github.com/ros2/rcl_logging/issues/72>
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -53,7 +56,7 @@ OF_ROOT = ("/var/log/", "/var/lib/", "/var/cache/", "/opt/", "/srv/", "/etc/", "
     symptoms=["Failed to get logging directory", "rcutils_mkdir", "Read-only file system"],
     aliases=["env/ros-log-dir-unwritable"],
 )
-def protectsystem_log_dir(robot: Robot):
+def protectsystem_log_dir(robot: Robot) -> Iterator[Finding]:
     seen = set()
     for unit in robot.units.ros:
         service, box = robot.units.supervision(unit), sandbox(unit, robot)

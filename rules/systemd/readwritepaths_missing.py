@@ -29,6 +29,9 @@ LogsDirectory=rover
 - tmpfiles.d(5)
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -58,7 +61,7 @@ BASES = {
 
 
 @rule("warning", fix="safe", symptoms=["Failed to set up mount namespacing", "status=226/NAMESPACE"])
-def readwritepaths_missing(robot: Robot):
+def readwritepaths_missing(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.judged:
         box = sandbox(unit, robot)
         if not unit.complete or box.own_root:

@@ -24,6 +24,9 @@ Wants=base.service
 - systemctl(1), "mask"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -31,7 +34,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["is masked."])
-def requires_masked(robot: Robot):
+def requires_masked(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     for unit in units.judged:
         for key in ("Requires", "Requisite", "BindsTo"):

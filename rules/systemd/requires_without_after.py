@@ -27,6 +27,9 @@ After=base-driver.service
 - systemd.unit(5), "Requires=", "BindsTo="
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -37,7 +40,7 @@ EARLY = ("sysinit.target", "basic.target", "network-online.target", "local-fs.ta
 
 
 @rule("warning", fix="safe")
-def requires_without_after(robot: Robot):
+def requires_without_after(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     for unit in units.judged:
         if unit.type == "target" or unit.unsure_of("After", "Before"):

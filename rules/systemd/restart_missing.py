@@ -31,6 +31,9 @@ RestartSec=2
 - systemd.service(5), Restart=: the default is no
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -40,7 +43,7 @@ TOOLS = "cli"
 
 
 @rule("warning", fix="unsafe")
-def restart_missing(robot: Robot):
+def restart_missing(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     for unit in (*units.ros, *units.presumed_ros):
         policy = units.restart(unit)

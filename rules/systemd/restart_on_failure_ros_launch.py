@@ -29,6 +29,9 @@ launch file.
 - systemd.service(5), Restart=
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -41,7 +44,7 @@ FAILURES = ("on-failure", "on-abnormal", "on-abort")
 
 
 @rule("warning", fix="unsafe", symptoms=["process has finished cleanly", "process has died"])
-def restart_on_failure_ros_launch(robot: Robot):
+def restart_on_failure_ros_launch(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.ros:
         service, policy = robot.units.supervision(unit), robot.units.restart(unit)
         if policy.restart not in FAILURES or service.main is None:

@@ -38,7 +38,9 @@ RestartSec=5
 """
 
 import math
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -57,7 +59,7 @@ FAILING_LAUNCH = 1.0
     fix="unsafe",
     symptoms=["Scheduled restart job, restart counter is at", "Start request repeated too quickly"],
 )
-def restart_unlimited(robot: Robot):
+def restart_unlimited(robot: Robot) -> Iterator[Finding]:
     launches = [unit for unit, _ in robot.units.launch]
     for unit in robot.units.services:
         policy = robot.units.restart(unit)

@@ -28,6 +28,9 @@ RestartSec=2
 - systemd.service(5), RestartSec=
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -36,7 +39,7 @@ from bringup_lint.api.systemd import duration
 
 
 @rule("info")
-def restartsec_too_short(robot: Robot):
+def restartsec_too_short(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         policy = robot.units.restart(unit)
         if not unit.complete or not policy.restarts or not policy.known or policy.delay >= 1:

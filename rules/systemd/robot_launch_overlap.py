@@ -33,7 +33,9 @@ Conflicts=rover-drivers.service
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -47,7 +49,7 @@ LAYER = re.compile(
 
 
 @rule("warning", symptoms=["Be aware that are nodes in the graph that share an exact name"])
-def robot_launch_overlap(robot: Robot):
+def robot_launch_overlap(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     for stack in units.stacks:
         started = [(unit, ros) for unit in stack for process in units.started(unit) for _, ros in process.launches]

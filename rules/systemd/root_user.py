@@ -33,7 +33,9 @@ ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rov
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -56,7 +58,7 @@ DROPPERS = frozenset({"setpriv", "runuser", "su", "sudo", "gosu", "su-exec", "ch
     tags=["CWE-250"],
     symptoms=["$HOME is not set", "Failed to get logging directory"],
 )
-def root_user(robot: Robot):
+def root_user(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     for unit in units.services:
         if unit.manager == "user" or unit.unsure_of("User", "DynamicUser", section="Service"):

@@ -29,7 +29,9 @@ ExecStart=/bin/bash -c 'source /opt/ros/${ROS_DISTRO}/setup.bash && exec ros2 la
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -39,7 +41,7 @@ DISTRO = re.compile(r"/opt/ros/([a-z]+)(?:/|$)")
 
 
 @rule("error", symptoms=["undefined symbol: _ZN", "Package not found"])
-def ros_distro_mismatch(robot: Robot):
+def ros_distro_mismatch(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     for unit in units.services:
         for process in units.processes(unit):

@@ -34,7 +34,9 @@ ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rov
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -60,7 +62,7 @@ CONTROL = re.compile(r"ros2_control_node|controller_manager|ros2_control")
     fix="unsafe",
     symptoms=["Could not enable FIFO RT scheduling policy", "Operation not permitted"],
 )
-def rt_limits_only_in_pam(robot: Robot):
+def rt_limits_only_in_pam(robot: Robot) -> Iterator[Finding]:
     interested = {str(unit.get("User")) for unit in robot.units.ros if _schedules(unit) or _controls(robot, unit)}
     for unit in robot.units.ros:
         if not unit.complete or unit.get("PAMName") or robot.units.supervision(unit).in_container:

@@ -28,6 +28,9 @@ LimitRTPRIO=99
 - systemd.exec(5), RestrictRealtime=
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -39,7 +42,7 @@ from bringup_lint.api.systemd import flag
     "error",
     symptoms=["Could not enable FIFO RT scheduling policy", "sched_setscheduler: Operation not permitted"],
 )
-def rt_restrict_conflict(robot: Robot):
+def rt_restrict_conflict(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         restricted = flag(unit, "RestrictRealtime")
         if not restricted.value:

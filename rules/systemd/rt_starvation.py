@@ -30,6 +30,9 @@ CPUSchedulingPriority=50
 - systemd.exec(5), CPUSchedulingPolicy=, CPUSchedulingResetOnFork= and IOSchedulingClass=; sched(7)
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -40,7 +43,7 @@ HIGH = 90
 
 
 @rule("warning", symptoms=["sched: RT throttling activated"])
-def rt_starvation(robot: Robot):
+def rt_starvation(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.ros:
         launches = [found for process in robot.units.started(unit) for _, found in process.launches]
         if not launches or not unit.complete:

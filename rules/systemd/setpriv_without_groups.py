@@ -25,6 +25,9 @@ ExecStart=/opt/rover/bin/base
 - setpriv(1)
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -32,7 +35,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", symptoms=["Permission denied: '/dev/ttyUSB0'"])
-def setpriv_without_groups(robot: Robot):
+def setpriv_without_groups(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         for process in robot.units.processes(unit):
             for step in process.steps:

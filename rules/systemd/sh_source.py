@@ -25,7 +25,9 @@ ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rov
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -37,7 +39,7 @@ SHEBANG = re.compile(r"#!\s*(/(?:usr/)?bin/(?:da)?sh)\b")
 
 
 @rule("error", fix="safe", symptoms=["source: not found", 'Syntax error: "(" unexpected'])
-def sh_source(robot: Robot):
+def sh_source(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         for process in robot.units.processes(unit):
             for step in process.steps:

@@ -24,6 +24,9 @@ drop-in keeps the packaged file and changes only what it names.
 - systemd.unit(5), "Unit File Load Path"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -31,7 +34,7 @@ from bringup_lint.api import rule
 
 
 @rule("info")
-def shadowed_unit(robot: Robot):
+def shadowed_unit(robot: Robot) -> Iterator[Finding]:
     for hidden, unit in robot.units.shadowed:
         if unit.fragment is None or unit.fragment.source.link or not hidden.source.robot_path:
             continue

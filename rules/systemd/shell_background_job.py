@@ -25,6 +25,9 @@ and a unit of its own for every further process.
 - systemd.service(5), Type=simple; systemd.kill(5)
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -34,7 +37,7 @@ PASSING = ("echo", "printf", "true", "logger", "exit", ":", "disown")
 
 
 @rule("error")
-def shell_background_job(robot: Robot):
+def shell_background_job(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.ros:
         if unit.get("Type") in ("oneshot", "forking") or unit.get("RemainAfterExit"):
             continue

@@ -28,7 +28,9 @@ ExecStart=/bin/bash -c 'D=/var/log/robot; mkdir -p $${D} && exec robot-drivers -
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -48,7 +50,7 @@ _SHELLS = ("sh", "bash", "dash", "zsh", "ksh")
     fix="unsafe",
     symptoms=["Referenced but unset environment variable evaluates to an empty string"],
 )
-def shell_var_swallowed(robot: Robot):
+def shell_var_swallowed(robot: Robot) -> Iterator[Finding]:
     for line in robot.units.lines:
         for command in line.commands:
             text = _shell_text(command) if command.expands_variables else None

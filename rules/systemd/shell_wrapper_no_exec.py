@@ -28,6 +28,9 @@ exec ros2 launch rover base.launch.py
 - bash(1), exec
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -38,7 +41,7 @@ ALONE = ("mixed", "process")
 
 
 @rule("warning", fix="safe")
-def shell_wrapper_no_exec(robot: Robot):
+def shell_wrapper_no_exec(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.ros:
         service = robot.units.supervision(unit)
         if not unit.complete or service.main is None or service.main.kind != "shell" or service.kill_mode.unknown:

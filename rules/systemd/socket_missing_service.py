@@ -27,13 +27,16 @@ Service=robot-web.service
 - journal: "Socket service robot-api.service not loaded, refusing."
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["not loaded, refusing"])
-def socket_missing_service(robot: Robot):
+def socket_missing_service(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.judged:
         if unit.type != "socket" or unit.fragment is None or unit.is_template or unit.uncertain:
             continue

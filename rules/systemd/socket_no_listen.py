@@ -24,6 +24,9 @@ Accept=yes
 - journal: "Unit has no Listen setting (ListenStream=, ListenDatagram=, ListenFIFO=, ...). Refusing."
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -31,7 +34,7 @@ from bringup_lint.api.systemd import directives
 
 
 @rule("error", symptoms=["Unit has no Listen setting"])
-def socket_no_listen(robot: Robot):
+def socket_no_listen(robot: Robot) -> Iterator[Finding]:
     keys = [key for key in directives.sections()["Socket"] if key.startswith("Listen")]
     for unit in robot.units.judged:
         if unit.type != "socket" or unit.fragment is None or unit.uncertain:

@@ -26,6 +26,9 @@ OnFailure=robot-alarm.service
 - systemd.unit(5), StartLimitAction= and OnFailure=
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -34,7 +37,7 @@ from bringup_lint.api.systemd import duration
 
 
 @rule("info")
-def start_limit_action_missing(robot: Robot):
+def start_limit_action_missing(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.ros:
         policy = robot.units.restart(unit)
         if not unit.complete or not policy.restarts or not policy.limited or policy.never_trips:

@@ -25,8 +25,10 @@ StandardOutput=journal
 """
 
 import re
+from collections.abc import Iterator
 from fnmatch import fnmatchcase
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -37,7 +39,7 @@ SINKS = ("/dev/", "/proc/", "/run/")
 
 
 @rule("info")
-def stdout_file_no_rotation(robot: Robot):
+def stdout_file_no_rotation(robot: Robot) -> Iterator[Finding]:
     told = {log.path for log in robot.logs.uncovered()} if robot.tree.complete else set()
     for unit in robot.units.services:
         seen = set(told)

@@ -28,6 +28,9 @@ ExecStartPre=+/usr/sbin/ip link set can0 up
 - systemd.exec(5), "NoNewPrivileges="
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -39,7 +42,7 @@ from bringup_lint.api import rule
     tags=["CWE-250"],
     symptoms=["sudo: a terminal is required to read the password", "sudo: effective uid is not 0"],
 )
-def sudo_in_exec(robot: Robot):
+def sudo_in_exec(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         locked = unit.get("NoNewPrivileges")
         locked = locked if locked and locked.lower() in ("yes", "true", "on", "1", "y", "t") else None

@@ -24,13 +24,16 @@ SyslogIdentifier=rover-base
 - systemd.exec(5), SyslogIdentifier=
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("info")
-def syslogidentifier_missing(robot: Robot):
+def syslogidentifier_missing(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.ros:
         shells = [process for process in robot.units.started(unit) if process.shell]
         output = unit.get("StandardOutput") or "journal"

@@ -30,6 +30,9 @@ ExecStartPre=/usr/local/bin/wait-for-devices
 - systemd, src/core/service.c: service_run_next_control() arms the timer for each command
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -40,7 +43,7 @@ BEFORE = ("ExecCondition", "ExecStartPre")
 
 
 @rule("warning", symptoms=["start-pre operation timed out. Terminating."])
-def timeout_start_short(robot: Robot):
+def timeout_start_short(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         service = robot.units.supervision(unit)
         limit = service.start_timeout

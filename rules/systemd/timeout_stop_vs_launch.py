@@ -31,7 +31,9 @@ TimeoutStopSec=20
 """
 
 import math
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -46,7 +48,7 @@ MARGIN, LONG = 5.0, 90.0
 
 
 @rule("warning", fix="unsafe", symptoms=["State 'stop-sigterm' timed out. Killing."])
-def timeout_stop_vs_launch(robot: Robot):
+def timeout_stop_vs_launch(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.ros:
         service = robot.units.supervision(unit)
         launches = [found for process in robot.units.started(unit) for _, found in process.launches]

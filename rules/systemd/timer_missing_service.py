@@ -27,13 +27,16 @@ Unit=robot-sync.service
 - journal: "Refusing to start, unit robot-backup.service to trigger not loaded."
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["to trigger not loaded", "Refusing to start"])
-def timer_missing_service(robot: Robot):
+def timer_missing_service(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.judged:
         if unit.type != "timer" or unit.fragment is None or unit.is_template or unit.uncertain:
             continue

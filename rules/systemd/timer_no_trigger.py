@@ -26,6 +26,9 @@ Unit=robot-backup.service
 - journal: "Timer unit lacks value setting. Refusing."
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -43,7 +46,7 @@ _TRIGGERS = (
 
 
 @rule("error", symptoms=["Timer unit lacks value setting"])
-def timer_no_trigger(robot: Robot):
+def timer_no_trigger(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.judged:
         if unit.type != "timer" or unit.fragment is None or unit.uncertain:
             continue

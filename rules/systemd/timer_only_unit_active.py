@@ -25,6 +25,9 @@ OnUnitActiveSec=10min
 - systemd.timer(5): monotonic timers relative to the unit's activation
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -34,7 +37,7 @@ _REPEATED = ("OnUnitActiveSec", "OnUnitInactiveSec")
 
 
 @rule("warning")
-def timer_only_unit_active(robot: Robot):
+def timer_only_unit_active(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.judged:
         if unit.type != "timer" or unit.fragment is None or unit.uncertain:
             continue

@@ -26,6 +26,9 @@ User=robot
 - journal: "Failed to determine user credentials: No such process"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -34,7 +37,7 @@ from bringup_lint.api.systemd import lift_comment
 
 
 @rule("error", fix="safe", symptoms=["status=217/USER", "Failed to parse", "Failed to add dependency on #"])
-def trailing_comment(robot: Robot):
+def trailing_comment(robot: Robot) -> Iterator[Finding]:
     for line in robot.units.lines:
         comment = line.comment
         if comment is None:

@@ -24,13 +24,16 @@ ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rob
 - journal: "Unbalanced quoting, ignoring"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Unbalanced quoting", "Invalid syntax, ignoring"])
-def unbalanced_quotes(robot: Robot):
+def unbalanced_quotes(robot: Robot) -> Iterator[Finding]:
     for line in robot.units.lines:
         for problem in line.problems:
             if problem.code == "unbalanced-quotes":

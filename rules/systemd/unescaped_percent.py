@@ -27,6 +27,9 @@ ExecStart=/usr/bin/robot-drivers
 - journal: "Failed to resolve unit specifiers in %F: Invalid slot"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -38,7 +41,7 @@ from bringup_lint.api import rule
     fix="unsafe",
     symptoms=["Failed to resolve unit specifiers", "Failed to resolve specifiers", "Invalid slot"],
 )
-def unescaped_percent(robot: Robot):
+def unescaped_percent(robot: Robot) -> Iterator[Finding]:
     for line in robot.units.lines:
         bad = [problem for problem in line.problems if problem.code == "unknown-specifier"]
         if not bad:

@@ -20,13 +20,16 @@ systemd logs "is marked executable" at every load, and among such lines the ones
 - systemd: "Configuration file ... is marked executable. Please remove executable permission bits"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("warning", symptoms=["is marked executable. Please remove executable permission bits"])
-def unit_file_executable(robot: Robot):
+def unit_file_executable(robot: Robot) -> Iterator[Finding]:
     for file in robot.units.files:
         source = file.source
         if source.mode is not None and source.link is None and source.mode & 0o111:

@@ -22,6 +22,9 @@ it run as root at the next boot.
   bits"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -32,7 +35,7 @@ from bringup_lint.api import rule
     tags=["CWE-732"],
     symptoms=["is marked world-writable. Please remove world writability permission bits"],
 )
-def unit_file_world_writable(robot: Robot):
+def unit_file_world_writable(robot: Robot) -> Iterator[Finding]:
     for file in robot.units.files:
         source = file.source
         if source.mode is not None and source.link is None and source.mode & 0o002:

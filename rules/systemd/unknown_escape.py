@@ -25,6 +25,9 @@ ExecStart=/bin/bash -c 'ls /dev | grep "ttyUSB\\d"'
 - journal: "Ignoring unknown escape sequences"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -32,7 +35,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", fix="unsafe", symptoms=["Ignoring unknown escape sequences"])
-def unknown_escape(robot: Robot):
+def unknown_escape(robot: Robot) -> Iterator[Finding]:
     for line in robot.units.lines:
         bad = [problem for problem in line.problems if problem.code == "unknown-escape"]
         if not bad:

@@ -28,6 +28,9 @@ WatchdogSec=30
 - journal: "Unknown key name 'WatchDogSec' in section 'Service', ignoring."
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -37,7 +40,7 @@ from bringup_lint.api.systemd import directives
 
 
 @rule("error", fix="safe", symptoms=["Unknown key name", "Unknown lvalue"])
-def unknown_key(robot: Robot):
+def unknown_key(robot: Robot) -> Iterator[Finding]:
     for file in robot.units.files:
         allowed = directives.sections_of_type(file.type)
         for section in file.sections:

@@ -25,6 +25,9 @@ ExecStart=/usr/bin/robot-drivers
 - journal: "Unknown section 'service'. Ignoring."
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -34,7 +37,7 @@ from bringup_lint.api.systemd import directives
 
 
 @rule("error", fix="safe", symptoms=["Unknown section", "Invalid section header"])
-def unknown_section(robot: Robot):
+def unknown_section(robot: Robot) -> Iterator[Finding]:
     for file in robot.units.files:
         allowed = directives.sections_of_type(file.type)
         for section in file.sections:

@@ -24,7 +24,9 @@ logged in; in the field nobody is, and the service does not run, or stops when t
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -35,7 +37,7 @@ LINGER = "/var/lib/systemd/linger"
 
 
 @rule("warning")
-def user_unit_no_linger(robot: Robot):
+def user_unit_no_linger(robot: Robot) -> Iterator[Finding]:
     lingering = robot.tree.entries(LINGER)
     if lingering is None:
         return

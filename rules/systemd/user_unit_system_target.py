@@ -27,6 +27,9 @@ WantedBy=default.target
 - systemd.special(7), "Units managed by the user service manager"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -41,7 +44,7 @@ SYSTEM_ONLY = frozenset(
 
 
 @rule("error", fix="safe")
-def user_unit_system_target(robot: Robot):
+def user_unit_system_target(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.judged:
         if unit.manager != "user":
             continue

@@ -25,6 +25,9 @@ ExecStart=/opt/rover/bin/rviz
 - systemd.exec(5), "User="
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -33,7 +36,7 @@ from bringup_lint.api.systemd import delete_lines
 
 
 @rule("error", fix="safe", symptoms=["status=216/GROUP", "status=217/USER"])
-def user_unit_user_key(robot: Robot):
+def user_unit_user_key(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         if unit.manager != "user":
             continue

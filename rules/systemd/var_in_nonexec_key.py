@@ -26,6 +26,9 @@ Environment=PATH=/opt/robot/bin:/usr/local/bin:/usr/bin:/bin
 - systemd.exec(5), "Environment="; systemd.service(5), "Command lines"; systemd.unit(5), "Specifiers"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -35,7 +38,7 @@ _SECRET = ("PASS", "SECRET", "TOKEN", "KEY", "PSK")
 
 
 @rule("error", symptoms=["path is not absolute", "status=200/CHDIR"])
-def var_in_nonexec_key(robot: Robot):
+def var_in_nonexec_key(robot: Robot) -> Iterator[Finding]:
     for line in robot.units.lines:
         variable = line.variable
         if variable is None or line.file.source.template:

@@ -31,7 +31,9 @@ ExecStart=/usr/lib/systemd/systemd-networkd-wait-online --interface=eth0 --timeo
 
 import itertools
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -41,7 +43,7 @@ FOREVER = re.compile(r"--timeout=0$")
 
 
 @rule("warning", symptoms=["A start job is running for Wait for Network to be Configured"])
-def wait_online_unbounded(robot: Robot):
+def wait_online_unbounded(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         for process in robot.units.started(unit):
             if not WAITER.search(process.program):

@@ -33,6 +33,9 @@ WantedBy=graphical.target
 - systemd.special(7)
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -40,7 +43,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["deleted to break ordering cycle starting with", "Found ordering cycle on"])
-def wantedby_and_after_later_target(robot: Robot):
+def wantedby_and_after_later_target(robot: Robot) -> Iterator[Finding]:
     for cycle in robot.units.cycles:
         lines = [edge for edge in cycle.waits if edge.where and edge.where.source.judged]
         if not lines or not cycle.against_targets:

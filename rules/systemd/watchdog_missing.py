@@ -29,7 +29,9 @@ with a driver that sends WATCHDOG=1 from its control loop.
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -40,7 +42,7 @@ CRITICAL = re.compile(
 
 
 @rule("info")
-def watchdog_missing(robot: Robot):
+def watchdog_missing(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.ros:
         service = robot.units.supervision(unit)
         if not unit.complete or service.watchdog.at is not None or unit.name in robot.units.triggered:

@@ -30,6 +30,9 @@ RestartSec=2
 - systemd.service(5), table "Exit causes and the effect of the Restart= settings"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -40,7 +43,7 @@ IDLE = ("no", "on-success", "on-abort")
 
 
 @rule("warning", symptoms=["Failed with result 'watchdog'"])
-def watchdog_no_restart(robot: Robot):
+def watchdog_no_restart(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         service, policy = robot.units.supervision(unit), robot.units.restart(unit)
         if not unit.complete or not service.watchdog_on or policy.restart not in IDLE:

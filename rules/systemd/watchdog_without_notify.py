@@ -32,6 +32,9 @@ WATCHDOG_PID names the main process.
 - <https://github.com/systemd/systemd/issues/25961>: WATCHDOG_PID and children
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -42,7 +45,7 @@ from bringup_lint.api.systemd import duration
 
 
 @rule("error", fix="unsafe", symptoms=["Watchdog timeout (limit", "Failed with result 'watchdog'"])
-def watchdog_without_notify(robot: Robot):
+def watchdog_without_notify(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         service = robot.units.supervision(unit)
         if not unit.complete or not service.watchdog_on or service.main is None or service.access.unknown:

@@ -27,7 +27,9 @@ WorkingDirectory=~
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -37,7 +39,7 @@ HOME = re.compile(r"(/home/[^/]+)(?:/|$)")
 
 
 @rule("info", symptoms=["status=200/CHDIR", "Changing to the requested working directory failed"])
-def workdir_missing_user_home(robot: Robot):
+def workdir_missing_user_home(robot: Robot) -> Iterator[Finding]:
     if not robot.tree.complete:
         return
     for unit in robot.units.services:

@@ -26,6 +26,9 @@ ExecStart=/usr/bin/robot-bringup
 - journal: "Unknown section 'Service'. Ignoring."
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -33,7 +36,7 @@ from bringup_lint.api.systemd import directives
 
 
 @rule("error", symptoms=["Unknown section"])
-def wrong_section_for_type(robot: Robot):
+def wrong_section_for_type(robot: Robot) -> Iterator[Finding]:
     homes = {section: kind for kind, section in directives.SECTION_OF_TYPE.items()}
     for file in robot.units.files:
         for section in file.sections:

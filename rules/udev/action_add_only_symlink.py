@@ -35,6 +35,9 @@ later.
 - systemd.device(5)
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -45,7 +48,7 @@ _READ_AT_EVERY_EVENT = ("ID_MM_DEVICE_IGNORE", "ID_MM_PORT_IGNORE", "NM_UNMANAGE
 
 
 @rule("warning", fix="safe")
-def action_add_only_symlink(robot: Robot):
+def action_add_only_symlink(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         if "add" not in line.actions or "change" in line.actions:
             continue

@@ -24,6 +24,9 @@ Never: udev rejects the whole line, so it has no effect as it is.
 - `udevadm verify`: Invalid operator
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -35,7 +38,7 @@ from bringup_lint.api import rule
     fix="safe",
     symptoms=["Invalid operator for SUBSYSTEM", "Invalid operator for KERNEL", "Invalid operator for ATTRS"],
 )
-def assign_instead_of_match(robot: Robot):
+def assign_instead_of_match(robot: Robot) -> Iterator[Finding]:
     for problem, _ in robot.udev.problems("match-only-key"):
         yield finding(
             problem.where,

@@ -25,6 +25,9 @@ Only if a driver of your own adds an attribute of this name to the port itself; 
 - udev(7), ATTR and ATTRS
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -42,7 +45,7 @@ _OF_USB_DEVICE = {
 
 
 @rule("error", fix="safe")
-def attr_vs_attrs(robot: Robot):
+def attr_vs_attrs(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         if not line.is_for("tty", "video4linux", "input", "hidraw"):
             continue

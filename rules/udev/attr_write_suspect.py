@@ -25,6 +25,9 @@ If the driver of the matched device has a writable attribute with this name and 
 - udev(7), ATTR
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -44,7 +47,7 @@ _IDENTITY = {
 
 
 @rule("error", fix="safe", symptoms=["Failed to write"])
-def attr_write_suspect(robot: Robot):
+def attr_write_suspect(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         for token in line.line.assignments("ATTR"):
             if token.attribute in _IDENTITY:

@@ -32,7 +32,9 @@ Never: udev compares all parent keys of a line with one device at a time, so thi
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -48,7 +50,7 @@ _INTERFACE = re.compile(r"(\d+-[\d.]+):\d+\.\d+")
 
 
 @rule("error", fix="safe")
-def attrs_different_parents(robot: Robot):
+def attrs_different_parents(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         if line.impossible_parents is None:
             continue

@@ -29,6 +29,9 @@ every event.
 - `udevadm verify`: invalid substitution type
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -37,7 +40,7 @@ _COMMANDS = ("RUN", "PROGRAM", "IMPORT")
 
 
 @rule("error", symptoms=["invalid substitution type", "attribute value missing"])
-def bad_substitution(robot: Robot):
+def bad_substitution(robot: Robot) -> Iterator[Finding]:
     for problem, line in robot.udev.problems("bad-substitution"):
         token = next(token for token in line.tokens if token.span.start <= problem.where.span.start < token.span.end)
         what = "has no {...}" if problem.detail == "argument missing" else "is unknown to udev"

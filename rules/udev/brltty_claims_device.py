@@ -29,6 +29,9 @@ by hand.
 - https://github.com/ArduPilot/ardupilot/pull/20677
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -36,7 +39,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", symptoms=["brltty", "interface 0 claimed by ch341 while 'brltty' sets config #1"])
-def brltty_claims_device(robot: Robot):
+def brltty_claims_device(robot: Robot) -> Iterator[Finding]:
     jammy = robot.target.systemd_known and robot.target.systemd == 249 and not robot.tree.complete
     for line in robot.udev.judged:
         for usb_id in line.usb_ids if line.is_serial else ():

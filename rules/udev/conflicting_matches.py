@@ -25,6 +25,9 @@ Never: no device can satisfy both matches. To disable a rule on purpose, comment
 - `udevadm verify`: conflicting match expressions
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -32,7 +35,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["conflicting match expressions, the line has no effect"])
-def conflicting_matches(robot: Robot):
+def conflicting_matches(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         for first, second in line.contradictions:
             yield finding(

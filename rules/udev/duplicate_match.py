@@ -23,6 +23,9 @@ If a generator writes the rules and the repeated match is known to be harmless: 
 - `udevadm verify`: duplicate expressions
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -31,7 +34,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", fix="safe", symptoms=["duplicate expressions"])
-def duplicate_match(robot: Robot):
+def duplicate_match(robot: Robot) -> Iterator[Finding]:
     for rule_line in robot.udev.judged:
         seen = {}
         for token in rule_line.line.tokens:

@@ -29,6 +29,9 @@ express that.
 - udev(7), SYMLINK and OPTIONS "link_priority="
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -36,7 +39,7 @@ from bringup_lint.api import rule
 
 
 @rule("error")
-def duplicate_symlink(robot: Robot):
+def duplicate_symlink(robot: Robot) -> Iterator[Finding]:
     for rules in robot.udev.sets:
         seen = set()
         for first, second in rules.same_links:

@@ -25,13 +25,16 @@ Never: udev rejects the assignment and drops everything else on the line with it
 - `udevadm verify`: Invalid ENV attribute
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Invalid ENV attribute"])
-def env_readonly(robot: Robot):
+def env_readonly(robot: Robot) -> Iterator[Finding]:
     for problem, _ in robot.udev.problems("read-only-property"):
         yield finding(
             problem.where,

@@ -31,13 +31,16 @@ property earlier.
 - https://github.com/odriverobotics/ODrive/issues/241
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("warning")
-def file_order(robot: Robot):
+def file_order(robot: Robot) -> Iterator[Finding]:
     for line, early in robot.udev.too_early:
         name = line.source.basename
         if early.value:

@@ -25,7 +25,9 @@ If the file is a template or a deliberately disabled variant that a script renam
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -34,7 +36,7 @@ _LEFTOVER = re.compile(r"~$|\.(?:bak|orig|rej|swp|save|old|disabled|off|dpkg-\w+
 
 
 @rule("warning")
-def file_suffix(robot: Robot):
+def file_suffix(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("udev-misnamed"):
         yield finding(
             source,

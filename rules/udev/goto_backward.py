@@ -26,13 +26,16 @@ Never: udev ignores a backward jump, so the line does nothing.
 - `udevadm verify`: has no matching label
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["has no matching label, ignoring"])
-def goto_backward(robot: Robot):
+def goto_backward(robot: Robot) -> Iterator[Finding]:
     for problem, _ in robot.udev.problems("goto-backward"):
         yield finding(
             problem.where,

@@ -27,13 +27,16 @@ Never: a jump cannot leave its file, so a label in another file does not help.
 - `udevadm verify`: has no matching label
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["has no matching label, ignoring"])
-def goto_missing_label(robot: Robot):
+def goto_missing_label(robot: Robot) -> Iterator[Finding]:
     for problem, _ in robot.udev.problems("goto-without-label"):
         yield finding(
             problem.where,

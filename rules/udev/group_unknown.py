@@ -26,13 +26,16 @@ management, and as a local system account: udev resolves names before a director
 - sysusers.d(5)
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("warning", symptoms=["Unknown group", "Unknown user", "Failed to resolve group"])
-def group_unknown(robot: Robot):
+def group_unknown(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         for token in line.line.assignments("GROUP"):
             if _is_name(token) and not robot.accounts.has_group(token.value):

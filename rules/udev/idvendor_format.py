@@ -26,7 +26,9 @@ Never: sysfs always shows four lower-case digits, and udev compares them as text
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -41,7 +43,7 @@ _NUMBER = re.compile(r"(?:0[xX])?([0-9a-fA-F]{1,4})")
 
 
 @rule("error", fix="safe")
-def idvendor_format(robot: Robot):
+def idvendor_format(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         for token in line.line.tokens:
             known = token.attribute in _KEYS.get(token.key, ()) and not line.is_for("pci", "net", "sound", "block")

@@ -25,13 +25,16 @@ Never: udev drops the whole line.
 - `udevadm verify`: Invalid operator
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Invalid operator for GROUP", "Invalid operator for MODE", "Invalid operator for RUN"])
-def invalid_operator(robot: Robot):
+def invalid_operator(robot: Robot) -> Iterator[Finding]:
     for problem, _ in robot.udev.problems("invalid-operator"):
         yield finding(
             problem.where,

@@ -26,7 +26,9 @@ If the robot can have only one device of this kind, now and later, so that the n
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -36,7 +38,7 @@ _IDENTIFIED = ("SYMLINK", "NAME", "ENV", "RUN", "ATTR")
 
 
 @rule("warning")
-def kernel_hardcoded(robot: Robot):
+def kernel_hardcoded(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         if not any(line.line.assignments(key) for key in _IDENTIFIED):
             continue

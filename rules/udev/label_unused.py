@@ -25,13 +25,16 @@ If the label only marks the end of the file by convention and no jump is missing
 - `udevadm verify`: LABEL is unused
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("info")
-def label_unused(robot: Robot):
+def label_unused(robot: Robot) -> Iterator[Finding]:
     for problem, _ in robot.udev.problems("label-unused"):
         yield finding(
             problem.where,

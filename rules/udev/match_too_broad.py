@@ -27,6 +27,9 @@ it.
 - udev(7), SYMLINK and "link_priority="
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -58,7 +61,7 @@ _DECIDING = ("PROGRAM", "IMPORT", "RESULT", "TEST", "OPTIONS", "GOTO")
 
 
 @rule("error")
-def match_too_broad(robot: Robot):
+def match_too_broad(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         if any(line.line.first(key) for key in _DECIDING) or not line.subjects <= _BROAD:
             continue

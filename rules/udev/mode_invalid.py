@@ -25,14 +25,16 @@ Never: udev ignores the mode, so the line does not set the permissions that it s
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Failed to parse mode"])
-def mode_invalid(robot: Robot):
+def mode_invalid(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         for token in line.line.assignments("MODE"):
             if token.value and not token.has_substitution and not _is_mode(token.value):

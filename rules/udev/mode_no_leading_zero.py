@@ -24,7 +24,9 @@ If your rules consistently use three digits: the mode is the same.
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -32,7 +34,7 @@ from bringup_lint.api import rule
 
 
 @rule("info", fix="safe")
-def mode_no_leading_zero(robot: Robot):
+def mode_no_leading_zero(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         for token in line.line.assignments("MODE"):
             if re.fullmatch(r"[1-7][0-7]{2}", token.value):

@@ -27,7 +27,9 @@ single user and no network services.
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -35,7 +37,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", fix="safe", tags=["CWE-732"])
-def mode_world_writable(robot: Robot):
+def mode_world_writable(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         if line.is_open_by_design:
             continue

@@ -29,6 +29,9 @@ to be skipped.
 - https://github.com/rusefi/rusefi/issues/4359
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -38,7 +41,7 @@ _IGNORE = ("ID_MM_DEVICE_IGNORE", "ID_MM_PORT_IGNORE", "ID_MM_DEVICE_PROCESS")
 
 
 @rule("warning", fix="safe", symptoms=["ModemManager", "[modem0] state changed"])
-def modemmanager_not_ignored(robot: Robot):
+def modemmanager_not_ignored(robot: Robot) -> Iterator[Finding]:
     manager = robot.units.candidates("ModemManager.service")
     running = any(not unit.masked for unit in manager)
     if (manager and not running) or (robot.tree.complete and not manager):

@@ -23,6 +23,9 @@ Never: current versions of udev ignore the key for every other device.
 - udev(7), NAME
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -30,7 +33,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["Only network interfaces can be renamed, ignoring"])
-def name_not_net(robot: Robot):
+def name_not_net(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         if not line.subsystems or "net" in line.subsystems:
             continue

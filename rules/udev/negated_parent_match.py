@@ -30,6 +30,9 @@ delete the match instead.
 - udev(7), ATTRS: "Search the devpath upwards for a device with matching sysfs attribute values"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -38,7 +41,7 @@ _OF_ROOT_HUB = {"idVendor": "1d6b", "idProduct": "0002", "serial": "0000:00:14.0
 
 
 @rule("error")
-def negated_parent_match(robot: Robot):
+def negated_parent_match(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         parents = line.parent_conditions
         if any(one.equal or not one.token.value or one.attribute not in _OF_ROOT_HUB for one in parents):

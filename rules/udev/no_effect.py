@@ -28,13 +28,16 @@ If the line is a placeholder and you accept the message that udev logs each time
 - `udevadm verify`: The line has no effect
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("warning", symptoms=["The line has no effect, ignoring"])
-def no_effect(robot: Robot):
+def no_effect(robot: Robot) -> Iterator[Finding]:
     for problem, line in robot.udev.problems("no-effect"):
         if not line.matches("SYMLINK"):
             yield finding(

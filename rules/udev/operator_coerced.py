@@ -27,6 +27,9 @@ remains.
 - `udevadm verify`: takes ... operator, assuming '='
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -34,7 +37,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", fix="safe", symptoms=["operator, assuming '='"])
-def operator_coerced(robot: Robot):
+def operator_coerced(robot: Robot) -> Iterator[Finding]:
     for problem, _ in robot.udev.problems("coerced-operator"):
         yield finding(
             problem.where,

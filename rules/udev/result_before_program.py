@@ -25,7 +25,9 @@ installs.
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -34,7 +36,7 @@ _RESULT = re.compile(r"(?<![%$])(?:%c|\$result)(?![a-z])")
 
 
 @rule("warning")
-def result_before_program(robot: Robot):
+def result_before_program(robot: Robot) -> Iterator[Finding]:
     for rules in robot.udev.sets:
         for rule_line in rules.rules:
             if rule_line.line.first("PROGRAM") is not None or rule_line.source.template:

@@ -23,6 +23,9 @@ If the rule is meant to replace the programs of earlier rules, for example to di
 - udev(7), RUN
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -30,7 +33,7 @@ from bringup_lint.api import rule
 
 
 @rule("info", fix="safe")
-def run_assign(robot: Robot):
+def run_assign(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         for token in line.line.assignments("RUN"):
             if token.operator == "=":

@@ -29,7 +29,9 @@ events of the device wait for it.
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -50,7 +52,7 @@ _HANDED_OVER = re.compile(
 
 
 @rule("warning", symptoms=["Spawned process", "timed out, killing", "is taking a long time"])
-def run_long(robot: Robot):
+def run_long(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         for command in line.commands:
             if _HANDED_OVER.search(command.text):

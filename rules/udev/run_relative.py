@@ -25,13 +25,16 @@ If you install a program of this name in /usr/lib/udev yourself.
 - udev(7), RUN: "If no absolute path is given, the program is expected to live in /usr/lib/udev"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("warning", symptoms=["Failed to execute", "No such file or directory"])
-def run_relative(robot: Robot):
+def run_relative(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         for command in line.commands:
             if command.is_looked_up_in_vain:

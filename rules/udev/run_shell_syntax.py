@@ -25,6 +25,9 @@ If the program itself expects the character as an argument, as `find ... -exec .
 - https://github.com/IntelRealSense/librealsense/issues/11842
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -32,7 +35,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="unsafe")
-def run_shell_syntax(robot: Robot):
+def run_shell_syntax(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         for command in line.commands:
             if command.shell_operators:

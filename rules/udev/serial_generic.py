@@ -26,6 +26,9 @@ If the robot has only one adapter with this chip and will not get another.
 - Silicon Labs AN721: programming a serial number into a CP210x
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -34,7 +37,7 @@ _PORT = {("KERNELS", ""), ("ENV", "ID_PATH"), ("ENV", "ID_PATH_TAG"), ("DEVPATH"
 
 
 @rule("warning")
-def serial_generic(robot: Robot):
+def serial_generic(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         if line.subjects & _PORT:
             continue

@@ -25,6 +25,9 @@ packaged file after each upgrade.
 - udev(7), "Rules Files"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -32,7 +35,7 @@ from bringup_lint.api import rule
 
 
 @rule("info")
-def shadowing(robot: Robot):
+def shadowing(robot: Robot) -> Iterator[Finding]:
     for file, hidden, package in robot.udev.replacing:
         yield finding(
             file.source,

@@ -24,6 +24,9 @@ If your rules use the prefix throughout: udev makes the same links.
 - udev(7), SYMLINK
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -31,7 +34,7 @@ from bringup_lint.api import rule
 
 
 @rule("info", fix="safe")
-def symlink_abs_path(robot: Robot):
+def symlink_abs_path(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         for link in line.links:
             if link.name.startswith("/dev/") and len(link.name) > 5:

@@ -27,7 +27,9 @@ reach, such as `ttyUSB99`.
 """
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -36,7 +38,7 @@ _KERNEL_NAME = re.compile(r"/dev/(?:ttyUSB|ttyACM|video|hidraw|media|input/(?:js
 
 
 @rule("error", symptoms=["conflicting device node", "Not replacing existing device node"])
-def symlink_kernel_name(robot: Robot):
+def symlink_kernel_name(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         for link in line.links:
             if _KERNEL_NAME.fullmatch(link.path):

@@ -24,6 +24,9 @@ Never: udev drops the line when it loads the rules.
 - `udevadm verify`: The line has no effect
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -31,7 +34,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["The line has no effect, ignoring"])
-def symlink_match(robot: Robot):
+def symlink_match(robot: Robot) -> Iterator[Finding]:
     for _, line in robot.udev.problems("no-effect"):
         for token in line.matches("SYMLINK"):
             yield finding(

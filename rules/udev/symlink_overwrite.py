@@ -26,6 +26,9 @@ If the device must have this one name and nothing on the robot opens it by anoth
 - udev(7), SYMLINK and "Operators"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -33,7 +36,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", fix="safe")
-def symlink_overwrite(robot: Robot):
+def symlink_overwrite(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         for token in line.line.assignments("SYMLINK"):
             if token.operator == "=":

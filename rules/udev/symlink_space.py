@@ -26,15 +26,17 @@ If the line is meant to make both links.
 - https://github.com/orbbec/OrbbecSDK_ROS2/issues/137
 """
 
+from collections.abc import Iterator
 from itertools import pairwise
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("warning")
-def symlink_space(robot: Robot):
+def symlink_space(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         names = [link.name for link in line.links]
         for first, second in pairwise(names):

@@ -29,6 +29,9 @@ a replacement device with a different serial number.
 - udev(7), ATTRS and KERNELS
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -51,7 +54,7 @@ _DECIDING = ("PROGRAM", "IMPORT", "RESULT", "TEST")
 
 
 @rule("warning")
-def symlink_vidpid_only(robot: Robot):
+def symlink_vidpid_only(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         if not line.usb_ids or not (line.is_serial or line.is_for("video4linux")):
             continue

@@ -29,6 +29,9 @@ the line has no effect.
 - `udevadm verify` of systemd 254 and newer reports the same lines
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -73,7 +76,7 @@ _KEPT = {
         "Invalid attribute for",
     ],
 )
-def syntax(robot: Robot):
+def syntax(robot: Robot) -> Iterator[Finding]:
     for problem, _ in robot.udev.problems(*_ADVICE):
         what, advice = _ADVICE[problem.code]
         if problem.code == "invalid-attribute":

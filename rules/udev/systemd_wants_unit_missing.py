@@ -24,8 +24,10 @@ If another package installs the unit on the robot, and the similar name in this 
 - systemd.device(5), SYSTEMD_WANTS=
 """
 
+from collections.abc import Iterator
 from difflib import get_close_matches
 
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -33,7 +35,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["Unit not found", "Failed to enqueue SYSTEMD_WANTS= job"])
-def systemd_wants_unit_missing(robot: Robot):
+def systemd_wants_unit_missing(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         for token in line.line.assignments("ENV"):
             for name in token.value.words() if token.attribute == "SYSTEMD_WANTS" else ():

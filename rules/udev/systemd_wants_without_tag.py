@@ -24,6 +24,9 @@ If a rules file outside the tree gives these devices the tag `systemd`.
 - systemd.device(5), "The udev Database"
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -31,7 +34,7 @@ from bringup_lint.api import rule
 
 
 @rule("error", fix="safe")
-def systemd_wants_without_tag(robot: Robot):
+def systemd_wants_without_tag(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         if line.is_tagged_by_systemd(robot.target.systemd) is not False:
             continue

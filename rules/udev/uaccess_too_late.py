@@ -29,13 +29,16 @@ the tag is left over.
 - https://github.com/raspberrypi/picotool/issues/199
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
 @rule("warning")
-def uaccess_too_late(robot: Robot):
+def uaccess_too_late(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         if line.source.basename <= "73-seat-late.rules" or line.line.first("MODE") or line.line.first("GROUP"):
             continue

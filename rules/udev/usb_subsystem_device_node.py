@@ -25,6 +25,9 @@ If a program opens the raw USB device through libusb, for example a firmware upd
 - https://github.com/ROBOTIS-GIT/dynamixel-workbench/issues/177
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -33,7 +36,7 @@ _NODES = {"ttyUSB": "tty", "ttyACM": "tty", "video": "video4linux"}
 
 
 @rule("warning")
-def usb_subsystem_device_node(robot: Robot):
+def usb_subsystem_device_node(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         subsystem = _NODES.get(line.usb_device["device"]) if line.usb_device else None
         if subsystem is None or not _is_for_usb_nodes(line):

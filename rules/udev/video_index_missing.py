@@ -27,6 +27,9 @@ If the camera has only one video node, as `v4l2-ctl --list-devices` shows on the
 - udev(7), ATTR
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -48,7 +51,7 @@ _DECIDING = ("PROGRAM", "IMPORT", "RESULT", "TEST", "GOTO")
     fix="safe",
     symptoms=["VIDIOC_G_FMT: Inappropriate ioctl for device", "not a video capture device"],
 )
-def video_index_missing(robot: Robot):
+def video_index_missing(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         if not line.is_for("video4linux") or not line.subjects & _USB or line.subjects & _TELLING:
             continue

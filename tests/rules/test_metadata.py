@@ -52,5 +52,9 @@ def test_function_is_named_after_the_file(rule: Rule) -> None:
     assert rule.check.__name__ == rule.path.stem
 
 
+def test_function_is_typed(rule: Rule) -> None:
+    assert f"def {rule.path.stem}(robot: Robot) -> Iterator[Finding]:\n" in rule.path.read_text("utf-8")
+
+
 def test_cwe_tags_are_well_formed(rule: Rule) -> None:
     assert all(re.fullmatch(r"CWE-\d+", tag) for tag in rule.meta.tags if tag.upper().startswith("CWE"))
