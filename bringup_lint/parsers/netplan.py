@@ -1,4 +1,4 @@
-"""Netplan YAML: every key and value held against netplan's own grammar."""
+"""Netplan YAML: every key and value compared with netplan's own grammar."""
 
 from __future__ import annotations
 
@@ -104,9 +104,9 @@ class _Reader:
             if not isinstance(key, Scalar):
                 self.shape(key, "scalar")
             elif not NAME.match(key.value):
-                self.problem("bad-name", key.value, "is no interface name")
+                self.problem("bad-name", key.value, "is not an interface name")
             elif set("*[]?") & set(key.value):
-                self.problem("bad-name", key.value, "must not use globs; put them into match")
+                self.problem("bad-name", key.value, "must not contain a glob; use match instead")
             elif key.value == "renderer":
                 renderer = self.renderer(value)
             elif not isinstance(value, Mapping):

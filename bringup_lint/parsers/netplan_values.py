@@ -70,7 +70,7 @@ def address(text: str, *, zero_prefix: bool = False) -> str | None:
     elif is_ip6(host):
         longest = 128
     else:
-        return "is no IPv4 or IPv6 address"
+        return "is not an IPv4 or IPv6 address"
     if length > longest or (length == 0 and not zero_prefix):
         return f"has a prefix length that is not in 1..{longest}"
     return None
@@ -78,7 +78,7 @@ def address(text: str, *, zero_prefix: bool = False) -> str | None:
 
 def network(text: str) -> str | None:
     host = text.rpartition("/")[0] if "/" in text else text
-    return None if is_ip4(host) or is_ip6(host) else "is no IPv4 or IPv6 address or network"
+    return None if is_ip4(host) or is_ip6(host) else "is not an IPv4 or IPv6 address or network"
 
 
 def endpoint(text: str) -> str | None:
@@ -91,11 +91,11 @@ def endpoint(text: str) -> str | None:
     else:
         host, colon, port = text.rpartition(":")
     if len(text) < 3 or not colon:
-        return "is no host:port"
+        return "is not host:port"
     if leading_number(port) > 65535:
         return "has a port above 65535"
     known = is_ip4(host) or is_ip6(host) or all(HOST_LABEL.match(label) for label in host.split("."))
-    return None if known else "is no host:port"
+    return None if known else "is not host:port"
 
 
 def _expect(test: Callable[[str], bool], message: str) -> Callable[[str], str | None]:
@@ -106,22 +106,22 @@ CHECKS: dict[str, Callable[[str], str | None]] = {
     "string": lambda text: None,
     "id": lambda text: None,
     "member": lambda text: None,
-    "bool": _expect(lambda text: boolean(text) is not None, "is no boolean: true or false"),
-    "uint": _expect(lambda text: unsigned(text) is not None, "is no number"),
+    "bool": _expect(lambda text: boolean(text) is not None, "is not a boolean (true or false)"),
+    "uint": _expect(lambda text: unsigned(text) is not None, "is not a number"),
     "byte": _expect(lambda text: (unsigned(text) or 0) <= 255 and unsigned(text) is not None, "is not in 0..255"),
     "priority": _expect(lambda text: (unsigned(text) or 0) <= 63 and unsigned(text) is not None, "is not in 0..63"),
-    "macaddress": _expect(lambda text: bool(MAC.match(text)), "is no MAC address XX:XX:XX:XX:XX:XX"),
-    "name": _expect(lambda text: bool(NAME.match(text)), "is no interface name"),
-    "driver": _expect(lambda text: " " not in text, "holds a blank; several drivers are a sequence"),
-    "ip4": _expect(is_ip4, "is no IPv4 address"),
-    "ip6": _expect(is_ip6, "is no IPv6 address"),
-    "ip": _expect(lambda text: is_ip4(text) or is_ip6(text), "is no IPv4 or IPv6 address"),
+    "macaddress": _expect(lambda text: bool(MAC.match(text)), "is not a MAC address XX:XX:XX:XX:XX:XX"),
+    "name": _expect(lambda text: bool(NAME.match(text)), "is not an interface name"),
+    "driver": _expect(lambda text: " " not in text, "contains a space; write several drivers as a sequence"),
+    "ip4": _expect(is_ip4, "is not an IPv4 address"),
+    "ip6": _expect(is_ip6, "is not an IPv6 address"),
+    "ip": _expect(lambda text: is_ip4(text) or is_ip6(text), "is not an IPv4 or IPv6 address"),
     "address": address,
     "allowed-ip": lambda text: address(text, zero_prefix=True),
     "network": network,
     "destination": lambda text: None if text == "default" else network(text),
     "endpoint": endpoint,
-    "renderer": _expect(lambda text: text in ("networkd", "NetworkManager"), "is no renderer"),
+    "renderer": _expect(lambda text: text in ("networkd", "NetworkManager"), "is not a renderer"),
     "version": _expect(lambda text: leading_number(text) == 2, "is not 2"),
 }
 ADDRESS_CHECKS = frozenset(("ip4", "ip6", "ip", "address", "allowed-ip", "network", "destination"))
@@ -149,5 +149,5 @@ def check(grammar: str, scalar: Scalar) -> tuple[str | None, str]:
             return None, since
     plain = [word for word in words if word not in CHECKS]
     if plain:
-        reasons.append(f"none of {', '.join(plain)}" if reasons else f"is none of {', '.join(plain)}")
+        reasons.append(f"not one of {', '.join(plain)}" if reasons else f"is not one of {', '.join(plain)}")
     return " and ".join(reasons), ""

@@ -180,7 +180,7 @@ class _Reader:
         if name[0].lower() == "xml" or ":" in name[0]:
             self.report("bad-instruction", start, end, f"{name[0]} is reserved")
         elif self.text[name.end() : name.end() + 1] not in (*_BLANK, "?", ""):
-            self.report("bad-instruction", start, end, "a blank is missing behind the name")
+            self.report("bad-instruction", start, end, "a space is missing after the name")
 
     def doctype(self) -> None:
         """Step over a DOCTYPE with its internal subset."""
@@ -208,7 +208,7 @@ class _Reader:
             self.document.doctype = span
             self.report("doctype", start, min(self.at, start + 9), "entities and external parts are never loaded")
         else:
-            self.report("bad-tag", start, min(self.at, start + 2), "not markup that may stand here")
+            self.report("bad-tag", start, min(self.at, start + 2), "not markup that is allowed here")
 
     def start(self, at: int) -> None:
         tag = start_tag(self.source, at, self.report)

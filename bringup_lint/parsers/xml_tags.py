@@ -57,7 +57,7 @@ def start_tag(source: Source, start: int, report: Report) -> StartTag | None:
             at = blank
             break
         if blank == at:
-            report("missing-blank", at, at + 1, "a blank is missing before it")
+            report("missing-blank", at, at + 1, "a space is missing before it")
         at, attribute = _attribute(source, blank, report)
         if attribute is None:
             continue

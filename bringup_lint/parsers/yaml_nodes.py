@@ -144,7 +144,7 @@ class _Builder:
         if target is None:
             self.problem("undefined-alias", *self.range(event), f"*{event.anchor} has no anchor before it")
         elif any(target is node for node in self.open):
-            self.problem("recursive-alias", *self.range(event), f"*{event.anchor} stands inside itself")
+            self.problem("recursive-alias", *self.range(event), f"*{event.anchor} contains itself")
         elif self.expanded + target.size > LARGEST:
             self.problem("alias-bomb", *self.range(event), f"aliases expand to more than {LARGEST} nodes")
         else:

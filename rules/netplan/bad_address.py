@@ -1,12 +1,15 @@
-"""An address that netplan cannot read.
+"""netplan cannot read an address.
 
 ## What it finds
-An address without prefix length, with a prefix length that is too long, with leading zeros, or that is no
-address at all; the same for gateways, name servers and routes. Name servers and gateways stand without a
-prefix length.
+An address that netplan does not accept:
+- an interface address without a prefix length, or with one that is too long
+- a name server or gateway with a prefix length
+- leading zeros in an IPv4 address
+- text that is not an address, including in routes
 
 ## Why it matters on a robot
-`netplan generate` stops there and writes nothing: one missing `/24` takes the whole robot off the network.
+`netplan generate` stops at the first error and writes nothing: one missing `/24` takes the whole robot off
+the network.
 
 ## Bad
 ```yaml
@@ -17,6 +20,9 @@ addresses: [10.0.0.10]
 ```yaml
 addresses: [10.0.0.10/24]
 ```
+
+## When to ignore it
+Never: `netplan generate` stops here and configures nothing.
 
 ## References
 - netplan YAML reference, "addresses"

@@ -1,10 +1,10 @@
-"""A netplan file has a top key other than network.
+"""A netplan file has a top-level key other than network.
 
 ## What it finds
-A key beside or instead of `network:` at the top of a file in a netplan folder.
+A key beside `network:`, or instead of it, at the top level of a file in a netplan folder.
 
 ## Why it matters on a robot
-Netplan refuses the file, and with it the whole configuration: nothing is generated.
+Netplan rejects the file, and with it the whole configuration: nothing is generated.
 
 ## Bad
 ```yaml
@@ -17,6 +17,10 @@ netwrok:
 network:
   version: 2
 ```
+
+## When to ignore it
+If the file is not for netplan although it is in one of its folders. Move it: netplan on the robot will read
+it.
 
 ## References
 - netplan YAML reference, "Top-level configuration structure"
@@ -39,5 +43,5 @@ def bad_top_level(robot: Robot) -> Iterator[Finding]:
         if problem.detail != "root":
             continue
         change = fix("rename to network", (key, "network")) if nearest(key, ["network"]) else None
-        advice = "rename it to network" if change else "only network: may stand at the top"
-        yield finding(key, f"Unknown key '{key}' at the top: netplan generates nothing", advice=advice, fix=change)
+        advice = "rename it to network" if change else "only network: is allowed at the top level"
+        yield finding(key, f"Unknown top-level key '{key}': netplan generates nothing", advice=advice, fix=change)

@@ -1,12 +1,12 @@
-"""cloud-init's file still gives an interface DHCP beside the robot's own file.
+"""cloud-init's file still switches on DHCP for an interface with a static address.
 
 ## What it finds
-`50-cloud-init.yaml` with `dhcp4: true` for an interface to which another file of the same folder gives a
-static address, without setting `dhcp4` itself.
+A file of cloud-init (`50-cloud-init.yaml`) with `dhcp4: true` for an interface to which another file gives an
+address, unless a later file sets `dhcp4: false`.
 
 ## Why it matters on a robot
-Netplan merges files key by key: the static address does not replace DHCP, it comes beside it. The robot
-gets two addresses and two default routes, and waits for a DHCP server that is not there.
+Netplan merges files key by key, so the static address does not replace DHCP. The robot gets two addresses and
+two default routes, and waits for a DHCP server that does not exist.
 
 ## Bad
 ```yaml
@@ -21,6 +21,10 @@ network: {ethernets: {eth0: {addresses: [10.0.0.10/24]}}}
 # 60-robot.yaml, the only file
 network: {ethernets: {eth0: {dhcp4: false, addresses: [10.0.0.10/24]}}}
 ```
+
+## When to ignore it
+If the interface should have both addresses, for example a fixed one for the sensors and one from the site's
+DHCP server.
 
 ## References
 - netplan-generate(8), "Handling multiple files"
@@ -46,7 +50,7 @@ def cloud_init(robot: Robot) -> Iterator[Finding]:
         if own:
             yield finding(
                 flag.where,
-                f"{flag.where.span.source.basename} gives {interface.name} DHCP beside its static address",
+                f"{flag.where.span.source.basename} gives {interface.name} DHCP in addition to its static address",
                 advice="disable cloud-init's network configuration and delete the file, or set dhcp4: false",
                 related=[note(own[0].text, "the static address")],
             )

@@ -1,13 +1,13 @@
-"""Two interfaces claim the default route.
+"""Two interfaces have the same default route.
 
 ## What it finds
-More than one static default route of the same family, table and metric over all interfaces and files that
-netplan reads together. As info: a static default route beside an interface that takes another one from
-DHCP.
+Default routes that compete, over all interfaces and files that netplan reads together:
+- **warning**: more than one static default route of the same family, table and metric.
+- **info**: a static default route, and another interface that gets one from DHCP without a `route-metric`.
 
 ## Why it matters on a robot
-The kernel keeps one of them, and which one depends on the order in which the links come up. The robot
-reaches its base station on one boot and the internet on the next. Netplan only warns.
+The kernel keeps one of them, and which one depends on the order in which the links come up. The robot reaches
+its base station after one boot and the internet after the next. Netplan only prints a warning.
 
 ## Bad
 ```yaml
@@ -20,6 +20,10 @@ wlan0: {routes: [{to: default, via: 10.0.1.1}]}
 eth0:  {routes: [{to: default, via: 10.0.0.1}]}
 wlan0: {routes: [{to: default, via: 10.0.1.1, metric: 600}]}
 ```
+
+## When to ignore it
+If only one of the two interfaces is ever connected at a time. For the DHCP case, if the DHCP server does not
+announce a router.
 
 ## References
 - netplan YAML reference, "Default routes"
@@ -56,7 +60,7 @@ def default_route_conflict(robot: Robot) -> Iterator[Finding]:
                 yield finding(
                     where,
                     f"{both} the IPv{family} default route (table {table}, metric {metric or 'default'})",
-                    advice="give one of them a metric, or a table of its own",
+                    advice="give one of them a metric or its own table",
                     related=[note(place, "the other default route")],
                 )
         yield from _beside_dhcp(plan)
@@ -72,7 +76,7 @@ def _beside_dhcp(plan):
         if use is None or use.value:
             yield finding(
                 flag.where,
-                f"DHCP gives {interface.name} a default route beside the static one of {static[0].name}",
+                f"DHCP gives {interface.name} a default route in addition to the static one of {static[0].name}",
                 advice="set dhcp4-overrides: {use-routes: false}, or a route-metric",
                 related=[note(static[4], "the static default route")],
                 severity="info",

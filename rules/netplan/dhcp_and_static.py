@@ -1,11 +1,11 @@
-"""An interface has a static address and DHCP.
+"""An interface has both a static address and DHCP.
 
 ## What it finds
-`dhcp4: true` and static IPv4 addresses on one interface. Link-local addresses do not count.
+`dhcp4: true` and a static IPv4 address on one interface. Link-local addresses are not reported.
 
 ## Why it matters on a robot
-The interface has two addresses and maybe two default routes. DDS announces all of them, and peers choose;
-without a DHCP server the boot waits for one although the static address would do.
+The interface has two addresses and possibly two default routes. DDS announces both addresses, and peers
+choose one. Without a DHCP server, the boot waits for one although the static address would be enough.
 
 ## Bad
 ```yaml
@@ -16,6 +16,9 @@ eth0: {dhcp4: true, addresses: [10.0.0.10/24]}
 ```yaml
 eth0: {dhcp4: false, addresses: [10.0.0.10/24]}
 ```
+
+## When to ignore it
+If the static address is for devices on the same cable, such as a LiDAR, and DHCP is for the site network.
 
 ## References
 - robot-bringup guide, "Static IP Configuration"
@@ -39,6 +42,6 @@ def dhcp_and_static(robot: Robot) -> Iterator[Finding]:
             yield finding(
                 flag.where,
                 f"{interface.name} has the static address {static[0].text} and DHCP",
-                advice="set dhcp4: false, unless the second address is meant",
+                advice="set dhcp4: false, unless you want the second address",
                 related=[note(static[0].text, "the static address")],
             )

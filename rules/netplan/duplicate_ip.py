@@ -1,12 +1,12 @@
 """Two interfaces of one robot have the same address.
 
 ## What it finds
-The same static address on two interfaces that netplan configures together. One interface that two files
-give the same address is fine.
+The same static address on two interfaces that netplan configures together. Interfaces in different VRFs are
+not reported, and neither is one interface that gets the address from two files.
 
 ## Why it matters on a robot
-Netplan says nothing. The kernel answers for the address on both networks, and packets leave by whichever
-route was added last: DDS discovery works on some boots and not on others.
+Netplan does not report it. The kernel answers for the address on both networks, and packets leave by the
+route that was added last: DDS discovery works after some boots and not after others.
 
 ## Bad
 ```yaml
@@ -19,6 +19,9 @@ eth1: {addresses: [10.0.0.10/24]}
 eth0: {addresses: [10.0.0.10/24]}
 eth1: {addresses: [10.0.1.10/24]}
 ```
+
+## When to ignore it
+If the two interfaces are never up at the same time, such as two variants of a network card.
 
 ## References
 - netplan YAML reference, "addresses"

@@ -1,11 +1,11 @@
-"""A key stands twice in one mapping.
+"""A key appears twice in one mapping.
 
 ## What it finds
 The same key twice in one YAML mapping of a netplan file: an interface, a device type or a setting.
 
 ## Why it matters on a robot
-Netplan says nothing: of a setting the last one counts, two blocks of one interface are merged. What was
-meant to replace an address adds a second one.
+Netplan does not report it. It uses the last value of a repeated setting, and merges two blocks of one
+interface. An address that should replace another one is added to it.
 
 ## Bad
 ```yaml
@@ -23,6 +23,10 @@ ethernets:
     dhcp4: false
     addresses: [10.0.0.10/24]
 ```
+
+## When to ignore it
+Never: the file does not show which value applies. Merging the two blocks by hand does not change what netplan
+does.
 
 ## References
 - YAML 1.2.2, section 3.2.1.3: keys of a mapping are unique
@@ -46,6 +50,6 @@ def duplicate_key(robot: Robot) -> Iterator[Finding]:
             yield finding(
                 again.value,
                 f"Duplicate key '{again.value}': netplan accepts it silently and merges both",
-                advice="merge the two by hand",
-                related=[note(first.value, "first written here")],
+                advice="merge the two",
+                related=[note(first.value, "the first one")],
             )

@@ -1,12 +1,12 @@
-"""eth0 and wlan0 exist only where predictable names are off.
+"""eth0 and wlan0 exist only if predictable names are off.
 
 ## What it finds
-A physical interface that is matched by its name `eth0` or `wlan0` alone, in a tree that does not switch
-predictable names off (`net.ifnames=0`) and shows no Raspberry Pi or Jetson.
+A physical interface that is called `eth0` or `wlan0` and has no `match`, in a tree that neither switches
+predictable names off (`net.ifnames=0`) nor mentions a Raspberry Pi or Jetson.
 
 ## Why it matters on a robot
-On a PC with a current distribution the port is called enp3s0 or the like: netplan configures an interface
-that never appears, nothing gets an address, and wait-online holds the boot for two minutes.
+On a PC with a current distribution the port has a name such as enp3s0. Netplan configures an interface that
+never appears, no interface gets an address, and wait-online delays the boot for two minutes.
 
 ## Bad
 ```yaml
@@ -20,6 +20,9 @@ lan0:
   set-name: lan0
   addresses: [10.0.0.10/24]
 ```
+
+## When to ignore it
+If the robot's computer really has this name, as `ip link` shows: many ARM boards and virtual machines do.
 
 ## References
 - systemd.net-naming-scheme(7)
@@ -44,6 +47,6 @@ def eth0_name(robot: Robot) -> Iterator[Finding]:
         if interface.is_physical and interface.match is None and interface.name in ("eth0", "wlan0"):
             yield finding(
                 interface.name,
-                f"{interface.name} exists only where predictable names are off; a PC has names like enp3s0",
-                advice="match by MAC address and set a name with set-name",
+                f"{interface.name} exists only if predictable names are off; a PC has names such as enp3s0",
+                advice="match by MAC address and set the name with set-name",
             )

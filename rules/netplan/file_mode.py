@@ -1,12 +1,14 @@
-"""A netplan file can be read or written by others.
+"""Other users can read or write a netplan file.
 
 ## What it finds
-A netplan file in /etc or /run with permissions for group or others, where permissions are real: in a root
-file system or on the robot, not in a checkout. It is an error when the file holds a password or a private
-key.
+A netplan file in /etc or /run with permissions for group or others. Only root file systems and running robots
+are checked, because a checkout does not keep the mode.
+- **error**: the file contains a password or a private key.
+- **warning**: any other file.
 
 ## Why it matters on a robot
-Whoever logs in can read the password of the robot network. Netplan 0.106 and later warn at every run.
+Every user who logs in can read the password of the robot's network. Netplan 0.106 and later print a warning
+at every run.
 
 ## Bad
 ```
@@ -17,6 +19,9 @@ Whoever logs in can read the password of the robot network. Netplan 0.106 and la
 ```
 -rw------- root root /etc/netplan/10-robot.yaml
 ```
+
+## When to ignore it
+If the mode in the tree is not the mode on the robot, because the image build or an installer sets it.
 
 ## References
 - netplan security guidance, "Permissions for … are too open"
@@ -46,7 +51,7 @@ def file_mode(robot: Robot) -> Iterator[Finding]:
             holds = source.name in secrets
             yield finding(
                 source,
-                f"{source.basename} is open to others" + (": so is the password in it" if holds else ""),
+                f"Other users can access {source.basename}" + (" and the password in it" if holds else ""),
                 advice=f"chmod 600 {source.robot_path or source.name}",
                 severity="error" if holds else None,
             )

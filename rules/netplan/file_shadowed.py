@@ -1,11 +1,11 @@
-"""A netplan file is hidden by one of the same name.
+"""A netplan file is hidden by another one with the same name.
 
 ## What it finds
-The same file name in two of netplan's folders. `/run/netplan` hides `/etc/netplan`, which hides
+The same file name in two of netplan's folders. `/run/netplan` overrides `/etc/netplan`, which overrides
 `/lib/netplan`.
 
 ## Why it matters on a robot
-The hidden file is not merged but left out whole; who edits it wonders why nothing changes.
+Netplan does not merge the hidden file but skips it as a whole. Whoever edits it sees no change.
 
 ## Bad
 ```
@@ -18,6 +18,9 @@ The hidden file is not merged but left out whole; who edits it wonders why nothi
 /run/netplan/20-test.yaml
 /etc/netplan/10-robot.yaml
 ```
+
+## When to ignore it
+If the file in /etc is meant to replace the one of a package in /lib: this is what the folders are for.
 
 ## References
 - netplan-generate(8), "Handling multiple files"
@@ -37,7 +40,7 @@ def file_shadowed(robot: Robot) -> Iterator[Finding]:
     for hidden, winner in robot.netplan.shadowed:
         yield finding(
             hidden.source,
-            f"{winner.source.name} hides this file completely",
+            f"{winner.source.name} has the same name, so netplan does not read this file",
             advice="give one of them another name",
-            related=[note(winner.source, "this file is read")],
+            related=[note(winner.source, "netplan reads this file")],
         )

@@ -1,12 +1,12 @@
 """Control, data and management share one network.
 
 ## What it finds
-A plan with a Wi-Fi interface and at least one other, without any VLAN, in which all static addresses lie in
-one subnet.
+A plan with a Wi-Fi interface that joins a network and at least one other interface, without any VLAN, VRF or
+tunnel, in which all static addresses are in one subnet.
 
 ## Why it matters on a robot
-A laptop on the Wi-Fi is in the same network as the motor controllers: every scan, every stray node and
-every flood of images reaches the control traffic.
+A laptop on the Wi-Fi is in the same network as the motor controllers: every port scan, every stray node and
+every burst of images reaches the control traffic.
 
 ## Bad
 ```yaml
@@ -20,6 +20,10 @@ vlan10 (control): 10.0.10.10/24 on eth0
 vlan20 (data):    10.0.20.10/24 on eth0
 wlan0 (management only)
 ```
+
+## When to ignore it
+If the motor controllers are not on Ethernet at all (CAN, EtherCAT, USB), or a managed switch separates the
+networks.
 
 ## References
 - robotics-security guide, network hardening
@@ -45,6 +49,6 @@ def flat_network(robot: Robot) -> Iterator[Finding]:
             continue
         yield finding(
             wifi[0].name,
-            "Control, data and management share one network: no VLAN, and the Wi-Fi is part of it",
+            "Control, data and management share one network: there is no VLAN, and Wi-Fi is part of it",
             advice="separate control, data and management with VLANs",
         )

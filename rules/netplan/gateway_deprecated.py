@@ -4,8 +4,8 @@
 `gateway4` or `gateway6`.
 
 ## Why it matters on a robot
-They still work, with a warning at every run, and hide conflicts: two of them, in two files, are two default
-routes. Routes show metric and table.
+Both keys still work, with a warning at every run, but they hide conflicts: two of them in two files are two
+default routes. A route shows its metric and table.
 
 ## Bad
 ```yaml
@@ -16,6 +16,9 @@ gateway4: 10.0.0.1
 ```yaml
 routes: [{to: default, via: 10.0.0.1}]
 ```
+
+## When to ignore it
+If the robot runs Ubuntu 18.04 or 20.04, whose netplan may not know `to: default`.
 
 ## References
 - netplan YAML reference, "gateway4, gateway6"
@@ -37,7 +40,7 @@ def gateway_deprecated(robot: Robot) -> Iterator[Finding]:
             for name, value in interface.entries(key):
                 yield finding(
                     name.value,
-                    f"{key} is deprecated: use routes to default",
+                    f"{key} is deprecated: write a default route",
                     advice=f"routes: [{{to: default, via: {getattr(value, 'value', '...')}}}]",
                     fix=_as_route(interface, name, value),
                 )

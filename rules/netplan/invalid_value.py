@@ -1,12 +1,16 @@
-"""netplan refuses a value, or the shape of an entry.
+"""netplan rejects a value or the shape of an entry.
 
 ## What it finds
-A value that netplan's own checks refuse: a word that is none of those allowed, a scalar where a mapping
-belongs, a number out of range, a route without destination, an incomplete tunnel, a port in two bridges.
-Addresses, renderers, versions, VLANs and Wi-Fi have rules of their own.
+A value that netplan's own checks reject:
+- a word that is not one of those allowed, or a number out of range
+- a scalar where a mapping or a sequence is expected
+- a route without destination, or an incomplete tunnel
+- a port in two bridges
+
+Addresses, renderers, versions, VLANs and Wi-Fi have their own rules.
 
 ## Why it matters on a robot
-`netplan generate` stops at the first such value and writes nothing at all.
+`netplan generate` stops at the first such value and writes nothing.
 
 ## Bad
 ```yaml
@@ -21,6 +25,9 @@ ethernets:
   eth0:
     dhcp4: true
 ```
+
+## When to ignore it
+Never: `netplan generate` stops here and configures nothing.
 
 ## References
 - netplan YAML reference
@@ -59,13 +66,13 @@ def _explain(code: str, where: str, detail: str) -> tuple[str, str]:
     if code == "type-changed":
         return f"'{where}' is already one of the {detail}", "use one device type for one name"
     if code == "two-masters":
-        return f"'{where}' already belongs to {detail}", "a port has one master: remove it here"
+        return f"'{where}' already belongs to {detail}", "a port can belong to only one: remove it here"
     if code == "duplicate-ssid":
-        return f"the access point '{where}' stands twice", "merge the two"
+        return f"the access point '{where}' appears twice", "merge the two"
     if code in ("route", "incomplete"):
         return detail, "complete it"
     if code == "secret":
-        return "this is no WireGuard key", "put in the whole base64 key, or the path of a file that holds it"
+        return "this is not a WireGuard key", "write the whole base64 key, or the path of a file that contains it"
     return f"'{where}' {detail}", "correct the value"
 
 

@@ -1,11 +1,15 @@
-"""A netplan key is newer than the netplan of the robot.
+"""A key needs a newer netplan than the robot has.
 
 ## What it finds
-A key or a value that came with a later netplan than the one the target release has. The release is taken
-from the tree or from the configuration (`target`); when it is unknown, nothing is said.
+A key or a value that needs a later netplan than the target release has:
+- **warning**: no update of the release has it.
+- **info**: the updates of the release have it.
+
+The release is taken from the tree or from the configuration (`target`). If it is unknown, nothing is
+reported.
 
 ## Why it matters on a robot
-An older netplan does not skip what it does not know: it stops, and nothing is configured.
+An older netplan does not skip a key that it does not know. It stops, and configures nothing.
 
 ## Bad
 ```yaml
@@ -20,6 +24,9 @@ ra-overrides:
 ra-overrides:
   use-dns: false
 ```
+
+## When to ignore it
+If the robot has a newer netplan than its release, for example from a PPA or as a build of your own.
 
 ## References
 - netplan release notes; the packages of Ubuntu 22.04 and 24.04 and of Debian 12
@@ -58,6 +65,6 @@ def key_too_new(robot: Robot) -> Iterator[Finding]:
             yield finding(
                 where,
                 f"{where} needs netplan {since}; {release} {has} ({robot.target.systemd_why})",
-                advice="install the updates first" if after else "leave it out or set it in a networkd drop-in",
+                advice="install the updates first" if after else "remove it, or set it in a networkd drop-in",
                 severity="info" if after else None,
             )

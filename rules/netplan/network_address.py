@@ -1,12 +1,12 @@
-"""An interface has the address of its network, or the broadcast address.
+"""An interface has the network address or the broadcast address.
 
 ## What it finds
-A static address whose host part is all zeros or all ones. Prefixes /31 and /32 (/127 and /128) have no such
-addresses.
+A static address whose host part is all zeros, or, for IPv4, all ones. Prefixes /31 and /32 (/127 and /128) do
+not have such addresses.
 
 ## Why it matters on a robot
-The kernel takes the address, but other hosts do not answer to it, or treat what they send there as a
-broadcast: the robot is up and unreachable.
+The kernel accepts the address, but other hosts do not answer to it, or treat packets to it as a broadcast:
+the robot is up and unreachable.
 
 ## Bad
 ```yaml
@@ -17,6 +17,9 @@ addresses: [10.0.0.0/24]
 ```yaml
 addresses: [10.0.0.10/24]
 ```
+
+## When to ignore it
+For IPv6, if the router of this link does not use the subnet-router anycast address. For IPv4 never.
 
 ## References
 - RFC 1122, section 3.2.1.3
@@ -38,9 +41,9 @@ def network_address(robot: Robot) -> Iterator[Finding]:
             if ip is None or ip.network.prefixlen >= ip.max_prefixlen - 1:
                 continue
             if ip.ip == ip.network.network_address:
-                what = "the network itself, not a host"
+                what = "the network address, not a host address"
             elif ip.version == 4 and ip.ip == ip.network.broadcast_address:
-                what = "the broadcast address, not a host"
+                what = "the broadcast address, not a host address"
             else:
                 continue
-            yield finding(address.text, f"{address.text} is {what}", advice="choose an address of a host")
+            yield finding(address.text, f"{address.text} is {what}", advice="choose an address inside the subnet")

@@ -1,11 +1,11 @@
-"""DDS peers expect fixed addresses, but the robot takes what DHCP gives.
+"""DDS peers have fixed addresses, but the robot gets its own from DHCP.
 
 ## What it finds
-A robot whose netplan has no static address at all while its Cyclone DDS file lists peers by address.
+A robot whose netplan has no static address, while its Cyclone DDS file lists peers by address.
 
 ## Why it matters on a robot
-The other machines list this robot by its address too. After a change of the lease they talk to nobody, and
-with multicast off nothing else finds the robot.
+The other machines list this robot by its address too. After the lease changes, they contact an address that
+nobody has. With multicast off, nothing else finds the robot.
 
 ## Bad
 ```
@@ -16,6 +16,9 @@ eth0: {dhcp4: true}                <Peer address="10.0.0.20"/>
 ```
 eth0: {addresses: [10.0.0.10/24]}  <Peer address="10.0.0.20"/>
 ```
+
+## When to ignore it
+If the DHCP server has a fixed lease for the robot, or the other machines list it by host name.
 
 ## References
 - robot-bringup guide, checklist
@@ -43,7 +46,7 @@ def no_static_ip(robot: Robot) -> Iterator[Finding]:
             flag = wired[0].flag("dhcp4")
             yield finding(
                 flag.where,
-                f"DDS peers have fixed addresses, but {wired[0].name} takes whatever DHCP gives",
-                advice="give it a static address, or a reservation in the DHCP server",
+                f"DDS peers have fixed addresses, but {wired[0].name} gets its own from DHCP",
+                advice="give it a static address, or a fixed lease in the DHCP server",
                 related=[note(fixed[0].value, "a peer with a fixed address")],
             )

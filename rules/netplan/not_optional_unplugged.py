@@ -1,11 +1,11 @@
 """The boot waits two minutes for an interface that may be unplugged.
 
 ## What it finds
-A Wi-Fi interface, or a wired one that takes its address from DHCP beside one with a static address, without
-`optional: true`, while a unit is ordered after `network-online.target`.
+A Wi-Fi interface, or a wired one that uses DHCP, without `optional:`. Another wired interface has a static
+address, and a unit is ordered after `network-online.target`.
 
 ## Why it matters on a robot
-networkd's wait-online waits for every interface that is not optional. Without the cable, or out of reach of
+networkd's wait-online waits for every interface that is not optional. Without the cable, or out of range of
 the access point, the robot's units start after 120 seconds.
 
 ## Bad
@@ -21,6 +21,9 @@ ethernets:
   eth0: {addresses: [10.0.0.10/24]}
   eth1: {dhcp4: true, optional: true}
 ```
+
+## When to ignore it
+If DDS uses this interface: then the robot has to wait for it.
 
 ## References
 - netplan YAML reference, "optional"
@@ -52,7 +55,7 @@ def not_optional_unplugged(robot: Robot) -> Iterator[Finding]:
         name, word = waiting[0]
         yield finding(
             interface.name,
-            f"Without link on {interface.name}, {name} starts two minutes late",
+            f"Without a link on {interface.name}, {name} starts two minutes late",
             advice="set optional: true, unless DDS needs this interface",
             related=[note(word, f"{name} waits for the network here")],
             fix=fix("set optional: true", first_key(interface.definitions[0].body, "optional: true"), safe=False),

@@ -1,12 +1,12 @@
 """Every interface is optional although units wait for the network.
 
 ## What it finds
-`optional: true` on every interface of the plan while a unit is ordered after `network-online.target`.
-Nothing is said when the wait-online service is configured by a drop-in, or when NetworkManager renders an
-interface: it ignores `optional`.
+`optional: true` on every interface of the plan, while a unit is ordered after `network-online.target`.
+Nothing is reported if a drop-in configures the wait-online service, or if NetworkManager renders an
+interface, because it ignores `optional`.
 
 ## Why it matters on a robot
-`network-online.target` is reached at once, without an address; from netplan 1.1 on the waiter does not even
+`network-online.target` is reached at once, without an address. From netplan 1.1 on, wait-online does not even
 start. DDS binds to an interface that has no address yet, or to none.
 
 ## Bad
@@ -21,6 +21,9 @@ ethernets:
   eth0: {dhcp4: true}
   eth1: {dhcp4: true, optional: true}
 ```
+
+## When to ignore it
+If DDS uses the loopback interface only and nothing else needs an address at start.
 
 ## References
 - netplan YAML reference, "optional"
@@ -48,6 +51,6 @@ def optional_all(robot: Robot) -> Iterator[Finding]:
         yield finding(
             interfaces[0].optional.where,
             f"Every interface is optional: {name} starts before any of them has an address",
-            advice="leave optional: true out on the interface that DDS needs",
+            advice="remove optional: true from the interface that DDS needs",
             related=[note(word, f"{name} waits for the network here")],
         )

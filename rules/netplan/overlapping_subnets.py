@@ -1,13 +1,12 @@
-"""Two interfaces own the same subnet.
+"""Two interfaces are in the same subnet.
 
 ## What it finds
-Two interfaces of one robot with static addresses in overlapping subnets. Members of bridges, bonds and
-VRFs, host addresses (/32) and interfaces with routing policies of their own are left alone.
+Two interfaces of one robot with static addresses in overlapping subnets. Members of bridges, bonds and VRFs,
+host addresses (/32) and interfaces with their own routing policies are not reported.
 
 ## Why it matters on a robot
-The kernel has two routes to the same hosts and takes one: what is plugged into the other port is not
-reached, or answers leave by the wrong port. With DDS, discovery is heard on one interface and data leaves
-by the other.
+The kernel has two routes to the same hosts and uses one: devices on the other port are not reached, or
+answers leave by the wrong port. With DDS, discovery arrives on one interface and data leaves by the other.
 
 ## Bad
 ```yaml
@@ -20,6 +19,10 @@ wlan0: {addresses: [10.0.0.11/24]}
 eth0:  {addresses: [10.0.0.10/24]}
 wlan0: {addresses: [10.0.1.11/24]}
 ```
+
+## When to ignore it
+If only one of the interfaces is connected at a time, such as a wired port that replaces the Wi-Fi in the
+dock.
 
 ## References
 - Linux kernel documentation, ip-sysctl, arp_filter
@@ -51,8 +54,8 @@ def overlapping_subnets(robot: Robot) -> Iterator[Finding]:
                         both = f"{other.name} and {interface.name} share {address.ip.network}"
                         yield finding(
                             address.text,
-                            f"{both}: packets leave by either",
-                            advice="separate the subnets",
+                            f"{both}: packets can leave by either",
+                            advice="use separate subnets",
                             related=[note(first.text, f"{other.name} is in {first.ip.network}")],
                         )
                         break

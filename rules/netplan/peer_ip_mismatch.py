@@ -1,14 +1,14 @@
-"""DDS is bound to an address that the robot's netplan does not give it.
+"""DDS is bound to an address that the robot's netplan does not assign.
 
 ## What it finds
 An address by which a Cyclone DDS file selects the interface (`NetworkInterface address=` or
-`NetworkInterfaceAddress`) that no interface of the same robot's netplan has. Nothing is said when an
-interface takes an address from DHCP, or when the tree holds several plans. For names of interfaces see
+`NetworkInterfaceAddress`), and which no interface of the same robot's netplan has. Nothing is reported if an
+interface uses DHCP, or if the tree has several plans. For names of interfaces, see
 `cyclonedds/interface-not-in-netplan`.
 
 ## Why it matters on a robot
-The library finds no interface with this address: `does not match an available interface`, and no node
-starts. It happens when a file is copied from one robot to the next.
+The library finds no interface with this address: `does not match an available interface`, and no node starts.
+This happens when a file is copied from one robot to the next.
 
 ## Bad
 ```
@@ -19,6 +19,9 @@ starts. It happens when a file is copied from one robot to the next.
 ```
 <NetworkInterface address="10.0.0.11"/>     netplan: addresses: [10.0.0.11/24]
 ```
+
+## When to ignore it
+If something other than netplan assigns the address on the robot, such as a VPN client or a script.
 
 ## References
 - robot-bringup guide, DDS section and checklist
@@ -50,6 +53,6 @@ def peer_ip_mismatch(robot: Robot) -> Iterator[Finding]:
             yield finding(
                 setting.value,
                 f"DDS is bound to {address}, which this robot does not have: no node starts",
-                advice=f"write one of its own: {', '.join(sorted(own))}",
+                advice=f"write one of its own addresses: {', '.join(sorted(own))}",
                 related=[note(text, "netplan gives the robot this address") for text in static[:3]],
             )

@@ -1,7 +1,8 @@
-"""A renderer that netplan does not know.
+"""netplan does not know a renderer.
 
 ## What it finds
-A `renderer` other than `networkd` and `NetworkManager`. Case counts. Below a VLAN, `sriov` is allowed too.
+A `renderer` other than `networkd` and `NetworkManager`. The names are case-sensitive. A VLAN may also have
+`sriov`.
 
 ## Why it matters on a robot
 Netplan stops and generates nothing for any interface.
@@ -15,6 +16,9 @@ renderer: networkmanager
 ```yaml
 renderer: NetworkManager
 ```
+
+## When to ignore it
+Never: `netplan generate` stops here and configures nothing.
 
 ## References
 - netplan YAML reference, "renderer"

@@ -1,13 +1,15 @@
-"""The chosen renderer cannot do what a file asks for.
+"""The renderer does not support a setting.
 
 ## What it finds
-Settings that the renderer of an interface refuses: with networkd an access point (`mode: ap`), Wi-Fi with
-`match:`, modems, and DHCP overrides that differ between IPv4 and IPv6; with NetworkManager a match by
-driver, options of addresses, `ipv6-mtu`, `activation-mode: off` and routes that are not unicast.
+Settings that the renderer of an interface rejects:
+- **networkd**: an access point (`mode: ap`), Wi-Fi with `match:`, modems, and DHCP overrides that differ
+  between IPv4 and IPv6
+- **NetworkManager**: a match by driver, options of addresses, `ipv6-mtu`, `activation-mode: off`, and routes
+  that are not unicast
 
 ## Why it matters on a robot
-Netplan stops while it writes: the files of some interfaces are new, those of others old or gone. A robot
-that should open its own hotspot comes up with no Wi-Fi at all.
+Netplan stops while it writes: the files of some interfaces are new, those of others are old or missing. A
+robot that should create its own hotspot comes up without Wi-Fi.
 
 ## Bad
 ```yaml
@@ -26,6 +28,9 @@ wifis:
       robot-7: {mode: ap, password: "${PSK}"}
 ```
 
+## When to ignore it
+Never: netplan stops before it has written all files.
+
 ## References
 - netplan YAML reference, "Properties for device type wifis:"
 """
@@ -43,5 +48,5 @@ def renderer_unsupported(robot: Robot) -> Iterator[Finding]:
     for _, where, detail in robot.netplan.problems("unsupported"):
         other = "NetworkManager" if detail.startswith("networkd") else "networkd"
         same = "needs the same" in detail
-        advice = "write the same value in both" if same else f"choose renderer: {other}, or leave it out"
-        yield finding(where, f"netplan stops half-way: {detail}", advice=advice)
+        advice = "write the same value in both" if same else f"choose renderer: {other}, or remove this setting"
+        yield finding(where, f"netplan stops halfway: {detail}", advice=advice)

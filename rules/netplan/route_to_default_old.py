@@ -4,7 +4,8 @@
 `to: 0.0.0.0/0` or `to: ::/0`.
 
 ## Why it matters on a robot
-It works. `to: default` says what is meant, and cannot be mistyped into a route to one host.
+It works. `to: default` shows the intent, and a typing mistake in it is an error instead of a route to another
+network.
 
 ## Bad
 ```yaml
@@ -15,6 +16,9 @@ routes: [{to: 0.0.0.0/0, via: 10.0.0.1}]
 ```yaml
 routes: [{to: default, via: 10.0.0.1}]
 ```
+
+## When to ignore it
+If the robot runs Ubuntu 18.04 or 20.04, whose netplan may not know `default`.
 
 ## References
 - netplan YAML reference, "Default routes"

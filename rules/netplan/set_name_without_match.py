@@ -1,4 +1,4 @@
-"""set-name without match.
+"""set-name is used without match.
 
 ## What it finds
 `set-name` on an interface that has no `match`.
@@ -18,6 +18,9 @@ lidar0:
   match: {macaddress: "00:11:22:33:44:55"}
   set-name: lidar0
 ```
+
+## When to ignore it
+Never: `netplan generate` stops here and configures nothing.
 
 ## References
 - netplan YAML reference, "set-name"

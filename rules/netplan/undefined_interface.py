@@ -1,8 +1,8 @@
-"""A bridge, bond or other interface names one that is not defined.
+"""A bridge, bond or other interface refers to one that is not defined.
 
 ## What it finds
-A member of a bridge, bond or VRF, a `primary`, a `link` or a `peer` that is defined neither in the same
-file nor in one that sorts before it. VLANs have a rule of their own.
+A member of a bridge, bond or VRF, a `primary`, a `link` or a `peer` that is defined neither in the same file
+nor in an earlier one. netplan reads files in the order of their names. The `link` of a VLAN has its own rule.
 
 ## Why it matters on a robot
 Netplan stops and configures nothing.
@@ -20,6 +20,10 @@ ethernets:
 bridges:
   br0: {interfaces: [eth0]}
 ```
+
+## When to ignore it
+Only if the interface is defined in a file that is not in the tree and that netplan reads earlier, such as one
+of cloud-init.
 
 ## References
 - netplan YAML reference, "interfaces"
@@ -41,7 +45,7 @@ def undefined_interface(robot: Robot) -> Iterator[Finding]:
         if later:
             message, advice = (
                 f"'{name}' is defined only in {later}, which sorts later",
-                "let that file sort first",
+                "rename the files so that it is read first",
             )
         else:
             message, advice = f"interface '{name}' is not defined", "define it, even with dhcp4: false"

@@ -1,12 +1,12 @@
-"""A key that netplan does not know stops it.
+"""netplan does not know a key.
 
 ## What it finds
 A key that netplan's schema does not have at that place: a typing mistake, a key one level too high or too
-deep, or a key of another tool. Netplan has no extension prefix; everything unknown is an error.
+low, or a key of another tool. Netplan has no prefix for extensions: everything unknown is an error.
 
 ## Why it matters on a robot
 `netplan generate` stops at the first unknown key and writes nothing. The robot keeps the old network until
-the next boot and then comes up without one, or without the interface that this file was meant to configure.
+the next boot, and then comes up without a network, or without the interface that this file should configure.
 
 ## Bad
 ```yaml
@@ -25,6 +25,9 @@ network:
     eth0:
       addresses: [10.0.0.10/24]
 ```
+
+## When to ignore it
+If the robot has a netplan that is newer than the schema of this linter and knows the key.
 
 ## References
 - netplan YAML reference, https://netplan.readthedocs.io/en/stable/netplan-yaml/

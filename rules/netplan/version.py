@@ -1,10 +1,10 @@
-"""A netplan version other than 2.
+"""The netplan version is not 2.
 
 ## What it finds
-`version:` with another number. A missing version is fine.
+`version:` with another number. A missing version is valid.
 
 ## Why it matters on a robot
-Netplan knows version 2 only and refuses the whole configuration. Version 1 is cloud-init's own format,
+Netplan supports version 2 only and rejects the whole configuration. Version 1 is cloud-init's own format,
 which netplan cannot read.
 
 ## Bad
@@ -18,6 +18,9 @@ network:
 network:
   version: 2
 ```
+
+## When to ignore it
+Never: `netplan generate` stops here and configures nothing.
 
 ## References
 - netplan YAML reference, "version"

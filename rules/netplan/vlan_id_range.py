@@ -1,11 +1,12 @@
-"""A VLAN id out of range.
+"""A VLAN id is out of range.
 
 ## What it finds
-A VLAN `id` above 4094. As a warning: id 0, which netplan takes, but which marks frames without a VLAN.
+A VLAN `id` outside 1 to 4094:
+- **error**: an id above 4094.
+- **warning**: id 0, which netplan accepts, but which marks frames without a VLAN.
 
 ## Why it matters on a robot
-Netplan stops at an id above 4094. Frames with id 0 belong to no VLAN: the separation that was meant is not
-there.
+Netplan stops at an id above 4094. Frames with id 0 belong to no VLAN, so the networks are not separated.
 
 ## Bad
 ```yaml
@@ -16,6 +17,9 @@ vlan10: {link: eth0, id: 4095}
 ```yaml
 vlan10: {link: eth0, id: 10}
 ```
+
+## When to ignore it
+For id 0, if you only want priority tags (802.1p). An id above 4094 never works.
 
 ## References
 - IEEE 802.1Q: VID 0 is a priority tag, VID 4095 is reserved
@@ -37,5 +41,5 @@ def vlan_id_range(robot: Robot) -> Iterator[Finding]:
     for interface in robot.netplan.interfaces:
         number = interface.value("id")
         if interface.kind == "vlans" and number == "0":
-            message = "VLAN id 0 marks frames that belong to no VLAN"
+            message = "VLAN id 0 marks frames without a VLAN: the networks are not separated"
             yield finding(number, message, advice="choose 1 to 4094", severity="warning")

@@ -1,11 +1,11 @@
 """The link of a VLAN is not defined.
 
 ## What it finds
-A VLAN whose `link` names an interface that is defined neither in its own file nor in one that sorts before
-it. A definition in a later file does not help: netplan finishes each file before it reads the next.
+A VLAN whose `link` names an interface that is defined neither in the same file nor in an earlier one. netplan
+finishes each file before it reads the next, so a definition in a later file does not help.
 
 ## Why it matters on a robot
-Netplan stops: no interface is configured, not only the VLAN.
+Netplan stops: no interface is configured, not just the VLAN.
 
 ## Bad
 ```yaml
@@ -20,6 +20,10 @@ ethernets:
 vlans:
   vlan10: {id: 10, link: eth0}
 ```
+
+## When to ignore it
+Only if the interface is defined in a file that is not in the tree and that netplan reads earlier, such as one
+of cloud-init.
 
 ## References
 - netplan YAML reference, "link"
@@ -41,7 +45,7 @@ def vlan_missing_link(robot: Robot) -> Iterator[Finding]:
         if later:
             message, advice = (
                 f"'{link}' is defined only in {later}, which sorts later",
-                "let that file sort first",
+                "rename the files so that it is read first",
             )
         else:
             message, advice = f"interface '{link}' is not defined", "define it, even with dhcp4: false"

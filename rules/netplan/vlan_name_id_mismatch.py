@@ -1,10 +1,10 @@
-"""The name of a VLAN holds another number than its id.
+"""The number in the name of a VLAN differs from its id.
 
 ## What it finds
-A VLAN called `vlan10` or `eth0.10` with another id.
+A VLAN with a name such as `vlan10` or `eth0.10` and another id.
 
 ## Why it matters on a robot
-It works, and misleads whoever looks for the control network on the robot.
+It works, but misleads whoever looks for the control network on the robot.
 
 ## Bad
 ```yaml
@@ -15,6 +15,9 @@ vlan10: {link: eth0, id: 20}
 ```yaml
 vlan20: {link: eth0, id: 20}
 ```
+
+## When to ignore it
+If the number in the name has another meaning, such as that of the robot or the port.
 
 ## References
 - IEEE 802.1Q

@@ -1,10 +1,10 @@
-"""A VLAN without an id.
+"""A VLAN has no id.
 
 ## What it finds
 An entry below `vlans:` without `id`.
 
 ## Why it matters on a robot
-Netplan stops and configures nothing; the name of the VLAN does not count as its id.
+Netplan stops and configures nothing. It does not derive the id from the name of the VLAN.
 
 ## Bad
 ```yaml
@@ -15,6 +15,9 @@ vlan10: {link: eth0}
 ```yaml
 vlan10: {link: eth0, id: 10}
 ```
+
+## When to ignore it
+Never: `netplan generate` stops here and configures nothing.
 
 ## References
 - netplan YAML reference, "Properties for device type vlans:"

@@ -1,12 +1,12 @@
 """The control network runs over Wi-Fi.
 
 ## What it finds
-A VLAN, bridge or bond that calls itself control (`control`, `ctrl`, `motion`, `safety`) on top of a Wi-Fi
-interface, or a Wi-Fi interface or access point of such a name.
+A VLAN, bridge or bond on top of a Wi-Fi interface, or a Wi-Fi interface itself, whose name contains
+`control`, `ctrl`, `motion`, `safety` or `estop`.
 
 ## Why it matters on a robot
-Velocity commands and stop signals wait behind retransmissions and roaming for seconds. A robot must stop
-when the Wi-Fi does.
+Retransmissions and roaming can delay velocity commands and stop signals by seconds. A robot must stop when
+the Wi-Fi fails.
 
 ## Bad
 ```yaml
@@ -19,6 +19,10 @@ vlans:
 vlans:
   control: {id: 10, link: eth0}
 ```
+
+## When to ignore it
+If the name means something else, or the link only carries commands that a watchdog on the robot supervises,
+such as teleoperation.
 
 ## References
 - robotics-security guide: control plane traffic never transits WiFi

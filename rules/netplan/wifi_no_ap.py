@@ -1,10 +1,10 @@
-"""A Wi-Fi interface without access points.
+"""A Wi-Fi interface has no access points.
 
 ## What it finds
-An entry below `wifis:` that has no `access-points` once the files up to its own are merged.
+An entry below `wifis:` that has no `access-points` after the same file and all earlier ones are merged.
 
 ## Why it matters on a robot
-Netplan stops: no interface is configured, the wired ones neither.
+Netplan stops: no interface is configured, not even the wired ones.
 
 ## Bad
 ```yaml
@@ -19,6 +19,9 @@ wifis:
     dhcp4: true
     access-points: {depot: {password: "${PSK}"}}
 ```
+
+## When to ignore it
+Only if the access points are in a file that is not in the tree and that netplan reads earlier.
 
 ## References
 - netplan YAML reference, "access-points"

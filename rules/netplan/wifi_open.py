@@ -1,10 +1,11 @@
-"""An open Wi-Fi network.
+"""A Wi-Fi network has no encryption.
 
 ## What it finds
-An access point without `password` and without `auth`, or with `key-management: none`.
+An access point without `password` and without `auth`, or with `key-management: none`. In files of examples
+the finding is only information.
 
 ## Why it matters on a robot
-Whoever is near can join the network of the robot, read its topics and, without SROS2, drive it.
+Anyone nearby can join the network of the robot, read its topics and, without SROS2, drive it.
 
 ## Bad
 ```yaml
@@ -17,6 +18,10 @@ access-points:
 access-points:
   depot: {password: "${PSK}"}
 ```
+
+## When to ignore it
+If everything that matters goes through a VPN on top of this network, such as WireGuard, and the firewall
+blocks the rest.
 
 ## References
 - robotics-security guide, network hardening

@@ -1,11 +1,11 @@
 """A Wi-Fi passphrase is too short or too long.
 
 ## What it finds
-A WPA passphrase with fewer than 8 or more than 63 characters that is no key of 64 hexadecimal digits.
+A WPA passphrase with fewer than 8 or more than 63 characters that is not a key of 64 hexadecimal digits, on
+an interface that networkd renders.
 
 ## Why it matters on a robot
-With networkd netplan stops and configures nothing; NetworkManager refuses the connection. The robot is not
-on the Wi-Fi.
+Netplan stops and configures nothing: the robot has no network, not only no Wi-Fi.
 
 ## Bad
 ```yaml
@@ -18,6 +18,9 @@ access-points:
 access-points:
   depot: {password: warehouse-7}
 ```
+
+## When to ignore it
+Never: the standard does not allow such a passphrase.
 
 ## References
 - IEEE 802.11, passphrase of 8 to 63 ASCII characters
@@ -46,7 +49,7 @@ def wifi_passphrase_length(robot: Robot) -> Iterator[Finding]:
             continue
         yield finding(
             where,
-            f"WPA passphrases have 8 to 63 characters, this one is wrong ({detail}): netplan stops",
+            f"A WPA passphrase has 8 to 63 characters, this one is not valid ({detail}): netplan stops",
             advice="correct the passphrase",
             secrets=[where],
         )

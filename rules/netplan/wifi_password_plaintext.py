@@ -1,13 +1,15 @@
-"""A Wi-Fi password stands in the file.
+"""A file contains a Wi-Fi password in clear text.
 
 ## What it finds
-A literal password of an access point or of 802.1X. A 64-digit key is reported as info: it opens the network
-as well as the passphrase does. Placeholders, templates and files in folders of examples are not the
-password of a robot.
+A literal password of an access point or of 802.1X in a repository:
+- **warning**: a passphrase.
+- **info**: a key of 64 digits, which opens the network just as well, or a file in a folder of examples.
+
+Placeholders and templates are not reported. On the robot, netplan/file-mode checks who can read the file.
 
 ## Why it matters on a robot
-The file is copied to every robot and lives in version control: everyone with the repository is in the robot
-network, and changing the password means changing every robot.
+The file is copied to every robot and kept in version control. Everyone with access to the repository can join
+the robot's network, and a new password has to be set on every robot.
 
 ## Bad
 ```yaml
@@ -20,6 +22,10 @@ access-points:
 access-points:
   depot: {password: "${DEPOT_PSK}"}     # filled in on the robot, mode 0600
 ```
+
+## When to ignore it
+If the network is a test network in the laboratory that gives access to nothing else, and the repository is
+private.
 
 ## References
 - robot-bringup guide, "Static IP Configuration"
@@ -46,7 +52,7 @@ def wifi_password_plaintext(robot: Robot) -> Iterator[Finding]:
             key = len(password) == 64 and all(char in "0123456789abcdefABCDEF" for char in password)
             yield finding(
                 password,
-                f"The {'key' if key else 'password'} of {interface.name} stands in the file",
+                f"The {'key' if key else 'password'} of {interface.name} is in the file in clear text",
                 advice="keep it out of version control: write it on the robot, into a file with mode 0600",
                 severity="info" if key or is_example(source.name) else None,
                 secrets=[password],

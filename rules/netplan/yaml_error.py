@@ -1,12 +1,12 @@
 """A netplan file is not valid YAML.
 
 ## What it finds
-A tab in the indentation, a missing blank, unbalanced brackets: anything that the YAML reader refuses.
-Templates are left alone.
+Anything that the YAML parser rejects: a tab in the indentation, a missing space, unbalanced brackets.
+Templates are not checked.
 
 ## Why it matters on a robot
-One broken line in one file stops netplan for all files: `netplan apply` changes nothing, and older versions
-bring the robot up without any network. Newer ones skip the file at boot without a word.
+One broken line in one file stops netplan for all files. `netplan apply` changes nothing, and older versions
+bring the robot up without a network. Newer versions skip the file at boot without a message.
 
 ## Bad
 ```yaml
@@ -25,6 +25,10 @@ network:
     eth0:
       dhcp4: true
 ```
+
+## When to ignore it
+If the file is a template that a tool fills in, and that does not look like one. Then exclude it from the
+check.
 
 ## References
 - netplan-generate(8)
@@ -50,7 +54,7 @@ def yaml_error(robot: Robot) -> Iterator[Finding]:
         for problem in file.yaml.problems[:1]:
             if problem.code == "tab":
                 message = "Tabs are not allowed in YAML: netplan generates nothing"
-                advice = "indent with blanks"
+                advice = "indent with spaces"
             else:
                 message = f"This is not valid YAML ({problem.detail}): netplan generates nothing"
                 advice = "correct the indentation, quotes or brackets around this place"

@@ -1,11 +1,11 @@
-"""netplan reads only files that end in .yaml.
+"""netplan reads only files whose names end in .yaml.
 
 ## What it finds
-A file that ends in `.yml` in a netplan folder.
+A file in a netplan folder whose name ends in `.yml`.
 
 ## Why it matters on a robot
-Netplan looks for `*.yaml` and passes over everything else without a word: the interface stays unconfigured,
-or keeps what another file says.
+Netplan looks for `*.yaml` and skips everything else without a message: the interface stays unconfigured, or
+keeps the settings of another file.
 
 ## Bad
 ```
@@ -16,6 +16,9 @@ or keeps what another file says.
 ```
 /etc/netplan/10-robot.yaml
 ```
+
+## When to ignore it
+If the file is disabled on purpose by its suffix.
 
 ## References
 - netplan-generate(8), "Handling multiple files"

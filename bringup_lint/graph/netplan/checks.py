@@ -87,7 +87,7 @@ def _route(route: Route) -> str:
     if to is None:
         return "the route has no destination (to)"
     if to == "default" and not families:
-        return "a default route needs a gateway (via), or from, to tell IPv4 from IPv6"
+        return "a default route needs a gateway (via), or from, to distinguish IPv4 from IPv6"
     if kind == "unicast" and scope == "global" and via is None:
         return "a global unicast route needs a gateway (via)"
     return ""
@@ -123,7 +123,7 @@ def _vrf(interface: Interface) -> Iterator[Problem]:
 def _tokens(interface: Interface) -> Iterator[Problem]:
     token = interface.value("ipv6-address-token")
     if token is not None and interface.value("ipv6-address-generation") is not None:
-        yield Problem("incomplete", token, "ipv6-address-token and ipv6-address-generation exclude each other")
+        yield Problem("incomplete", token, "ipv6-address-token and ipv6-address-generation are mutually exclusive")
 
 
 def _passthrough(interface: Interface) -> Iterator[Problem]:
@@ -172,7 +172,7 @@ def _wireguard(interface: Interface) -> Iterator[Problem]:
         if public is None:
             yield Problem("incomplete", peer.span, "a WireGuard peer needs a public key")
         elif not WIREGUARD_KEY.match(public.value):
-            yield Problem("incomplete", public.value, "this is no WireGuard public key")
+            yield Problem("incomplete", public.value, "this is not a WireGuard public key")
         shared = keys.scalar("shared") if keys else None
         if shared is not None and not shared.value.startswith("/") and not WIREGUARD_KEY.match(shared.value):
             yield Problem("secret", shared.value)
@@ -190,18 +190,18 @@ def _memberships(plan: Plan) -> Iterator[Problem]:
 
 def _networkd(interface: Interface) -> Iterator[Problem]:
     if interface.kind == "modems":
-        yield Problem("unsupported", interface.name, "networkd has no modems")
+        yield Problem("unsupported", interface.name, "networkd does not support modems")
     if interface.is_wifi:
         match = interface.key("match")
         if match is not None:
             yield Problem("unsupported", match, "networkd matches Wi-Fi by interface name only")
         for point in interface.access_points:
             if point.mode == "ap":
-                yield Problem("unsupported", point.mode, "networkd cannot open an access point")
+                yield Problem("unsupported", point.mode, "networkd cannot create an access point")
             yield from _passphrase(point.password, point.key_management, point.auth)
     yield from _tunnel_keys(interface, KEYED_TUNNELS)
     if interface.value("mode") == "isatap" and interface.kind == "tunnels":
-        yield Problem("unsupported", interface.value("mode"), "networkd has no ISATAP tunnels")
+        yield Problem("unsupported", interface.value("mode"), "networkd does not support ISATAP tunnels")
     if interface.dhcp4 and interface.dhcp6:
         for key in OVERRIDES:
             one, other = interface.value("dhcp4-overrides", key), interface.value("dhcp6-overrides", key)
@@ -217,7 +217,9 @@ def _tunnel_keys(interface: Interface, keyed: frozenset[str]) -> Iterator[Proble
         where = interface.key(key)
         paths = ((key,), (key, "input"), (key, "output"))
         if where is not None and any(interface.value(*path) is not None for path in paths):
-            yield Problem("unsupported", where, f"{interface.backend} takes no key for a tunnel of mode {mode}")
+            yield Problem(
+                "unsupported", where, f"{interface.backend} does not accept a key for a tunnel of mode {mode}"
+            )
 
 
 def _setting(text: Located | None, key: str) -> object:
@@ -239,7 +241,7 @@ def _passphrase(password: Scalar | None, management: Located | None, auth: Mappi
         return
     length = len(password.value.encode())
     if length == 64 and not HEX_KEY.match(password.value):
-        yield Problem("passphrase", password.value, "64 characters that are no hexadecimal key")
+        yield Problem("passphrase", password.value, "64 characters that are not hexadecimal digits")
     elif length != 64 and not 8 <= length <= 63:
         yield Problem("passphrase", password.value, f"{length} characters")
 
@@ -251,16 +253,16 @@ def _network_manager(interface: Interface) -> Iterator[Problem]:
     yield from _tunnel_keys(interface, KEYED_TUNNELS - {"vti", "vti6"})
     off = interface.value("activation-mode")
     if off is not None and off != "manual":
-        yield Problem("unsupported", off, f"NetworkManager has no activation-mode {off}")
+        yield Problem("unsupported", off, f"NetworkManager does not support activation-mode {off}")
     if (mtu := interface.key("ipv6-mtu")) is not None:
-        yield Problem("unsupported", mtu, "NetworkManager has no ipv6-mtu")
+        yield Problem("unsupported", mtu, "NetworkManager does not support ipv6-mtu")
     for item in interface.items("addresses"):
         if isinstance(item, Mapping):
-            yield Problem("unsupported", item.span, "NetworkManager has no options for addresses")
+            yield Problem("unsupported", item.span, "NetworkManager does not support options for addresses")
     for route in interface.routes:
         kind = route.value("type")
         if kind is not None and kind.lower() != "unicast":
-            yield Problem("unsupported", kind, "NetworkManager has unicast routes only")
+            yield Problem("unsupported", kind, "NetworkManager supports unicast routes only")
 
 
 Check = Callable[[Interface], Iterator[Problem]]
