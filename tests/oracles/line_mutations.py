@@ -1,4 +1,4 @@
-"""Breeds broken and harmless variants of a configuration made of lines, and holds a parser against the real tool."""
+"""Makes broken and harmless variants of a configuration made of lines, and compares a parser with the real tool."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ import re
 from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
+from collections.abc import Mapping
 from collections.abc import Sequence
 
 Act = Callable[[list[str], int, random.Random], list[str]]
@@ -49,40 +50,62 @@ def typo(letters: str) -> Callable[[str, random.Random], str]:
     return change
 
 
-def mutants(name: str, text: str, acts: Sequence[Act], count: int, at_once: Sequence[int]) -> Iterator[str]:
-    """So many different variants, the same in every run; ``at_once`` says how many acts may fall on one of them."""
+def another_word(words: Sequence[str], indent: str = "") -> Callable[[str, random.Random], str]:
+    """A change that gives another value to the directive of the line."""
+    return lambda line, chance: f"{indent}{line.split()[0]} {chance.choice(words)}" if line.split() else line
+
+
+def another_directive(names: Sequence[str], indent: str = "") -> Callable[[str, random.Random], str]:
+    """A change that gives another directive to the value of the line."""
+    return lambda line, chance: indent + " ".join([chance.choice(names), *line.split()[1:]]) if line.split() else line
+
+
+def mutants(
+    name: str, text: str, acts: Sequence[Act], count: int, at_once: Sequence[int], first: int = 0
+) -> Iterator[str]:
+    """So many different variants, the same in every run.
+
+    ``at_once`` says how many acts may fall on one of them; lines before ``first`` are left alone.
+    """
     chance = random.Random(name)
     seen: set[str] = set()
     while len(seen) < count:
         lines = text.splitlines()
         for _ in range(chance.choice(at_once)):
-            lines = chance.choice(acts)(lines, chance.randrange(len(lines)), chance)
+            lines = chance.choice(acts)(lines, chance.randrange(first, len(lines)), chance)
         variant = "\n".join(lines) + "\n"
         if variant not in seen:
             seen.add(variant)
             yield variant
 
 
-def hold_against(
-    trials: Iterable[str],
-    real: Callable[[str], tuple[list, str]],
+def trials(
+    seeds: Mapping[str, str], acts: Sequence[Act], count: int, at_once: Sequence[int], first: int = 0
+) -> list[str]:
+    """Every seed, and ``count`` variants of each."""
+    return [text for name, seed in seeds.items() for text in (seed, *mutants(name, seed, acts, count, at_once, first))]
+
+
+def judge(
+    pairs: Iterable[tuple[str, tuple[list, str]]],
     ours: Callable[[str], list],
     differences: list[dict[str, str]],
 ) -> None:
-    """Assert that the tool and the parser complain alike about each text, but for the reasoned differences."""
-    trials = list(trials)
-    assert len(trials) >= 400
-    complained = 0
-    unexplained = []
-    for text in trials:
-        theirs, printed = real(text)
-        complained += bool(theirs)
-        if theirs != ours(text) and not _is_meant(text, printed, differences):
-            unexplained.append((theirs, ours(text), printed, text))
-    assert 0.3 < complained / len(trials) < 0.9
+    """Assert that the tool and the parser complain alike about each text, but for the reasoned differences.
+
+    A tool's answer is its complaints, and all that it printed.
+    """
+    pairs = list(pairs)
+    assert len(pairs) >= 400
+    unexplained = [
+        (theirs, ours(text), printed, text)
+        for text, (theirs, printed) in pairs
+        if theirs != ours(text) and not _is_meant(text, printed, differences)
+    ]
+    assert 0.3 < sum(bool(theirs) for _, (theirs, _) in pairs) / len(pairs) < 0.9
     for difference in unexplained:
         print("=" * 20, *difference, sep="\n")
-    assert len(unexplained) <= len(trials) // 100
+    assert len(unexplained) <= len(pairs) // 100
 
 
 def _is_meant(text: str, printed: str, differences: list[dict[str, str]]) -> bool:

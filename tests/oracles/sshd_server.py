@@ -43,9 +43,9 @@ def sshd(folder: Path, text: str, *options: str) -> subprocess.CompletedProcess[
 
 
 def version() -> str:
-    """Such as ``OpenSSH_9.2p1``; empty where sshd is not installed."""
-    if SSHD is None:
-        return ""
+    """Such as ``sshd 9.2``; without the number where it is not installed."""
+    if SSHD is None or shutil.which("ssh-keygen") is None:
+        return "sshd"
     run = subprocess.run([SSHD, "-V"], capture_output=True, text=True, check=False)
-    found = re.search(r"OpenSSH_[\w.]+", run.stderr + run.stdout)
-    return found[0] if found else "OpenSSH"
+    found = re.search(r"OpenSSH_([\w.]+)", run.stderr + run.stdout)
+    return f"sshd {found[1] if found else 'of OpenSSH'}"

@@ -1,4 +1,4 @@
-"""logrotate's own complaints about bred configurations: the same ones, in the same order."""
+"""logrotate's own complaints about broken configurations: the same ones, in the same order."""
 
 from __future__ import annotations
 
@@ -15,7 +15,8 @@ from bringup_lint.parsers.logrotate import directives
 from bringup_lint.parsers.logrotate import parse
 from bringup_lint.source import Source
 from bringup_lint.toml import read_toml
-from tests.oracles import line_mutations as bred
+from tests.oracles import line_mutations as lines
+from tests.oracles.answers import Oracle
 
 FOLDER = Path(__file__).parent
 SEEDS = {path.name: path.read_text("utf-8") for path in sorted((FOLDER / "logrotate").glob("*.conf"))}
@@ -50,10 +51,13 @@ CODES = (
     ("unknown-name", r"unknown (user|group)"),
 )
 
-pytestmark = [
-    pytest.mark.skipif(shutil.which("logrotate") is None, reason="needs logrotate"),
-    pytest.mark.skipif(os.geteuid() != 0, reason="logrotate ignores files of others than root"),
-]
+
+def tool() -> str:
+    """Such as ``logrotate 3.21.0``; logrotate ignores the files of others than root."""
+    if shutil.which("logrotate") is None or os.geteuid() != 0:
+        return "logrotate"
+    run = subprocess.run(["logrotate", "--version"], capture_output=True, text=True, check=False)
+    return " ".join((run.stdout + run.stderr).split()[:2])
 
 
 def real(text: str, file: Path) -> tuple[list[str], str]:
@@ -61,8 +65,8 @@ def real(text: str, file: Path) -> tuple[list[str], str]:
     file.write_bytes(text.encode("utf-8"))
     file.chmod(0o644)
     run = subprocess.run(["logrotate", "-d", "-s", "/dev/null", str(file)], capture_output=True, check=False)
-    printed = run.stderr.decode("utf-8", "replace").splitlines()
-    said = [line for line in printed if line.startswith(f"error: {file}:")]
+    printed = run.stderr.decode("utf-8", "replace").replace(str(file), file.name).splitlines()
+    said = [line for line in printed if line.startswith(f"error: {file.name}:")]
     codes = [next((code for code, pattern in CODES if re.search(pattern, line)), line) for line in said]
     return codes, "\n".join(said)
 
@@ -71,41 +75,36 @@ def ours(text: str) -> list[str]:
     return [problem.code for problem in parse(Source("robot", text)).problems if problem.code != "unclosed"]
 
 
-def another_value(line: str, chance: Random) -> str:
-    return f"    {line.split()[0]} {chance.choice(WORDS)}" if line.split() else line
-
-
-def another_directive(line: str, chance: Random) -> str:
-    return " ".join(["   ", chance.choice(list(directives())), *line.split()[1:]]) if line.split() else line
-
-
 def another_brace(line: str, chance: Random) -> str:
     return line.replace("{", "").replace("}", "") if {"{", "}"} & set(line) else line + chance.choice("{}")
 
 
 ACTS = (
-    bred.drop,
-    bred.twice,
-    bred.swap,
-    bred.on_line(bred.cut),
-    bred.on_line(bred.typo("aesx-_4 {}#=\"'\\\r")),
-    bred.on_line(another_value),
-    bred.on_line(another_value),
-    bred.on_line(another_directive),
-    bred.on_line(another_brace),
-    bred.on_line(lambda line, chance: line.lstrip() if line.startswith(" ") else f"  {line}"),
-    bred.before_line(lambda chance: f"    {chance.choice(list(directives()))} {chance.choice(WORDS)}"),
+    lines.drop,
+    lines.twice,
+    lines.swap,
+    lines.on_line(lines.cut),
+    lines.on_line(lines.typo("aesx-_4 {}#=\"'\\\r")),
+    lines.on_line(lines.another_word(WORDS, "    ")),
+    lines.on_line(lines.another_word(WORDS, "    ")),
+    lines.on_line(lines.another_directive(list(directives()), "    ")),
+    lines.on_line(another_brace),
+    lines.on_line(lambda line, chance: line.lstrip() if line.startswith(" ") else f"  {line}"),
+    lines.before_line(lambda chance: f"    {chance.choice(list(directives()))} {chance.choice(WORDS)}"),
 )
 
 
-def test_bred_configurations(tmp_path: Path) -> None:
-    trials = [
-        text for name, seed in SEEDS.items() for text in (seed, *bred.mutants(name, seed, ACTS, MUTANTS, (1, 1, 2, 3)))
-    ]
-    bred.hold_against(trials, lambda text: real(text, tmp_path / "robot"), ours, DIFFERENCES)
+def test_broken_configurations(answers: Oracle, tmp_path: Path) -> None:
+    trials = lines.trials(SEEDS, ACTS, MUTANTS, (1, 1, 2, 3))
+    said = answers.of(
+        "logrotate/configurations", tool(), trials, lambda texts: [real(text, tmp_path / "robot") for text in texts]
+    )
+    lines.judge(said.pairs, ours, DIFFERENCES)
 
 
+@pytest.mark.slow
 @pytest.mark.corpus
+@pytest.mark.skipif(tool() == "logrotate", reason="needs logrotate, and root")
 @pytest.mark.skipif(not CORPUS, reason="BRINGUP_LINT_CORPUS names no folder")
 def test_files_of_the_corpus(tmp_path: Path) -> None:
     files = [path for path in sorted(Path(CORPUS).rglob("logrotate.d/*")) if path.is_file()]

@@ -1,4 +1,4 @@
-"""Netplan's own verdict on bred configurations: accepted or refused, and at which line."""
+"""Netplan's own verdict on broken configurations: accepted or refused, and at which line."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ import random
 import re
 import shutil
 import subprocess
+from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 from typing import NamedTuple
@@ -21,6 +22,8 @@ from bringup_lint.source import Problem
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 from bringup_lint.toml import read_toml
+from tests.oracles import line_mutations as lines
+from tests.oracles.answers import Oracle
 
 FOLDER = Path(__file__).parent
 SEEDS = {path.name: path.read_text("utf-8") for path in sorted((FOLDER / "netplan").glob("*.yaml"))}
@@ -30,22 +33,25 @@ MUTANTS = 130
 CORPUS = os.environ.get("BRINGUP_LINT_CORPUS", "")
 WORDS = (FOLDER / "netplan/values.txt").read_text("utf-8").splitlines()
 KEYS = (FOLDER / "netplan/keys.txt").read_text("utf-8").splitlines()
+WARNING = re.compile(r"^\*\* \(generate:\d+\): WARNING .*$", re.M)
 PLACE = re.compile(r"/(?P<file>[^/:\s]+):(?P<line>\d+):(?P<column>\d+): (?P<message>.*)")
 
 
+GENERATORS = ("/usr/libexec/netplan/generate", "/usr/lib/netplan/generate", "/lib/netplan/generate")
+
+
 @cache
-def generator() -> tuple[str | None, tuple[int, ...]]:
-    """The path of netplan's generator, and its version."""
-    paths = ("/usr/libexec/netplan/generate", "/usr/lib/netplan/generate", "/lib/netplan/generate")
-    found = next((path for path in paths if Path(path).exists()), None)
-    if found is None or shutil.which("dpkg-query") is None:
-        return None, ()
+def tool() -> str:
+    """Such as ``netplan 0.106``; without the number where it is not installed."""
+    if generator() is None or shutil.which("dpkg-query") is None:
+        return "netplan"
     query = ["dpkg-query", "-W", "-f", "${Version}", "netplan.io"]
     version = subprocess.run(query, capture_output=True, text=True, check=False).stdout
-    return found, tuple(int(number) for number in re.findall(r"\d+", version.partition("-")[0]))
+    return f"netplan {version.partition('-')[0]}"
 
 
-pytestmark = pytest.mark.skipif(generator()[0] is None, reason="needs netplan")
+def generator() -> str | None:
+    return next((path for path in GENERATORS if Path(path).exists()), None)
 
 
 class Verdict(NamedTuple):
@@ -62,73 +68,58 @@ def real(text: str, folder: Path) -> Verdict:
     file.parent.mkdir(parents=True)
     file.write_bytes(text.encode("utf-8"))
     file.chmod(0o600)
-    command = [generator()[0], "--root-dir", str(folder)]
+    command = [str(generator()), "--root-dir", str(folder)]
     run = subprocess.run(command, capture_output=True, text=True, check=False)
     place = PLACE.search(run.stderr)
     if run.returncode == 0:
         return Verdict(True)
     if place is None:
-        return Verdict(False, message=run.stderr.strip())
+        return Verdict(False, message=WARNING.sub("", run.stderr).strip())
     return Verdict(False, int(place["line"]), int(place["column"]), place["message"])
 
 
-def ours(text: str) -> tuple[list[Problem], NetplanFile]:
-    """The problems of the same file for the installed netplan, in the order in which they were met."""
+def verdicts(texts: list[str], folder: Path) -> list[Verdict]:
+    return [real(text, folder) for text in texts]
+
+
+def ours(text: str, version: str) -> tuple[list[Problem], NetplanFile]:
+    """The problems of the same file for this version of netplan, in the order in which they were met."""
     file = parse(Source("etc/netplan/10.yaml", text, kind="netplan"))
     plan = merge([file], whole=True)
-    release = generator()[1]
-    newer = [problem for problem in file.newer if _number(problem.detail) > release]
+    newer = [problem for problem in file.newer if _number(problem.detail) > _number(version)]
     return [*file.problems, *newer, *plan.problems], file
 
 
 def _number(version: str) -> tuple[int, ...]:
-    return tuple(int(part) for part in version.split("."))
+    return tuple(int(part) for part in re.findall(r"\d+", version))
 
 
-def mutants(seed: str) -> list[str]:
-    """Broken and harmless variants of a seed, the same in every run."""
-    chance = random.Random(seed)
-    lines = SEEDS[seed].splitlines()
-    found = {}
-    while len(found) < MUTANTS:
-        changed = list(lines)
-        for _ in range(chance.choice((1, 1, 1, 2))):
-            changed = mutate(changed, chance)
-        found["\n".join(changed) + "\n"] = None
-    return list(found)
+def in_key(change: Callable[[str, random.Random], str]) -> lines.Act:
+    """An act on the key of the line, where it has one."""
+    return lines.on_line(lambda line, chance: KEY.sub(lambda found: change(found[0], chance), line, count=1))
 
 
-def mutate(lines: list[str], chance: random.Random) -> list[str]:
-    at = chance.randrange(2, len(lines))
-    line = lines[at]
-    key = re.search(r"[\w-]+(?=:( |$))", line)
-    value = re.search(r"(?<=: )[^{\[#]+$|(?<=- )[^{\[:#]+$", line)
-    act = chance.choice(
-        ("drop", "twice", "indent", "tab", "typo", "key", "value", "value", "value", "colon", "swap", "cut")
-    )
-    if act == "drop":
-        return lines[:at] + lines[at + 1 :]
-    if act == "twice":
-        return lines[: at + 1] + lines[at:]
-    if act == "swap":
-        other = chance.randrange(2, len(lines))
-        lines[at], lines[other] = lines[other], line
-    elif act == "indent":
-        lines[at] = "  " + line if chance.random() < 0.5 else line[2:] if line.startswith("  ") else line
-    elif act == "tab":
-        lines[at] = line.replace("  ", "\t", 1)
-    elif act == "colon":
-        lines[at] = line.replace(":", "", 1)
-    elif act == "cut":
-        lines[at] = line[: chance.randrange(len(line) + 1)]
-    elif act == "typo" and key:
-        i = chance.randrange(key.start(), key.end())
-        lines[at] = line[:i] + chance.choice("aeix-_4") + line[i + chance.randrange(2) :]
-    elif act == "key" and key:
-        lines[at] = line[: key.start()] + chance.choice(KEYS) + line[key.end() :]
-    elif act == "value" and value:
-        lines[at] = line[: value.start()] + chance.choice(WORDS)
-    return lines
+def indent(line: str, chance: random.Random) -> str:
+    return "  " + line if chance.random() < 0.5 else line.removeprefix("  ")
+
+
+KEY = re.compile(r"[\w-]+(?=:( |$))")
+VALUE = re.compile(r"(?<=: )[^{\[#]+$|(?<=- )[^{\[:#]+$")
+another_value = lines.on_line(lambda line, chance: VALUE.sub(lambda found: chance.choice(WORDS), line, count=1))
+ACTS = (
+    lines.drop,
+    lines.twice,
+    lines.swap,
+    lines.on_line(lines.cut),
+    lines.on_line(indent),
+    lines.on_line(lambda line, chance: line.replace("  ", "\t", 1)),
+    lines.on_line(lambda line, chance: line.replace(":", "", 1)),
+    in_key(lines.typo("aeix-_4")),
+    in_key(lambda key, chance: chance.choice(KEYS)),
+    another_value,
+    another_value,
+    another_value,
+)
 
 
 def same_place(verdict: Verdict, problems: list[Problem], file: NetplanFile) -> bool:
@@ -155,35 +146,33 @@ def reason(text: str, verdict: Verdict, problems: list[Problem]) -> str:
     return ""
 
 
-def test_bred_configurations(tmp_path: Path) -> None:
-    trials = [(seed, text) for seed in SEEDS for text in (SEEDS[seed], *mutants(seed))]
-    assert len(trials) >= 400
-    refused = 0
-    unexplained = []
-    for seed, text in trials:
-        verdict = real(text, tmp_path / "root")
-        problems, file = ours(text)
-        refused += not verdict.accepted
-        agrees = verdict.accepted != bool(problems) and (verdict.accepted or same_place(verdict, problems, file))
-        if not agrees and not reason(text, verdict, problems):
-            unexplained.append((seed, verdict, problems, text))
-    assert 0.3 < refused / len(trials) < 0.9
-    for seed, verdict, problems, text in unexplained:
-        print("=" * 20, seed, verdict, [(p.code, p.where.line, p.detail) for p in problems], text, sep="\n")
-    assert len(unexplained) <= len(trials) // 100
+def agrees(text: str, verdict: Verdict, version: str) -> bool:
+    problems, file = ours(text, version)
+    same = verdict.accepted != bool(problems) and (verdict.accepted or same_place(verdict, problems, file))
+    return same or bool(reason(text, verdict, problems))
 
 
+def test_broken_configurations(answers: Oracle, tmp_path: Path) -> None:
+    trials = lines.trials(SEEDS, ACTS, MUTANTS, (1, 1, 1, 2), first=2)
+    said = answers.of("netplan/configurations", tool(), trials, lambda texts: verdicts(texts, tmp_path / "root"))
+    assert len(said.pairs) >= 400
+    pairs = [(text, Verdict(*verdict)) for text, verdict in said.pairs]
+    assert 0.3 < sum(not verdict.accepted for _, verdict in pairs) / len(pairs) < 0.9
+    unexplained = [(text, verdict) for text, verdict in pairs if not agrees(text, verdict, said.version)]
+    for text, verdict in unexplained:
+        problems, _ = ours(text, said.version)
+        print("=" * 20, verdict, [(p.code, p.where.line, p.detail) for p in problems], text, sep="\n")
+    assert len(unexplained) <= len(pairs) // 100
+
+
+@pytest.mark.slow
 @pytest.mark.corpus
+@pytest.mark.skipif(tool() == "netplan", reason="needs netplan")
 @pytest.mark.skipif(not CORPUS, reason="BRINGUP_LINT_CORPUS names no folder")
 def test_files_of_the_corpus(tmp_path: Path) -> None:
     files = [path for path in sorted(Path(CORPUS).rglob("*.yaml")) if "netplan" in str(path)]
-    different = []
-    for path in files:
-        text = path.read_text("utf-8")
-        verdict = real(text, tmp_path / "root")
-        problems, file = ours(text)
-        agrees = verdict.accepted != bool(problems) and (verdict.accepted or same_place(verdict, problems, file))
-        if not agrees and not reason(text, verdict, problems):
-            different.append((path.name, verdict))
+    texts = [path.read_text("utf-8") for path in files]
+    version = tool().partition(" ")[2]
+    wrong = [text for text in texts if not agrees(text, real(text, tmp_path / "root"), version)]
     assert len(files) >= 40
-    assert different == []
+    assert wrong == []

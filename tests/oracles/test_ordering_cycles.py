@@ -1,4 +1,4 @@
-"""Ordering cycles against the real systemd: bred unit graphs, with a cycle or without one."""
+"""Ordering cycles against the real systemd: random unit graphs, with a cycle or without one."""
 
 from __future__ import annotations
 
@@ -13,21 +13,21 @@ from bringup_lint.discover.walk import discover
 from bringup_lint.graph.graph import Node
 from bringup_lint.graph.systemd.dependencies import PULLING
 from bringup_lint.robot import Robot
-from tests.oracles.verify import systemd_version
+from tests.oracles.answers import Oracle
+from tests.oracles.verify import systemd
 
 KEYS = {"After": 0.8, "Before": 0.3, "Requires": 0.3, "Wants": 0.35, "BindsTo": 0.1, "PartOf": 0.1}
 EARLY = ("multi-user.target", "graphical.target", "sysinit.target", "basic.target")
 
-pytestmark = pytest.mark.skipif(systemd_version() < 250, reason="needs systemd-analyze 250 or newer")
 
-
-def breed(folder: Path, seed: int) -> None:
+def random_units(seed: int) -> dict[str, str]:
     """Two to five services and up to two targets with random relations, all wanted by all.target."""
     pick = random.Random(seed)
     services = [f"u{number}.service" for number in range(pick.randint(2, 5))]
     names = services + [f"t{number}.target" for number in range(pick.randint(0, 2))]
+    files = {}
     for name in names:
-        lines = ["[Unit]", "Description=bred"]
+        lines = ["[Unit]", "Description=random"]
         for key, chance in KEYS.items():
             lines += [f"{key}={other}" for other in names if other != name and pick.random() < chance / len(names)]
         if pick.random() < 0.15:
@@ -36,9 +36,16 @@ def breed(folder: Path, seed: int) -> None:
             lines.append("DefaultDependencies=no")
         if name in services:
             lines += ["[Service]", "ExecStart=/bin/true"]
-        (folder / name).write_text("\n".join(lines) + "\n")
+        files[name] = "\n".join(lines) + "\n"
     wanted = [name for name in names if pick.random() < 0.85]
-    (folder / "all.target").write_text(f"[Unit]\nDescription=all\nWants={' '.join(wanted)}\n")
+    return {**files, "all.target": f"[Unit]\nDescription=all\nWants={' '.join(wanted)}\n"}
+
+
+def written(folder: Path, files: dict[str, str]) -> Path:
+    folder.mkdir(parents=True)
+    for name, text in files.items():
+        (folder / name).write_text(text)
+    return folder
 
 
 def systemd_finds_a_cycle(folder: Path) -> bool:
@@ -52,17 +59,22 @@ def systemd_finds_a_cycle(folder: Path) -> bool:
     return "ordering cycle" in run.stderr
 
 
+def we_find_a_cycle(folder: Path, version: str) -> bool:
+    units = Robot(discover([str(folder)]), configured_systemd=int(version)).units
+    started = units.graph.reachable(Node("unit", "all.target"), PULLING)
+    return any({edge.source for edge in cycle.edges} <= started for cycle in units.cycles)
+
+
 @pytest.mark.parametrize("first", [0, 100, 200])
-def test_cycles_of_bred_graphs(tmp_path, monkeypatch, first):
-    found = {}
-    for seed in range(first, first + 20):
-        folder = tmp_path / str(seed)
-        folder.mkdir()
-        breed(folder, seed)
-        monkeypatch.chdir(folder)
-        units = Robot(discover(["."]), configured_systemd=systemd_version()).units
-        started = units.graph.reachable(Node("unit", "all.target"), PULLING)
-        own = any({edge.source for edge in cycle.edges} <= started for cycle in units.cycles)
-        found[seed] = (own, systemd_finds_a_cycle(folder))
-    assert {seed for seed, (own, real) in found.items() if own != real} == set()
-    assert len({real for _, real in found.values()}) == 2
+def test_cycles_of_random_graphs(answers: Oracle, tmp_path: Path, first: int) -> None:
+    trials = [random_units(seed) for seed in range(first, first + 20)]
+
+    def ask(trials: list[dict[str, str]]) -> list[bool]:
+        folders = (written(tmp_path / "real" / str(number), files) for number, files in enumerate(trials))
+        return [systemd_finds_a_cycle(folder) for folder in folders]
+
+    given = answers.of(f"systemd/orders-{first}", systemd(), trials, ask)
+    folders = [written(tmp_path / "ours" / str(number), files) for number, (files, _) in enumerate(given.pairs)]
+    found = [we_find_a_cycle(folder, given.version) for folder in folders]
+    assert found == [real for _, real in given.pairs]
+    assert set(found) == {True, False}

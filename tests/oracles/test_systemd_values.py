@@ -1,11 +1,10 @@
-"""Every value grammar against the real systemd: bred values, accepted or refused line by line."""
+"""Every value grammar against the real systemd: good and broken values, accepted or refused line by line."""
 
 from __future__ import annotations
 
 import random
 import re
 import subprocess
-from collections import defaultdict
 from pathlib import Path
 from typing import NamedTuple
 
@@ -17,6 +16,8 @@ from bringup_lint.parsers.systemd_values import parse_timespan
 from bringup_lint.parsers.systemd_values.calendar import is_calendar
 from bringup_lint.parsers.systemd_values.grammars import check
 from bringup_lint.toml import read_toml
+from tests.oracles.answers import Oracle
+from tests.oracles.verify import systemd
 from tests.oracles.verify import systemd_version
 from tests.oracles.verify import verify
 
@@ -47,17 +48,21 @@ HEAD = {
 SECTIONS = ("Unit", "Service", "Socket", "Timer", "Path", "Mount", "Automount", "Swap")
 AVOIDED = {"OnFailureIsolate", "PermissionsStartOnly", "Delegate"}
 
-pytestmark = pytest.mark.skipif(systemd_version() < 250, reason="needs systemd-analyze 250 or newer")
-
 
 class Trial(NamedTuple):
     kind: str
+    section: str
+    key: str
     value: str
-    file: str
-    line: int
 
 
-def bred(kind: str) -> list[str]:
+class Said(NamedTuple):
+    about_line: list[str]
+    fatal: bool
+    """The unit is not loaded."""
+
+
+def values(kind: str) -> list[str]:
     """The seeds of a type and mutants of them, the same in every run."""
     chance = random.Random(kind)
     found = {seed.strip(): None for seed in SEEDS[kind] if not seed.endswith("\\")}
@@ -97,65 +102,62 @@ def suffix(section: str) -> str:
     return "service" if section == "Unit" else section.lower()
 
 
-def written(folder: Path) -> tuple[list[Path], list[Trial]]:
-    trials: list[Trial] = []
-    shared: dict[str, list[tuple[str, str]]] = defaultdict(list)
-    files: list[Path] = []
-    for number, kind in enumerate(SEEDS):
-        key = key_for(kind)
-        if key is None:
-            continue
-        for index, value in enumerate(bred(kind)):
-            if kind in SINGLE:
-                name = f"t{number}n{index}.{suffix(key.section)}"
-                folder.joinpath(name).write_text(f"{HEAD[key.section]}{key.key}={value}\n", "utf-8")
-                files.append(folder / name)
-                trials.append(Trial(kind, value, name, HEAD[key.section].count("\n") + 1))
-            else:
-                shared[key.section].append((f"{key.key}={value}\n", kind))
-    for section, lines in shared.items():
-        name = f"all-{section.lower()}.{suffix(section)}"
-        folder.joinpath(name).write_text(f"[{section}]\n" + "".join(text for text, _ in lines), "utf-8")
-        files.append(folder / name)
-        trials += [Trial(kind, text.partition("=")[2][:-1], name, at) for at, (text, kind) in enumerate(lines, 2)]
-    return files, trials
+def trials() -> list[Trial]:
+    keys = ((kind, key_for(kind)) for kind in SEEDS)
+    return [Trial(kind, key.section, key.key, value) for kind, key in keys if key for value in values(kind)]
 
 
-def excused(trial: Trial) -> bool:
-    return any(row["type"] in (trial.kind, "*") and re.search(row["value"], trial.value) for row in DIFFERENCES)
+def ask(trials: list[Trial], folder: Path) -> list[Said]:
+    """Values that can stop a unit stand in a file of their own, the others of a section share one."""
+    asked = [Trial(*each) for each in trials]
+    texts: dict[str, str] = {}
+    places = []
+    for number, trial in enumerate(asked):
+        alone = trial.kind in SINGLE
+        name = f"{f't{number}' if alone else f'all-{trial.section.lower()}'}.{suffix(trial.section)}"
+        text = texts.setdefault(name, HEAD[trial.section] if alone else f"[{trial.section}]\n")
+        places.append((name, text.count("\n") + 1))
+        texts[name] = f"{text}{trial.key}={trial.value}\n"
+    for name, text in texts.items():
+        (folder / name).write_text(text, "utf-8")
+    said = verify([folder / name for name in texts], recursive="one")
+    return [
+        Said(said.about(folder / name, line), trial.kind in SINGLE and said.fatal(name))
+        for trial, (name, line) in zip(asked, places, strict=True)
+    ]
 
 
-def test_systemd_refuses_what_the_grammars_refuse(tmp_path):
-    files, trials = written(tmp_path)
-    said = verify(files, recursive="one")
-    wrong: list[str] = []
-    unexplained = 0
-    for trial in trials:
-        real = [
-            text for text in said.lines.get((str(tmp_path / trial.file), trial.line), ()) if "please use" not in text
-        ]
-        problems = [p for p in check(trial.kind, nowhere(trial.value), systemd_version()) if p.code != "odd-name"]
-        same = bool(real) == bool(problems)
-        if same and trial.kind in SINGLE and problems:
-            same = said.fatal(trial.file) == any(problem.effect == "unit" for problem in problems)
-        if not same:
-            explained = excused(trial)
-            unexplained += not explained
-            word = "reasoned" if explained else "WRONG"
-            ours = [problem.code for problem in problems]
-            wrong.append(f"{word} {trial.kind}: {trial.value!r} real={real} ours={ours}")
-    print(f"{len(trials)} values, {len(wrong)} differences, {unexplained} of them without a reason")
-    assert len(trials) > 3000
-    assert not unexplained, "\n".join(line for line in wrong if line.startswith("WRONG"))
-    assert len(wrong) < len(trials) / 100, "\n".join(wrong)
+def differs(trial: Trial, said: Said, version: int) -> str:
+    """What we say otherwise than systemd; empty where we agree."""
+    real = [text for text in said.about_line if "please use" not in text]
+    problems = [p for p in check(trial.kind, nowhere(trial.value), version) if p.code != "odd-name"]
+    same = bool(real) == bool(problems)
+    if same and trial.kind in SINGLE and problems:
+        same = said.fatal == any(problem.effect == "unit" for problem in problems)
+    return "" if same else f"{trial.kind}: {trial.value!r} real={real} ours={[problem.code for problem in problems]}"
 
 
-@pytest.mark.parametrize(("tool", "kind"), [("timespan", "timespan"), ("calendar", "calendar")])
-def test_time_spans_and_calendar_events(tool, kind):
-    wrong = []
-    for value in bred(kind):
-        done = subprocess.run(["systemd-analyze", tool, "--", value], capture_output=True, env={"TZ": "UTC"})
-        ours = is_calendar(value) if tool == "calendar" else parse_timespan(value) is not None
-        if (done.returncode == 0) != ours and not excused(Trial(kind, value, "", 0)):
-            wrong.append(value)
-    assert not wrong
+def excused(kind: str, value: str) -> bool:
+    return any(row["type"] in (kind, "*") and re.search(row["value"], value) for row in DIFFERENCES)
+
+
+def test_systemd_refuses_what_the_grammars_refuse(answers: Oracle, tmp_path: Path) -> None:
+    given = answers.of("systemd/values", systemd(), trials(), lambda each: ask(each, tmp_path))
+    assert len(given.pairs) > 3000
+    pairs = [(Trial(*trial), Said(*said)) for trial, said in given.pairs]
+    differences = [(trial, differs(trial, said, int(given.version))) for trial, said in pairs]
+    wrong = [(trial, text) for trial, text in differences if text]
+    assert not [text for trial, text in wrong if not excused(trial.kind, trial.value)]
+    assert len(wrong) < len(pairs) / 100, wrong
+
+
+def accepted(tool: str, values: list[str]) -> list[bool]:
+    commands = (["systemd-analyze", tool, "--", value] for value in values)
+    return [subprocess.run(each, capture_output=True, env={"TZ": "UTC"}).returncode == 0 for each in commands]
+
+
+@pytest.mark.parametrize("kind", ["timespan", "calendar"])
+def test_time_spans_and_calendar_events(kind: str, answers: Oracle) -> None:
+    reads = {"timespan": lambda text: parse_timespan(text) is not None, "calendar": is_calendar}[kind]
+    given = answers.of(f"systemd/{kind}", systemd(), values(kind), lambda texts: accepted(kind, texts))
+    assert not [value for value, real in given.pairs if real != reads(value) and not excused(kind, value)]

@@ -18,8 +18,12 @@ from bringup_lint.templates import template_language
 from bringup_lint.toml import read_toml
 from tests.lint import lint
 from tests.oracles import unit_mutations
+from tests.oracles.answers import Answers
+from tests.oracles.answers import Oracle
 from tests.oracles.test_systemd_values import SEEDS
 from tests.oracles.verify import Messages
+from tests.oracles.verify import put_together
+from tests.oracles.verify import systemd
 from tests.oracles.verify import systemd_version
 from tests.oracles.verify import verify
 
@@ -46,8 +50,6 @@ UNIT_RULES = {
 QUIET = re.compile(r"please use|is obsolete|deprecated|please update|has been removed|Special user|unset environment")
 """Messages about obsolete settings: legacy-key has a longer memory than one release, so they are compared one way."""
 
-pytestmark = pytest.mark.skipif(systemd_version() < 250, reason="needs systemd-analyze 250 or newer")
-
 
 class Point(NamedTuple):
     where: str
@@ -62,8 +64,8 @@ class Tally(NamedTuple):
     unexplained: list[str]
 
 
-def ours(folder: Path) -> list[dict]:
-    (folder / "bringup-lint.toml").write_text(f"target-systemd = {systemd_version()}\n", "utf-8")
+def ours(folder: Path, version: str) -> list[dict]:
+    (folder / "bringup-lint.toml").write_text(f"target-systemd = {version}\n", "utf-8")
     run = lint("--select", "systemd", "--min-severity", "info", "--output-format", "json", ".", cwd=folder)
     assert run.code in (0, 1), run.stderr
     return json.loads(run.stdout)["findings"]
@@ -145,11 +147,30 @@ def values(kind: str) -> list[str]:
     return [value.strip() for value in SEEDS.get(kind, ()) if not value.endswith("\\")]
 
 
-def test_mutated_lines(tmp_path):
-    files = unit_mutations.write(tmp_path, [*unit_mutations.mutants(MUTANTS, values)])
-    (tmp_path / "stub.service").write_text("[Service]\nExecStart=/bin/true\n", "utf-8")
+def written(folder: Path, mutants: Iterable[unit_mutations.Mutant]) -> list[Path]:
+    """The files, and the unit that some of them start."""
+    folder.mkdir(exist_ok=True)
+    (folder / "stub.service").write_text("[Service]\nExecStart=/bin/true\n", "utf-8")
+    return unit_mutations.write(folder, [unit_mutations.Mutant(*each) for each in mutants])
+
+
+def asked(folder: Path, mutants: Iterable[unit_mutations.Mutant], recursive: str) -> list[tuple]:
+    files = written(folder, mutants)
+    said = verify(files, recursive=recursive)
+    return [said.of(path) for path in files]
+
+
+def messages(folder: Path, given: Answers) -> Messages:
+    return put_together(folder, [(name, answer) for (name, _), answer in given.pairs])
+
+
+def test_mutated_lines(answers: Oracle, tmp_path: Path) -> None:
+    mutants = [*unit_mutations.mutants(MUTANTS, values)] if systemd_version() else []
+    given = answers.of("systemd/lines", systemd(), mutants, lambda each: asked(tmp_path / "real", each, "one"))
+    folder = tmp_path / "ours"
+    files = written(folder, [mutant for mutant, _ in given.pairs])
     assert len(files) >= 500
-    judge(compared_lines(tmp_path, files, verify(files, recursive="one"), ours(tmp_path)))
+    judge(compared_lines(folder, files, messages(folder, given), ours(folder, given.version)))
 
 
 def units_of(said: Messages) -> Iterator[tuple[str, str, str]]:
@@ -160,62 +181,83 @@ def units_of(said: Messages) -> Iterator[tuple[str, str, str]]:
                     yield unit, rule, text
 
 
-def test_units_that_are_refused(tmp_path):
-    refused = [unit_mutations.Mutant(*item) for item in unit_mutations.REFUSALS.items()]
-    files = unit_mutations.write(tmp_path, refused)
-    (tmp_path / "stub.service").write_text("[Service]\nExecStart=/bin/true\n", "utf-8")
-    real = {Point(unit, rule): text for unit, rule, text in units_of(verify(files)) if rule != "ordering-cycle"}
+def test_units_that_are_refused(answers: Oracle, tmp_path: Path) -> None:
+    refused = [*unit_mutations.REFUSALS.items()]
+    given = answers.of("systemd/units", systemd(), refused, lambda each: asked(tmp_path / "real", each, "no"))
+    folder = tmp_path / "ours"
+    files = written(folder, [mutant for mutant, _ in given.pairs])
+    said = units_of(messages(folder, given))
+    real = {Point(unit, rule): text for unit, rule, text in said if rule != "ordering-cycle"}
     found = {
         Point(Path(finding["location"]["path"]).name, rule): finding["message"]
-        for finding in ours(tmp_path)
+        for finding in ours(folder, given.version)
         if (rule := finding["rule"].partition("/")[2]) in UNIT_RULES and rule != "ordering-cycle"
     }
     judge(tally(found, real, len(files) * len(UNIT_RULES)))
 
 
-def test_ordering_cycles(tmp_path):
-    wrong = []
+def cycles_of(folder: Path, rings: list[list[unit_mutations.Mutant]]) -> list[bool]:
+    """Whether systemd finds a cycle from the first unit of each ring."""
+    firsts = [written(folder, ring)[0] for ring in rings]
+    said = (verify([first], recursive="one") for first in firsts)
+    return [any(rule == "ordering-cycle" for _, rule, _ in units_of(messages)) for messages in said]
+
+
+def test_ordering_cycles(answers: Oracle, tmp_path: Path) -> None:
     rings = list(unit_mutations.cycles())
-    for ring in rings:
-        unit_mutations.write(tmp_path, ring)
+    given = answers.of("systemd/rings", systemd(), rings, lambda each: cycles_of(tmp_path / "real", each))
+    folder = tmp_path / "ours"
+    for ring, _ in given.pairs:
+        written(folder, ring)
     found = {
         Path(place["path"]).name
-        for finding in ours(tmp_path)
+        for finding in ours(folder, given.version)
         if finding["rule"] == "systemd/ordering-cycle"
         for place in [finding["location"], *(step["location"] for step in finding["chain"])]
     }
-    for ring in rings:
-        said = verify([tmp_path / ring[0].name], recursive="one")
-        real = any(rule == "ordering-cycle" for _, rule, _ in units_of(said))
-        if real != (ring[0].name in found):
-            wrong.append(f"{ring[0].name}: systemd {real}, ours {not real}")
-    assert not wrong, "\n".join(wrong)
+    assert {ring[0][0]: real for ring, real in given.pairs} == {
+        ring[0][0]: ring[0][0] in found for ring, _ in given.pairs
+    }
 
 
-def test_dropins_below_a_root(tmp_path):
-    vendor = Path("/usr/lib/systemd/system")
-    if not vendor.joinpath("sysinit.target").exists():
-        pytest.skip("needs the distribution's units")
-    shutil.copytree(vendor, tmp_path / "usr/lib/systemd/system", symlinks=True)
-    for name, text in unit_mutations.ROOT.items():
-        path = tmp_path / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text, "utf-8")
+VENDOR = Path("/usr/lib/systemd/system")
+
+
+def verified_root(folder: Path, files: dict[str, str]) -> tuple[list[tuple[str, int, list[str]]], dict[str, list[str]]]:
+    """What is said about the lines of our files and about units below a root with the distribution's units."""
+    shutil.copytree(VENDOR, folder / "usr/lib/systemd/system", symlinks=True)
+    put(folder, files)
     for name in ("true", "false", "echo"):
-        program = tmp_path / "bin" / name
+        program = folder / "bin" / name
         program.parent.mkdir(exist_ok=True)
         program.write_text("#!/bin/sh\n")
         program.chmod(0o755)
-    names = [Path(f"{name}.service") for name in unit_mutations.ROOT_UNITS]
-    said = verify(names, f"--root={tmp_path}", recursive="one")
-    real = {point: text for point, text in their_lines(tmp_path, said).items() if point.where in unit_mutations.ROOT}
-    own = tmp_path / "own"
-    for name in unit_mutations.ROOT:
-        copy = own / name
-        copy.parent.mkdir(parents=True, exist_ok=True)
-        shutil.copy(tmp_path / name, copy)
-    findings = ours(own)
-    judge(tally(our_lines(own, findings), real, len(unit_mutations.ROOT) * 3))
+    said = verify([Path(f"{name}.service") for name in unit_mutations.ROOT_UNITS], f"--root={folder}", recursive="one")
+    ours = {str(folder / name): name for name in files}
+    lines = [(ours[path], line, said.about(Path(path), line)) for path, line in said.lines if path in ours]
+    units = {name: [text.replace(f"{folder}/", "") for text in texts] for name, texts in said.units.items()}
+    return lines, units
+
+
+def put(folder: Path, files: dict[str, str]) -> None:
+    for name, text in files.items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, "utf-8")
+
+
+def test_dropins_below_a_root(answers: Oracle, tmp_path: Path) -> None:
+    tool = systemd() if VENDOR.joinpath("sysinit.target").exists() else "the distribution's units"
+    roots = [unit_mutations.ROOT]
+    given = answers.of(
+        "systemd/root", tool, roots, lambda each: [verified_root(tmp_path / "real", files) for files in each]
+    )
+    ((files, (lines, units)),) = given.pairs
+    folder = tmp_path / "ours"
+    put(folder, files)
+    said = Messages({(str(folder / name), line): texts for name, line, texts in lines}, units)
+    findings = ours(folder, given.version)
+    judge(tally(our_lines(folder, findings), their_lines(folder, said), len(files) * 3))
     refused = {(unit, rule) for unit, rule, _ in units_of(said)}
     found = {
         (_unit_of(finding["location"]["path"]), rule)
@@ -230,8 +272,10 @@ def _unit_of(path: str) -> str:
     return folder.removesuffix(".d") if folder.endswith(".d") else name
 
 
+@pytest.mark.slow
 @pytest.mark.corpus
-def test_units_of_the_corpus(corpus, tmp_path):
+@pytest.mark.skipif(systemd_version() < 250, reason="needs systemd-analyze 250 or newer")
+def test_units_of_the_corpus(corpus: Path, tmp_path: Path) -> None:
     files = []
     for number, path in enumerate(sorted(corpus.rglob("*"))):
         kind = path.suffix[1:]
@@ -244,4 +288,4 @@ def test_units_of_the_corpus(corpus, tmp_path):
         (tmp_path / name).write_text(text, "utf-8")
         files.append(tmp_path / name)
     assert files
-    judge(compared_lines(tmp_path, files, verify(files, recursive="one"), ours(tmp_path)))
+    judge(compared_lines(tmp_path, files, verify(files, recursive="one"), ours(tmp_path, str(systemd_version()))))
