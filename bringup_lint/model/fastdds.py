@@ -4,33 +4,15 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from dataclasses import field
-from typing import NamedTuple
 
+from bringup_lint.model.schema import Remark
 from bringup_lint.model.xml import Document
 from bringup_lint.model.xml import Element
 from bringup_lint.source import Located
 from bringup_lint.source import Source
-from bringup_lint.source import Span
 
 VERSIONS = ("2.6", "2.14", "3.2", "3.6")
 """The series that the tables know, oldest first."""
-
-
-class Remark(NamedTuple):
-    """Something that the library would say, or should have said."""
-
-    code: str
-    """Of structure: ``xml``, ``root``, ``unknown-element``, ``unknown-attribute``, ``duplicate``, ``empty``,
-    ``missing``, ``comment``, ``instruction``, ``ignored``,
-    ``passed-over``. Of values: ``bool``, ``enum``, ``number``,
-    ``duration``, ``address``, ``value``. Of profiles: ``profile-name``, ``profile-duplicate``,
-    ``transport-undefined``, ``transport-duplicate``."""
-    where: Located | Span
-    drops: bool
-    """Whether the whole file is ignored."""
-    detail: str = ""
-    path: str = ""
-    """The table's path of the element, or of the one inside which it stands."""
 
 
 @dataclass(eq=False, slots=True)
@@ -62,7 +44,7 @@ class Profiles:
     @property
     def dropped(self) -> bool:
         """Whether the library ignores the whole file."""
-        return any(remark.drops for remark in self.remarks)
+        return any(remark.fatal for remark in self.remarks)
 
     def of_kind(self, kind: str) -> list[Profile]:
         return [profile for profile in self.profiles if profile.kind == kind]

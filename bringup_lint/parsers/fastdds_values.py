@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import re
-from typing import NamedTuple
 
+from bringup_lint.model.schema import Code
+from bringup_lint.model.schema import Fault
+from bringup_lint.model.schema import Item
 from bringup_lint.model.xml import Element
-from bringup_lint.parsers.fastdds_schema import Item
 from bringup_lint.source import Located
 
 _NUMBER = re.compile(r"[ \t\n\v\f\r]*([+-]?)(0[xX][0-9a-fA-F]+|[0-9]+)")
@@ -15,13 +16,6 @@ _OCTETS = re.compile(r"[ \t\n\v\f\r]*\+?(?:0[xX])?0*[0-9a-fA-F]{1,2}(?:\.0*[0-9a
 _GUID = re.compile(r"[0-9a-fA-F]{1,2}(?:\.[0-9a-fA-F]{1,2}){11}")
 _VARIABLE = re.compile(r"\$\{[^}]*\}")
 LIMITS = {"uint8": 255, "uint16": 65535, "int16": 32767}
-
-
-class Complaint(NamedTuple):
-    code: str
-    """``bool``, ``enum``, ``number``, ``duration``, ``address`` or ``value``."""
-    drops: bool
-    detail: str = ""
 
 
 def first_text(element: Element) -> Located | None:
@@ -39,70 +33,70 @@ def hidden_by_comment(element: Element) -> bool:
     return first_text(element) is None and any(run.strip() for run in element.texts)
 
 
-def complaint(item: Item, text: str) -> Complaint | None:
+def fault_of(item: Item, text: str) -> Fault | None:
     """What the library has against a text; None when it takes it, or when it depends on a variable."""
     if _VARIABLE.search(text):
         return None
-    if item.check in _CHECKS:
-        return _CHECKS[item.check](item, text)
+    if item.type in _CHECKS:
+        return _CHECKS[item.type](item, text)
     return None
 
 
-def _bool(item: Item, text: str) -> Complaint | None:
-    return None if text in ("true", "false") or _NUMBER.match(text) else Complaint("bool", True)
+def _bool(item: Item, text: str) -> Fault | None:
+    return None if text in ("true", "false") or _NUMBER.match(text) else Fault(Code.BOOL)
 
 
-def _enum(item: Item, text: str) -> Complaint | None:
-    return None if text in item.allowed else Complaint("enum", True)
+def _enum(item: Item, text: str) -> Fault | None:
+    return None if text in item.words else Fault(Code.ENUM)
 
 
-def _flags(item: Item, text: str) -> Complaint | None:
+def _flags(item: Item, text: str) -> Fault | None:
     words = [word.strip() for word in text.split("|")]
-    return None if all(word in item.allowed for word in words) else Complaint("enum", True)
+    return None if all(word in item.words for word in words) else Fault(Code.ENUM)
 
 
-def _number(item: Item, text: str) -> Complaint | None:
+def _number(item: Item, text: str) -> Fault | None:
     match = _NUMBER.match(text)
     if match is None:
-        return Complaint("number", True)
+        return Fault(Code.NUMBER)
     value = int(match[2][:30], 0) if not match[2].startswith("0") or "x" in match[2].lower() else int(match[2][:30])
     if match[1] == "-":
         value = -value
-    if item.check in ("uint8", "uint16", "natural") and match[1] == "-":
-        return Complaint("number", True, "negative")
-    if item.check in LIMITS and value > LIMITS[item.check]:
-        return Complaint("number", True, f"more than {LIMITS[item.check]}")
-    if item.check == "positive" and value == 0:
-        return Complaint("number", True, "zero")
-    if item.check == "atleast-1" and value < -1:
-        return Complaint("number", True, "below -1")
+    if item.type in ("uint8", "uint16", "natural") and match[1] == "-":
+        return Fault(Code.NUMBER, "negative")
+    if item.type in LIMITS and value > LIMITS[item.type]:
+        return Fault(Code.NUMBER, f"more than {LIMITS[item.type]}")
+    if item.type == "positive" and value == 0:
+        return Fault(Code.NUMBER, "zero")
+    if item.type == "atleast-1" and value < -1:
+        return Fault(Code.NUMBER, "below -1")
     rest = text[match.end() :].strip()
-    return Complaint("number", False, rest) if rest else None
+    return Fault(Code.NUMBER, rest, False) if rest else None
 
 
-def _duration_part(item: Item, text: str) -> Complaint | None:
-    if text in item.allowed:
+def _duration_part(item: Item, text: str) -> Fault | None:
+    if text in item.words:
         return None
     return _number(item, text)
 
 
-def _address4(item: Item, text: str) -> Complaint | None:
+def _address4(item: Item, text: str) -> Fault | None:
     match = _DOTTED.fullmatch(text.strip())
     if match and any(int(number) > 255 for number in match[0].split(".")):
-        return Complaint("address", True, "a number above 255")
-    return Complaint("address", True, "a port or network") if re.search(r"[0-9][:/]", text) else None
+        return Fault(Code.ADDRESS, "a number above 255")
+    return Fault(Code.ADDRESS, "a port or network") if re.search(r"[0-9][:/]", text) else None
 
 
-def _address6(item: Item, text: str) -> Complaint | None:
-    return Complaint("address", True, "an IPv4 address") if _DOTTED.fullmatch(text.strip()) else None
+def _address6(item: Item, text: str) -> Fault | None:
+    return Fault(Code.ADDRESS, "an IPv4 address") if _DOTTED.fullmatch(text.strip()) else None
 
 
-def _octets(item: Item, text: str) -> Complaint | None:
-    return None if _OCTETS.fullmatch(text) else Complaint("value", True, "octets such as 0a.1b")
+def _octets(item: Item, text: str) -> Fault | None:
+    return None if _OCTETS.fullmatch(text) else Fault(Code.VALUE, "octets such as 0a.1b")
 
 
-def _guid(item: Item, text: str) -> Complaint | None:
-    return None if _GUID.fullmatch(text.strip()) else Complaint("value", True, "twelve octets such as 44.53.00")
+def _guid(item: Item, text: str) -> Fault | None:
+    return None if _GUID.fullmatch(text.strip()) else Fault(Code.VALUE, "twelve octets such as 44.53.00")
 
 
 _CHECKS = {

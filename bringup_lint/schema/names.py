@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from collections.abc import Mapping
 from enum import Enum
 from typing import NamedTuple
@@ -62,7 +61,7 @@ def _begins(item: Item, wanted: str) -> bool:
     return name.startswith(wanted) or (bool(item.aliases) and wanted.startswith(name))
 
 
-def suggestions(items: Iterable[Item], name: str) -> list[str]:
+def suggestions(items: Mapping[str, Item], name: str) -> list[str]:
     """The names that a misspelt one may mean: the same in another case, else the nearest ones."""
-    known = [each for item in items for each in (item.name, *item.aliases)]
+    known = [each for item in items.values() for each in (item.name, *item.aliases)]
     return [each for each in known if each.lower() == name.lower()] or nearest(name, known)

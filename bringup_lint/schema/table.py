@@ -41,17 +41,23 @@ def load(name: str, version: str = "") -> Schema:
 
 
 def schema_of(rows: Iterable[Mapping[str, str]], version: str = "") -> Schema:
-    """The schema of rows, as one version knows it: a column of that name says what it makes of each."""
+    """The schema of rows, as one version knows it: a column of that name says what it makes of each. What holds other
+    names and has no row of its own is a group."""
     items: dict[str, Item] = {}
+    paths = set()
     for row in rows:
+        paths.add(row["path"])
         status = row[version] if version else "yes"
         if status != "no":
             items[row["path"]] = _item(row, status, version)
     top = Item("", "group")
     for path, item in list(items.items()):
         parent = parent_of(path)
-        owner = items.setdefault(parent, Item(parent, "group")) if parent else top
-        (owner.attributes if item.is_attribute else owner.children)[item.name] = item
+        if parent and parent not in paths:
+            items.setdefault(parent, Item(parent, "group"))
+        owner = items.get(parent) if parent else top
+        if owner is not None:
+            (owner.attributes if item.is_attribute else owner.children)[item.name] = item
     return Schema(items, top)
 
 

@@ -28,12 +28,13 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.schema import Code
 
 
 @rule("error", fix="safe", symptoms=["getXMLBool XML_ERROR!"])
 def bool_case(robot: Robot) -> Iterator[Finding]:
     words = {"no": "false", "off": "false", "yes": "true", "on": "true"}
-    for _, remark in robot.dds.fastdds_remarks("bool"):
+    for _, remark in robot.dds.fastdds_remarks(Code.BOOL):
         text = remark.where
         right = text.lower() if text.lower() in ("true", "false") else words.get(text.lower())
         change = None

@@ -28,11 +28,12 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.schema import Code
 
 
 @rule("error", symptoms=["Duplicated element found"])
 def duplicate_element(robot: Robot) -> Iterator[Finding]:
-    for _, remark in robot.dds.fastdds_remarks("duplicate"):
+    for _, remark in robot.dds.fastdds_remarks(Code.DUPLICATE):
         yield finding(
             remark.where,
             f"{remark.where} is given twice: the whole file is ignored, the robot runs with defaults",

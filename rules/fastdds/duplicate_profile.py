@@ -31,12 +31,13 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.schema import Code
 
 
 @rule("error", symptoms=["Error adding profile", "There is other transport with the same id"])
 def duplicate_profile(robot: Robot) -> Iterator[Finding]:
-    for profiles, remark in robot.dds.fastdds_remarks("profile-duplicate", "transport-duplicate"):
-        kind = "transport" if remark.code == "transport-duplicate" else remark.path.rpartition("/")[2]
+    for profiles, remark in robot.dds.fastdds_remarks(Code.PROFILE_DUPLICATE, Code.TRANSPORT_DUPLICATE):
+        kind = "transport" if remark.code == Code.TRANSPORT_DUPLICATE else remark.path.rpartition("/")[2]
         first = robot.dds.first_named(profiles, remark)
         yield finding(
             remark.where,

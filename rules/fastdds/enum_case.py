@@ -28,11 +28,12 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.schema import Code
 
 
 @rule("error", fix="safe", symptoms=["bad content", "Invalid transport type"])
 def enum_case(robot: Robot) -> Iterator[Finding]:
-    for profiles, remark in robot.dds.fastdds_remarks("enum"):
+    for profiles, remark in robot.dds.fastdds_remarks(Code.ENUM):
         text = remark.where
         known = robot.dds.fastdds_words(profiles, remark)
         right = next((word for word in known if word.lower() == text.lower()), None)

@@ -29,11 +29,12 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.schema import Code
 
 
 @rule("error", symptoms=["XML_ERROR!", "elements cannot be empty"])
 def hidden_text(robot: Robot) -> Iterator[Finding]:
-    for _, remark in robot.dds.fastdds_remarks("comment"):
+    for _, remark in robot.dds.fastdds_remarks(Code.COMMENT):
         yield finding(
             remark.where,
             f"The comment before it hides the value of {remark.detail}: the whole file is ignored",

@@ -30,17 +30,18 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.schema import Code
 
 
 @rule("warning", symptoms=["do not supported for now"])
 def ignored_setting(robot: Robot) -> Iterator[Finding]:
-    for _, remark in robot.dds.fastdds_remarks("ignored"):
+    for _, remark in robot.dds.fastdds_remarks(Code.IGNORED):
         yield finding(
             remark.where,
             f"{remark.where} is not supported in XML: it has no effect, and every start logs an error",
             advice="delete it",
         )
-    for _, remark in robot.dds.fastdds_remarks("passed-over"):
+    for _, remark in robot.dds.fastdds_remarks(Code.PASSED_OVER):
         kind = robot.dds.transport_type(remark.where)
         yield finding(
             remark.where,

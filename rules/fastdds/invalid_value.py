@@ -27,11 +27,12 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.schema import Code
 
 
 @rule("error", symptoms=["Expected an octet value", "invalid server's guidPrefix"])
 def invalid_value(robot: Robot) -> Iterator[Finding]:
-    for _, remark in robot.dds.fastdds_remarks("value"):
+    for _, remark in robot.dds.fastdds_remarks(Code.VALUE):
         yield finding(
             remark.where,
             f"'{remark.where}' is not what Fast DDS expects: the whole file is ignored, the robot runs with defaults",

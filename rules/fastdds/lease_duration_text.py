@@ -31,11 +31,12 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.schema import Code
 
 
 @rule("error", fix="safe", symptoms=["elements cannot be empty"])
 def lease_duration_text(robot: Robot) -> Iterator[Finding]:
-    for _, remark in robot.dds.fastdds_remarks("duration"):
+    for _, remark in robot.dds.fastdds_remarks(Code.DURATION):
         text = remark.where
         change = fix("write sec", (text, f"<sec>{text}</sec>")) if text.isdigit() else None
         yield finding(

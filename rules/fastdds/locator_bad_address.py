@@ -29,11 +29,12 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.schema import Code
 
 
 @rule("error", symptoms=["Failed to parse UDPv4 locator's address tag"])
 def locator_bad_address(robot: Robot) -> Iterator[Finding]:
-    for _, remark in robot.dds.fastdds_remarks("address"):
+    for _, remark in robot.dds.fastdds_remarks(Code.ADDRESS):
         yield finding(
             remark.where,
             f"'{remark.where}' is no address ({remark.detail}): the whole file is ignored, the robot runs "

@@ -30,6 +30,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.schema import Code
 
 
 @rule(
@@ -42,7 +43,7 @@ from bringup_lint.api import rule
     ],
 )
 def missing_element(robot: Robot) -> Iterator[Finding]:
-    for _, remark in robot.dds.fastdds_remarks("missing", "empty"):
-        lacks = f"{remark.where} lacks {remark.detail}" if remark.code == "missing" else f"{remark.where} is empty"
-        advice = f"add {remark.detail}" if remark.code == "missing" else "give it a value, or delete it"
+    for _, remark in robot.dds.fastdds_remarks(Code.MISSING, Code.EMPTY):
+        lacks = f"{remark.where} lacks {remark.detail}" if remark.code == Code.MISSING else f"{remark.where} is empty"
+        advice = f"add {remark.detail}" if remark.code == Code.MISSING else "give it a value, or delete it"
         yield finding(remark.where, f"{lacks}: the whole file is ignored, the robot runs with defaults", advice=advice)

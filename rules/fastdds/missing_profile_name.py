@@ -29,11 +29,12 @@ from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.schema import Code
 
 
 @rule("error", fix="unsafe", symptoms=["no name found"])
 def missing_profile_name(robot: Robot) -> Iterator[Finding]:
-    for _, remark in robot.dds.fastdds_remarks("profile-name"):
+    for _, remark in robot.dds.fastdds_remarks(Code.PROFILE_NAME):
         name = remark.where
         behind = Span(name.span.source, name.span.end, name.span.end)
         yield finding(

@@ -29,6 +29,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.schema import Code
 
 
 @rule(
@@ -42,10 +43,10 @@ from bringup_lint.api import rule
 )
 def number_with_unit(robot: Robot) -> Iterator[Finding]:
     sizes = {"k": 1 << 10, "kb": 1 << 10, "kib": 1 << 10, "m": 1 << 20, "mb": 1 << 20, "mib": 1 << 20, "b": 1}
-    for _, remark in robot.dds.fastdds_remarks("number"):
+    for _, remark in robot.dds.fastdds_remarks(Code.NUMBER):
         text = remark.where
         name = remark.path.rpartition("/")[2]
-        if remark.drops:
+        if remark.fatal:
             why = f" ({remark.detail})" if remark.detail else ""
             message = f"{name} '{text}' is not a number that Fast DDS takes{why}: the whole file is ignored"
             yield finding(text, message, advice="write a plain number")

@@ -37,11 +37,12 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.schema import Code
 
 
 @rule("error", fix="safe", symptoms=["Invalid element found into", "Found incorrect tag", "Not expected tag"])
 def unknown_element(robot: Robot) -> Iterator[Finding]:
-    for profiles, remark in robot.dds.fastdds_remarks("unknown-element", "unknown-attribute"):
+    for profiles, remark in robot.dds.fastdds_remarks(Code.UNKNOWN, Code.UNKNOWN_ATTRIBUTE):
         library = robot.dds.fastdds
         name = remark.where
         near = robot.dds.fastdds_spelling(profiles, remark)

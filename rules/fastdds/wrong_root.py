@@ -33,11 +33,12 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.schema import Code
 
 
 @rule("error", fix="safe", symptoms=["Not found root tag"])
 def wrong_root(robot: Robot) -> Iterator[Finding]:
-    for profiles, _ in robot.dds.fastdds_remarks("root"):
+    for profiles, _ in robot.dds.fastdds_remarks(Code.ROOT):
         root = profiles.document.root
         right = root.name.lower() if root.name.lower() in ("dds", "profiles") else None
         yield finding(

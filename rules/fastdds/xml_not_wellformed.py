@@ -35,13 +35,14 @@ from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.schema import Code
 
 
 @rule("error", fix="safe", symptoms=["XMLPARSER Error", "Error opening", "Error parsing XML buffer"])
 def xml_not_wellformed(robot: Robot) -> Iterator[Finding]:
-    for _, remark in robot.dds.fastdds_remarks("xml", "instruction"):
+    for _, remark in robot.dds.fastdds_remarks(Code.XML, Code.INSTRUCTION):
         problem, _, detail = remark.detail.partition(": ")
-        if not remark.drops:
+        if not remark.fatal:
             message = "Fast DDS steps over the DOCTYPE: what it declares has no effect"
             yield finding(remark.where, message, advice="delete the DOCTYPE", severity="warning")
             continue

@@ -10,8 +10,8 @@ import pytest
 
 from bringup_lint.discover.kinds import kind_of
 from bringup_lint.facts import table
+from bringup_lint.model.schema import Item
 from bringup_lint.parsers.fastdds import parse
-from bringup_lint.parsers.fastdds_schema import Item
 from bringup_lint.parsers.fastdds_schema import schema
 from bringup_lint.source import Source
 from bringup_lint.toml import read_toml
@@ -114,7 +114,7 @@ def compare(texts: list[str], verdicts: list[Verdict]) -> None:
 
 def needed(item: Item, skip: str = "") -> str:
     """The attributes and elements without which an item is refused."""
-    shape = schema(VERSION).get(item.check, item)
+    shape = schema(VERSION).inside(item)
     children = [child for name, child in shape.children.items() if child.required and name == child.name != skip]
     return "".join(element(child) for child in children)
 
@@ -127,8 +127,8 @@ def element(item: Item, content: str | None = None, extra: str = "") -> str:
     if item.name == "reception_thread":
         attributes = ' port="7"'
     if content is None:
-        content = STAND_INS[item.check][1] if item.check in STAND_INS else needed(item) or CONTENT.get(item.check, "")
-        content = SPECIAL.get(item.name, item.allowed[0] if item.allowed and item.check == "enum" else content)
+        content = STAND_INS[item.type][1] if item.type in STAND_INS else needed(item) or CONTENT.get(item.type, "")
+        content = SPECIAL.get(item.name, item.words[0] if item.words and item.type == "enum" else content)
     return f"<{item.name}{attributes}{extra}>{content}</{item.name}>"
 
 
@@ -154,7 +154,7 @@ TRANSPORT = (
 
 def document(path: str, inner: str) -> str:
     """A file with an element inside the element at ``path``."""
-    items = schema(VERSION)
+    items = schema(VERSION).items
     root = path.partition("/")[0]
     if root in STAND_INS:
         path = STAND_INS[root][0] + path[len(root) :]
@@ -169,7 +169,7 @@ def document(path: str, inner: str) -> str:
 
 def document_below(path: str, inner: str, root: str, base: str) -> str:
     """The same inside a shared structure, whose items stand under its own name."""
-    items = schema(VERSION)
+    items = schema(VERSION).items
     while path != base:
         item = items[root + path[len(base) :]]
         name = inner.partition(">")[0].partition(" ")[0].strip("<")
@@ -183,12 +183,12 @@ def document_below(path: str, inner: str, root: str, base: str) -> str:
 
 def test_every_element(tmp_path: Path) -> None:
     texts = []
-    for path, item in schema(VERSION).items():
+    for path, item in schema(VERSION).items.items():
         parent = path.rpartition("/")[0]
         if "@" in path or not parent or path.startswith("log"):
             # a log consumer would swallow the messages of the files after it
             continue
-        leaf = item.check not in ("group", *STAND_INS)
+        leaf = item.type not in ("group", *STAND_INS)
         contents = [*VALUES, "", None] if leaf else ["", "text", needed(item) + "<bogus/>", None]
         texts += [document(parent, element(item, content)) for content in contents]
         texts.append(document(parent, element(item) + element(item)))
@@ -198,7 +198,7 @@ def test_every_element(tmp_path: Path) -> None:
 
 
 def test_elements_of_other_versions_are_dropped(tmp_path: Path) -> None:
-    known = schema(VERSION)
+    known = schema(VERSION).items
     rows = [row for row in table("dds/fastdds") if row[VERSION] == "no" and "@" not in row["path"]]
     parents = [(row["path"].rpartition("/")[0], row["path"].rpartition("/")[2]) for row in rows]
     texts = [document(parent, f"<{name}/>") for parent, name in parents if parent in known]

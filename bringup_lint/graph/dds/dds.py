@@ -27,7 +27,6 @@ from bringup_lint.graph.systemd.environment import stays_local
 from bringup_lint.model.cyclonedds import Configuration
 from bringup_lint.model.cyclonedds import Domain
 from bringup_lint.model.fastdds import Profiles
-from bringup_lint.model.fastdds import Remark as ProfileRemark
 from bringup_lint.model.schema import Code
 from bringup_lint.model.schema import Remark
 from bringup_lint.parsers import cyclonedds
@@ -115,7 +114,7 @@ class Dds:
     number = staticmethod(fastdds_names.number)
     used_transports = staticmethod(fastdds_names.used_transports)
 
-    def fastdds_remarks(self, *codes: str) -> Iterator[tuple[Profiles, ProfileRemark]]:
+    def fastdds_remarks(self, *codes: Code) -> Iterator[tuple[Profiles, Remark]]:
         """What the library would say about the Fast DDS files, by code."""
         for profiles in self.profile_files:
             for remark in profiles.remarks:
@@ -223,7 +222,7 @@ class Dds:
     def domains(self) -> Iterator[tuple[Configuration, Domain]]:
         """Every Domain block of the Cyclone DDS files whose XML can be read to the end."""
         for configuration in self.configurations:
-            if not any(remark.fatal and remark.code in ("xml", "root") for remark in configuration.remarks):
+            if not any(remark.fatal and remark.code in (Code.XML, Code.ROOT) for remark in configuration.remarks):
                 for domain in configuration.domains:
                     yield configuration, domain
 

@@ -10,32 +10,33 @@ from bringup_lint.graph.dds.cyclonedds_discovery import address_of
 from bringup_lint.model.fastdds import VERSIONS
 from bringup_lint.model.fastdds import Profile
 from bringup_lint.model.fastdds import Profiles
-from bringup_lint.model.fastdds import Remark
+from bringup_lint.model.schema import Code
+from bringup_lint.model.schema import Item
+from bringup_lint.model.schema import Remark
 from bringup_lint.model.xml import Element
 from bringup_lint.parsers.fastdds import locators
-from bringup_lint.parsers.fastdds_schema import Item
 from bringup_lint.parsers.fastdds_schema import elsewhere
 from bringup_lint.parsers.fastdds_schema import schema
+from bringup_lint.schema.names import find
+from bringup_lint.schema.names import suggestions
 from bringup_lint.source import Located
 from bringup_lint.source import Span
-from bringup_lint.spelling import nearest
 
 LOCATOR_LISTS = re.compile(r"LocatorList$|^initialPeersList$|external_unicast_locators$")
 
 
 def shape(path: str, version: str) -> Item | None:
     """The item that lists what may stand inside a path."""
-    items = schema(version)
-    item = items.get(path)
-    return items.get(item.check, item) if item is not None and item.check.startswith("{") else item
+    known = schema(version)
+    item = known.items.get(path)
+    return None if item is None else known.inside(item)
 
 
 def spelling(profiles: Profiles, remark: Remark) -> str | None:
     """The one name of the same place that a misspelt one means."""
     item = shape(remark.path, profiles.version)
-    known = () if item is None else item.children if remark.code == "unknown-element" else item.attributes
-    exact = [name for name in known if name.lower() == remark.detail.lower()]
-    found = exact or nearest(remark.detail, known)
+    known = {} if item is None else item.children if remark.code == Code.UNKNOWN else item.attributes
+    found = suggestions(known, remark.detail)
     return found[0] if len(found) == 1 else None
 
 
@@ -44,8 +45,8 @@ def versions(profiles: Profiles, remark: Remark) -> list[str]:
     found = []
     for version in VERSIONS:
         item = shape(remark.path, version)
-        known = {} if item is None else item.children if remark.code == "unknown-element" else item.attributes
-        if remark.detail in known:
+        known = {} if item is None else item.children if remark.code == Code.UNKNOWN else item.attributes
+        if find(known, remark.detail).item is not None:
             found.append(version)
     return found
 
@@ -59,13 +60,13 @@ def places(profiles: Profiles, remark: Remark) -> list[str]:
 
 def allowed(profiles: Profiles, remark: Remark) -> tuple[str, ...]:
     """The words that the element of a remark takes."""
-    item = schema(profiles.version).get(remark.path)
-    return item.allowed if item else ()
+    item = schema(profiles.version).items.get(remark.path)
+    return item.words if item else ()
 
 
 def first_named(profiles: Profiles, remark: Remark) -> Located | None:
     """The first profile or transport of the same name."""
-    if remark.code == "transport-duplicate":
+    if remark.code == Code.TRANSPORT_DUPLICATE:
         return transport_named(profiles, str(remark.where))
     kind = remark.path.rpartition("/")[2]
     return next((each.name for each in profiles.of_kind(kind) if each.name == remark.where), None)
