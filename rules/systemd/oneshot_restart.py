@@ -1,10 +1,10 @@
-"""A oneshot service that shall always be restarted.
+"""A oneshot service with Restart=always: systemd refuses the unit.
 
 ## What it finds
 Type=oneshot with Restart=always or Restart=on-success, after all drop-ins.
 
 ## Why it matters on a robot
-systemd refuses the whole unit: a oneshot service is done when its process has ended successfully.
+systemd refuses the whole unit: a oneshot service is complete when its process has exited successfully.
 
 ## Bad
 ```ini
@@ -21,6 +21,10 @@ Type=oneshot
 ExecStart=/usr/bin/robot-setup
 Restart=on-failure
 ```
+
+## When to ignore it
+Only if the robot's systemd is new enough to allow the combination; `systemd-analyze verify` on the robot
+shows it.
 
 ## References
 - systemd.service(5), "Restart="

@@ -1,8 +1,9 @@
 """OnFailure= names an instance of a template that does not exist.
 
 ## What it finds
-OnFailure= with a template instance such as `robot-alarm@%n.service`, and no `robot-alarm@.service` in the
-tree.
+OnFailure= with a template instance such as `robot-alarm@%n.service`, when the tree has no
+`robot-alarm@.service`. It is a warning instead of an error when the tree ships no other unit to the same
+place.
 
 ## Why it matters on a robot
 When the service fails, systemd logs that the unit was not found and does nothing: no alarm, no safe stop.
@@ -15,11 +16,14 @@ OnFailure=robot-alarm@%n.service
 
 ## Good
 ```ini
-# robot-alarm@.service, shipped beside it
+# robot-alarm@.service, in the same package
 [Service]
 Type=oneshot
 ExecStart=/opt/robot/bin/alarm %i
 ```
+
+## When to ignore it
+When another package ships the template.
 
 ## References
 - systemd.unit(5), OnFailure= and "Specifiers"

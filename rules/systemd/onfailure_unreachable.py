@@ -1,13 +1,13 @@
-"""OnFailure= that never gets its turn.
+"""OnFailure= never runs, because the service never enters "failed".
 
 ## What it finds
-OnFailure= on a service that restarts for ever because its start limit can never trip. Up to systemd 253,
-and with RestartMode=direct, the unit enters "failed" only when the limit is hit. From systemd 254 on the
-handler runs after every single failure instead; that is reported as information.
+OnFailure= on a service that restarts forever because its start limit can never trip. It is a warning up to
+systemd 253 and with RestartMode=direct, because the unit then enters "failed" only when the limit trips. It
+is an info from systemd 254 on, which runs the handler after every single failure.
 
 ## Why it matters on a robot
-The alarm, the safe stop or the log upload that OnFailure= should start never runs, and nobody notices until
-it is needed.
+The alarm, the safe stop or the log upload that OnFailure= should start never runs. Nobody notices until it is
+needed.
 
 ## Bad
 ```ini
@@ -32,6 +32,9 @@ ExecStart=/opt/robot/bin/drivers
 Restart=on-failure
 RestartSec=5
 ```
+
+## When to ignore it
+The info, when the handler should run after every single failure.
 
 ## References
 - systemd.unit(5), OnFailure=
@@ -59,7 +62,7 @@ def onfailure_unreachable(robot: Robot) -> Iterator[Finding]:
             f"{policy.burst} restarts take {duration(policy.loop())} > {duration(policy.interval)}, so "
             "the start limit never trips"
             if policy.limited
-            else "The start limit is switched off"
+            else "The start limit is disabled"
         )
         each_time = robot.target.systemd >= 254 and unit.get("RestartMode") != "direct"
         yield finding(
@@ -69,7 +72,7 @@ def onfailure_unreachable(robot: Robot) -> Iterator[Finding]:
             else f'{why}: {unit.name} never enters "failed" and OnFailure= does not fire',
             advice="give the unit a start limit in [Unit] that its restarts can reach",
             related=[
-                note(policy.restart_at, "restarts"),
+                note(policy.restart_at, "enables the restarts"),
                 *([note(policy.delay_at, "the delay")] if policy.delay_at else ()),
                 *([note(policy.interval_at, "the interval of the limit")] if policy.interval_at else ()),
                 *(note(at, "ignored here: it belongs in [Unit]") for at in policy.misplaced),

@@ -1,16 +1,20 @@
-"""Units that wait for each other in a circle.
+"""Units whose start order forms a cycle.
 
 ## What it finds
-Cycles in the start order: `After=` and `Before=` lines, drop-ins and `.wants` links, together with the
-order that systemd adds on its own (a target comes after what it wants, a mount before what lies on it, a
-timer before its service) and the order of the distribution's units. A cycle whose members no common unit
-brings in is reported as info: it waits for the day when they meet. A single unit that is in conflict with
-targets alone is a matter for `systemd/wantedby-and-after-later-target`.
+A cycle in the start order. Its edges come from these sources:
+
+- `After=` and `Before=` lines, drop-ins and `.wants` links;
+- orders that systemd adds: a target after the units that it wants, a mount before the units that need its
+  path, a timer before its service;
+- orders of the distribution's units.
+
+It is an info when no common unit starts all members of the cycle, because the cycle has no effect until one
+does. `systemd/wantedby-and-after-later-target` reports a single unit that conflicts with targets alone.
 
 ## Why it matters on a robot
-systemd breaks the cycle by leaving out a job that nothing requires, and which one that is depends on the
-order of a hash table: on one boot the lidar is missing, on the next one the planner. There is one line in
-the journal and no failed unit. If all members are required, the whole start fails.
+systemd breaks the cycle: it drops a job that nothing requires. Which one it drops depends on the order of a
+hash table. On one boot the lidar is missing, on the next one the planner. There is one line in the journal
+and no failed unit. If all members are required, the whole start fails.
 
 ## Bad
 ```ini
@@ -29,6 +33,9 @@ After=drivers.service
 [Unit]
 After=drivers.service
 ```
+
+## When to ignore it
+The info, when the units are alternatives that are never enabled together.
 
 ## References
 - systemd.unit(5), "Before=, After="
@@ -64,7 +71,7 @@ def ordering_cycle(robot: Robot) -> Iterator[Finding]:
         yield finding(
             lines[0].where,
             f"Ordering cycle {cycle}: {_effect(cycle)}",
-            advice="take out the edge that contradicts the layers: drivers first, what uses them later",
+            advice="remove the order that contradicts the layers: drivers first, then the units that use them",
             related=steps[1:],
             chain=steps,
             severity=None if cycle.root else "info",
@@ -75,7 +82,9 @@ def _effect(cycle):
     if cycle.fatal:
         return "each of them is required, so the start fails"
     if cycle.root is None:
-        return "nothing starts all of them together yet; once something does, one is left out"
+        return "nothing starts all of them together yet; when something does, systemd drops one"
     names = sorted(node.name for node in cycle.droppable)
-    dropped = f"leaves out {names[0]}" if len(names) == 1 else f"leaves out one of {', '.join(names)}"
-    return (f"systemd {dropped} when {cycle.root.name} starts") + (", not always the same" if len(names) > 1 else "")
+    dropped = f"drops {names[0]}" if len(names) == 1 else f"drops one of {', '.join(names)}"
+    return (f"systemd {dropped} when {cycle.root.name} starts") + (
+        ", not always the same one" if len(names) > 1 else ""
+    )

@@ -1,11 +1,11 @@
-"""A path unit that watches nothing.
+"""A path unit that watches nothing: systemd refuses it.
 
 ## What it finds
-A path unit without PathExists=, PathExistsGlob=, PathChanged=, PathModified= and DirectoryNotEmpty=, after
-all drop-ins.
+A path unit without PathExists=, PathExistsGlob=, PathChanged=, PathModified= or DirectoryNotEmpty=, after all
+drop-ins.
 
 ## Why it matters on a robot
-systemd refuses the unit, and the service behind it is never activated.
+systemd refuses the unit and never activates its service.
 
 ## Bad
 ```ini
@@ -19,6 +19,9 @@ Unit=robot-upload.service
 PathChanged=/var/lib/robot/maps
 Unit=robot-upload.service
 ```
+
+## When to ignore it
+When a drop-in outside of this tree adds the path.
 
 ## References
 - systemd.path(5)
@@ -44,5 +47,5 @@ def path_no_path(robot: Robot) -> Iterator[Finding]:
             yield finding(
                 unit.where,
                 f"{unit.name} watches nothing: systemd refuses it",
-                advice="add PathChanged= or the like",
+                advice="add PathChanged= or another path setting",
             )

@@ -1,12 +1,17 @@
 """The sandbox hides the devices that the service opens.
 
 ## What it finds
-PrivateDevices=yes, or DevicePolicy=closed or strict without DeviceAllow=, on a service that names a device
-below /dev: on its command line, in its environment, in a script or in the launch file that it starts.
+A service that names a device below /dev, and one of these settings:
+
+- PrivateDevices=yes;
+- DevicePolicy=closed or strict without DeviceAllow=.
+
+The device can be on the command line, in the environment, in a script, or in the launch file that the service
+starts.
 
 ## Why it matters on a robot
-The device node is not there, or opening it is refused: the driver says "No such file" or "Operation not
-permitted" although the device, its link and its group are right.
+The device node does not exist for the service, or opening it fails. The driver reports "No such file" or
+"Operation not permitted", although the device, its link and its group are right.
 
 ## Bad
 ```ini
@@ -22,6 +27,10 @@ ExecStart=/opt/ros/jazzy/lib/rover_lidar/driver --port /dev/rover/lidar
 DevicePolicy=closed
 DeviceAllow=char-ttyUSB rw
 ```
+
+## When to ignore it
+When the service names the device but never opens it, for example because it passes the path to another
+service.
 
 ## References
 - systemd.exec(5), PrivateDevices=; systemd.resource-control(5), DevicePolicy= and DeviceAllow=
@@ -62,12 +71,10 @@ def private_devices(robot: Robot) -> Iterator[Finding]:
         lines = [line for line in unit.assignments(key, "Service") if line.value is value]
         yield finding(
             value,
-            f"{key}={value} keeps {used[0].path} from {unit.name}",
-            advice="drop it, or use DevicePolicy=closed with a DeviceAllow= line for each device",
+            f"{key}={value} prevents {unit.name} from opening {used[0].path}",
+            advice="remove it, or use DevicePolicy=closed with a DeviceAllow= line for each device",
             related=[note(use.path, "opened here") for use in used[:5]],
-            fix=fix("let it see the devices", *map(delete_lines, lines), safe=False)
-            if unit.editable and lines
-            else None,
+            fix=fix(f"remove {key}=", *map(delete_lines, lines), safe=False) if unit.editable and lines else None,
         )
 
 

@@ -1,11 +1,18 @@
-"""The sandbox cuts DDS off the network.
+"""The sandbox cuts off DDS from the network.
 
 ## What it finds
-On a service that takes part in DDS: PrivateNetwork=yes, IPAddressDeny=any without IPAddressAllow=, or
-RestrictAddressFamilies= without AF_NETLINK, which lists the interfaces, or without AF_INET and AF_INET6.
+One of these settings on a service that uses DDS:
+
+- PrivateNetwork=yes without JoinsNamespaceOf=;
+- IPAddressDeny=any without IPAddressAllow=;
+- RestrictAddressFamilies= without AF_NETLINK, with which DDS lists the interfaces;
+- RestrictAddressFamilies= without AF_INET and AF_INET6.
+
+Services that are limited to the local machine need only AF_NETLINK.
 
 ## Why it matters on a robot
-The participant finds no interface and is not created, or it comes up and never sees another node.
+DDS finds no interface and cannot create the participant, or the participant starts and never sees another
+node.
 
 ## Bad
 ```ini
@@ -20,6 +27,9 @@ RestrictAddressFamilies=AF_INET AF_UNIX
 ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rover base.launch.py'
 RestrictAddressFamilies=AF_INET AF_INET6 AF_UNIX AF_NETLINK
 ```
+
+## When to ignore it
+When the nodes of this service communicate only within the service.
 
 ## References
 - systemd.exec(5), PrivateNetwork= and RestrictAddressFamilies=; systemd.resource-control(5), IPAddressDeny=
@@ -45,8 +55,8 @@ def private_network(robot: Robot) -> Iterator[Finding]:
         if private.value and not local and not unit.has("JoinsNamespaceOf"):
             yield finding(
                 private.at,
-                f"PrivateNetwork= leaves {unit.name} nothing but a loopback of its own: no other node ever sees it",
-                advice="drop the line",
+                f"PrivateNetwork= gives {unit.name} only a loopback interface of its own: no other node ever sees it",
+                advice="remove the line",
             )
         for word in unit.words("IPAddressDeny"):
             if word == "any" and not local and not unit.has("IPAddressAllow"):

@@ -1,11 +1,11 @@
-"""PrivateTmp= cuts a shared-memory daemon off.
+"""PrivateTmp= separates a shared-memory daemon from its clients.
 
 ## What it finds
-PrivateTmp=yes on a service that runs RouDi, or whose Cyclone DDS configuration enables iceoryx shared
-memory: their sockets and locks lie in /tmp. Fast DDS is not affected, its segments lie in /dev/shm.
+PrivateTmp=yes on a service that runs RouDi, or whose Cyclone DDS configuration enables iceoryx shared memory.
+Their sockets and locks are in /tmp. Fast DDS is not affected, because its segments are in /dev/shm.
 
 ## Why it matters on a robot
-RouDi and its clients look for each other in different /tmp folders: every node waits for RouDi, in vain.
+RouDi and its clients use different /tmp folders. Every node waits for RouDi in vain.
 
 ## Bad
 ```ini
@@ -21,6 +21,9 @@ ExecStart=/opt/ros/jazzy/bin/iox-roudi
 PrivateTmp=no
 ```
 or JoinsNamespaceOf= in all services that use it.
+
+## When to ignore it
+When RouDi and all its clients run in this one service.
 
 ## References
 - systemd.exec(5), PrivateTmp=; systemd.unit(5), JoinsNamespaceOf=
@@ -48,7 +51,7 @@ def privatetmp_ipc(robot: Robot) -> Iterator[Finding]:
         for where, what in _uses(unit, robot):
             yield finding(
                 private.at,
-                f"PrivateTmp= gives {unit.name} a /tmp of its own: {what} does not meet the others there",
+                f"PrivateTmp= gives {unit.name} its own /tmp: {what} cannot reach the other services there",
                 advice="set PrivateTmp=no, or join the services with JoinsNamespaceOf=",
                 related=[note(where, what)],
             )

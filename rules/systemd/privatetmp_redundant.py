@@ -1,11 +1,10 @@
-"""ReadWritePaths=/tmp beside PrivateTmp=yes.
+"""ReadWritePaths=/tmp has no use with PrivateTmp=yes.
 
 ## What it finds
-/tmp or /var/tmp in ReadWritePaths= of a unit with PrivateTmp=yes, which has a /tmp of its own that is
-writable anyway.
+/tmp or /var/tmp in ReadWritePaths= of a unit with PrivateTmp=yes, which gives the unit its own writable /tmp.
 
 ## Why it matters on a robot
-Nothing breaks, but the line says that the service shares /tmp with others, which it does not.
+Nothing breaks. But the line suggests that the service shares /tmp with others, which it does not.
 
 ## Bad
 ```ini
@@ -22,6 +21,9 @@ ProtectSystem=strict
 PrivateTmp=yes
 ReadWritePaths=/var/lib/rover
 ```
+
+## When to ignore it
+When a drop-in on some robots sets PrivateTmp=no.
 
 ## References
 - systemd.exec(5), PrivateTmp=
@@ -49,9 +51,9 @@ def privatetmp_redundant(robot: Robot) -> Iterator[Finding]:
             if path in ("/tmp", "/var/tmp"):
                 yield finding(
                     word,
-                    f"With PrivateTmp= the {path} of {unit.name} is its own and writable: the entry is redundant",
-                    advice="drop the entry",
-                    related=[note(private.at, "a /tmp of its own")],
+                    f"PrivateTmp= gives {unit.name} its own writable {path}: the entry is redundant",
+                    advice="remove the entry",
+                    related=[note(private.at, "gives it its own /tmp")],
                     fix=_without(unit, word) if unit.editable else None,
                 )
 
@@ -62,7 +64,7 @@ def _without(unit, word):
         if len(others) < len(list(line.value.words())):
             text = " ".join(others)
             return fix(
-                "drop the entry",
+                "remove the entry",
                 (line.value, text) if text else (line.span, "# ReadWritePaths= was redundant"),
             )
     return None

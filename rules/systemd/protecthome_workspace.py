@@ -1,13 +1,14 @@
-"""ProtectHome= hides what the service needs.
+"""ProtectHome= hides files that the service needs.
 
 ## What it finds
-ProtectHome=yes or tmpfs while the working directory, the program, a sourced workspace or another argument
-lies below /home, /root or /run/user; and ReadWritePaths= or the like below them: a hidden directory cannot
-be opened again.
+ProtectHome=yes or ProtectHome=tmpfs, when one of these is below /home, /root or /run/user:
+
+- the working directory, the program, a sourced workspace, or another argument;
+- a path in ReadWritePaths=, ReadOnlyPaths= or ExecPaths=, which cannot reopen a hidden directory.
 
 ## Why it matters on a robot
-The service fails with 200/CHDIR or 203/EXEC, or setup.bash is "not found" although it is there. With
-ProtectHome=tmpfs a path in ReadWritePaths= ends the start with 226/NAMESPACE.
+The service fails with 200/CHDIR or 203/EXEC, or setup.bash is "not found" although it exists. With
+ProtectHome=tmpfs, a path in ReadWritePaths= makes the start fail with 226/NAMESPACE.
 
 ## Bad
 ```ini
@@ -26,7 +27,10 @@ LogsDirectory=ros2
 Environment=ROS_LOG_DIR=/var/log/ros2
 ProtectHome=yes
 ```
-or ProtectHome=read-only, when the service only reads there.
+or ProtectHome=read-only, if the service only reads there.
+
+## When to ignore it
+When the argument is only a name that the program does not open, or a file that it can do without.
 
 ## References
 - systemd.exec(5), ProtectHome= and InaccessiblePaths=
@@ -70,12 +74,12 @@ def protecthome_workspace(robot: Robot) -> Iterator[Finding]:
         for word, path, _ in lists[:1]:
             yield finding(
                 word,
-                f"{path} lies below a directory that ProtectHome={home.at} {state}: "
-                + ("the service does not start, 226/NAMESPACE" if hard else "this line cannot open it again"),
-                advice="use ProtectHome=read-only, or keep the data outside of the homes",
+                f"{path} is below a directory that ProtectHome={home.at} {state}: "
+                + ("the service does not start, 226/NAMESPACE" if hard else "this line cannot reopen it"),
+                advice="use ProtectHome=read-only, or keep the data outside of the home folders",
                 related=[
                     note(home.at, f"{state} it"),
-                    *(note(other.word, "likewise") for other in lists[1:]),
+                    *(note(other.word, "cannot be reopened either") for other in lists[1:]),
                 ],
             )
         if needed or lists:
@@ -84,10 +88,10 @@ def protecthome_workspace(robot: Robot) -> Iterator[Finding]:
             yield finding(
                 home.at,
                 f"ProtectHome={home.at} {state} {names[0]}{more}, which {unit.name} needs",
-                advice="use ProtectHome=read-only with logs elsewhere, or install outside of the homes",
+                advice="use ProtectHome=read-only with logs elsewhere, or install outside of the home folders",
                 related=[
                     *(note(word, "needs it") for word, _ in needed),
-                    *(note(entry.word, "cannot open it again") for entry in lists),
+                    *(note(entry.word, "cannot reopen it") for entry in lists),
                 ],
             )
 

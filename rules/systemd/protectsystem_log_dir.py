@@ -1,16 +1,22 @@
-"""The ROS nodes cannot write their logs.
+"""The sandbox prevents the ROS nodes from writing their logs.
 
 ## What it finds
-A ROS service whose log directory (ROS_LOG_DIR, else ROS_HOME/log, else ~/.ros/log) is read-only or hidden
-for it: outside of ReadWritePaths= and LogsDirectory= under ProtectSystem=strict, below a home that
-ProtectHome= closes, or nowhere, because a dynamic user or a user without home has none. Also ROS_LOG_DIR
-below a directory of root that nothing creates, for a user who may not. The default directory under
-ProtectSystem=strict alone is reported as information: systemd leaves /home writable, against what its
-manual page says.
+A ROS service that cannot write to its log directory (ROS_LOG_DIR, otherwise ROS_HOME/log, otherwise
+~/.ros/log):
+
+- error: ProtectSystem=strict makes the directory read-only, because neither ReadWritePaths= nor
+  LogsDirectory= covers it;
+- error: ProtectHome= closes the home that contains it;
+- error: there is none, because the user is dynamic or has no home;
+- warning: ROS_LOG_DIR is below a directory of root, nothing creates it, and the user may not;
+- info: the default directory is writable under ProtectSystem=strict only because systemd leaves /home
+  writable, which contradicts its manual page.
+
+An error becomes a warning when the command of the service cannot be followed completely.
 
 ## Why it matters on a robot
-rcl sets up logging first of all. Without a directory to write to, every node ends at once with "Failed to
-get logging directory".
+rcl sets up logging before anything else. Without a directory to write to, every node exits at once with
+"Failed to get logging directory".
 
 ## Bad
 ```ini
@@ -30,6 +36,10 @@ Environment=ROS_LOG_DIR=/var/log/rover
 ProtectSystem=strict
 ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rover base.launch.py'
 ```
+
+## When to ignore it
+When the nodes disable file logging (`--disable-external-lib-logs`), or when provisioning creates the
+directory for the user.
 
 ## References
 - systemd.exec(5), ProtectSystem=, ProtectHome= and LogsDirectory=
@@ -83,14 +93,14 @@ def protectsystem_log_dir(robot: Robot) -> Iterator[Finding]:
 
 
 def _related(unit, box, log, where):
-    parts = [(log.at, "the log directory"), (unit.get("User"), "who has to write there")]
+    parts = [(log.at, "the log directory"), (unit.get("User"), "the user that must write there")]
     if where is log.at:
         parts.append((unit.where, f"{unit.name} logs there"))
     return [note(at, text) for at, text in parts if at is not None and at is not where]
 
 
 def _verdict(unit, robot, box, log):
-    ends = f'every node of {unit.name} ends with "Failed to get logging directory"'
+    ends = f'every node of {unit.name} exits with "Failed to get logging directory"'
     if log.path is None:
         return (
             unit.get("DynamicUser") or unit.get("User") or unit.where,
@@ -104,7 +114,7 @@ def _verdict(unit, robot, box, log):
             return None
         return (
             view.at or unit.where,
-            f"{view.why} makes {view.prefix} {closed}, the logs go to {log.path}: {ends}",
+            f"{view.why} makes {view.prefix} {closed}, but the logs go to {log.path}: {ends}",
             "error",
         )
     if (
@@ -121,8 +131,8 @@ def _verdict(unit, robot, box, log):
         and view.prefix in ("/home", "/root")
     ):
         text = (
-            f"{log.path} stays writable only because ProtectSystem=strict leaves {view.prefix} alone, "
-            "against its manual page"
+            f"{log.path} is writable only because ProtectSystem=strict leaves {view.prefix} writable, "
+            "which contradicts its manual page"
         )
         return box.protect_system.at or unit.where, text, "info"
     return None

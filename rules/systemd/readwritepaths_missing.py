@@ -1,14 +1,18 @@
-"""A sandbox path that nothing creates.
+"""Nothing creates a path of the sandbox.
 
 ## What it finds
-A path in ReadWritePaths=, ReadOnlyPaths=, BindPaths= or BindReadOnlyPaths= without `-`, that no tmpfiles.d
-line, no LogsDirectory=, StateDirectory= or the like, no mount and no script of the tree creates. In a root
-file system absence is proven everywhere, in a repository only below /var/log, /var/lib, /run and the other
-places where nothing is by itself. Device nodes that may be unplugged are reported as information.
+A path without `-` in ReadWritePaths=, ReadOnlyPaths=, BindPaths= or BindReadOnlyPaths= that nothing in the
+tree creates: no tmpfiles.d line, no LogsDirectory=, StateDirectory= or similar setting, no mount and no
+script.
+
+- In a complete root file system, every path is checked.
+- In a repository, only paths below /var/log, /var/lib, /run and similar folders are checked, where nothing
+  exists by default.
+- A device node that may be unplugged is an info.
 
 ## Why it matters on a robot
-systemd cannot build the name space and the service does not even start: 226/NAMESPACE. It works on the
-developer's robot, where somebody made the directory by hand, and fails on the next one.
+systemd cannot set up the mount namespace, and the service does not start: 226/NAMESPACE. It works on the
+developer's robot, where somebody created the directory by hand, and fails on the next one.
 
 ## Bad
 ```ini
@@ -23,6 +27,10 @@ ReadWritePaths=/var/log/rover
 ProtectSystem=strict
 LogsDirectory=rover
 ```
+
+## When to ignore it
+When another package or a provisioning step that is not in this tree creates the path before the service
+starts.
 
 ## References
 - systemd.exec(5), ReadWritePaths= (the `-` prefix) and LogsDirectory=
@@ -76,11 +84,11 @@ def readwritepaths_missing(robot: Robot) -> Iterator[Finding]:
                     continue
                 yield finding(
                     word,
-                    f"When {path} is not there, {unit.name} does not start: 226/NAMESPACE"
+                    f"When {path} does not exist, {unit.name} does not start: 226/NAMESPACE"
                     if device
                     else f"Nothing creates {path}: {unit.name} does not start, 226/NAMESPACE",
                     advice=_advice(path, device),
-                    fix=fix("ignore it when it is missing", (word.part(0, 0), "-")) if unit.editable else None,
+                    fix=fix(f"write -{path}", (word.part(0, 0), "-")) if unit.editable else None,
                     severity="info" if device else "warning",
                     confidence="high" if robot.tree.complete and not device else "medium",
                 )

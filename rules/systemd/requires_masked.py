@@ -4,8 +4,8 @@
 `Requires=`, `Requisite=` or `BindsTo=` of a unit that a link to `/dev/null` or an empty file masks.
 
 ## Why it matters on a robot
-A masked unit cannot start, so the start of what requires it fails: "Unit chrony.service is masked". Masks
-are set by hand on one robot, and forgotten when its image becomes the image of all.
+A masked unit cannot start, so that every unit that requires it fails: "Unit chrony.service is masked".
+Somebody masks a unit by hand on one robot, and later its image becomes the image of all robots.
 
 ## Bad
 ```ini
@@ -19,6 +19,9 @@ Requires=base.service
 [Unit]
 Wants=base.service
 ```
+
+## When to ignore it
+When the mask is meant to block both units, for example on a variant without this hardware.
 
 ## References
 - systemctl(1), "mask"
@@ -44,6 +47,6 @@ def requires_masked(robot: Robot) -> Iterator[Finding]:
                     yield finding(
                         word,
                         f"{word} is masked: {unit.name} fails to start",
-                        advice=f"unmask it (systemctl unmask {word}), or drop the dependency",
+                        advice=f"unmask it (systemctl unmask {word}), or remove the dependency",
                         related=[note(other.masked, "masked here")],
                     )

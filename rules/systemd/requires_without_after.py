@@ -1,14 +1,14 @@
 """Requires= or BindsTo= without an order.
 
 ## What it finds
-A unit that requires another one, or is bound to it, while neither is ordered before the other, explicitly
-or by what systemd adds. Mounts, swaps and slices, which order themselves, the distribution's sockets and
-the targets of early boot are left out.
+A unit that requires another one, or is bound to it, when neither is ordered before the other, explicitly or
+by systemd. Exempt are mounts, swaps and slices, which systemd orders itself, the distribution's sockets, and
+the targets of early boot.
 
 ## Why it matters on a robot
-A requirement does not order. systemd starts both at the same moment: the planner comes up before the
-driver, and when the driver fails to start, the planner is already running, because only what waits is held
-back. `BindsTo=` without `After=` has the same hole.
+A requirement does not define an order. systemd starts both units at the same time, and the planner may start
+before the driver. When the driver fails to start, the planner is already running, because only a unit that
+waits is held back. `BindsTo=` without `After=` has the same gap.
 
 ## Bad
 ```ini
@@ -22,6 +22,10 @@ Requires=base-driver.service
 Requires=base-driver.service
 After=base-driver.service
 ```
+
+## When to ignore it
+When the two units may start in any order, and a failed start of the other one must not stop this one.
+`Wants=` says that better.
 
 ## References
 - systemd.unit(5), "Requires=", "BindsTo="
@@ -57,7 +61,7 @@ def requires_without_after(robot: Robot) -> Iterator[Finding]:
                         continue
                     yield finding(
                         word,
-                        f"{key}={word} does not order: both start at the same time, and if "
+                        f"{key}={word} does not define an order: both start at the same time, and if "
                         f"{word} fails, {unit.name} is already running",
                         advice=f"add After={word}",
                         fix=fix(f"add After={word}", (line.end, f"\nAfter={word}")),

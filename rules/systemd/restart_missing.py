@@ -1,13 +1,15 @@
-"""Nothing restarts the ROS service when it dies.
+"""Nothing restarts the ROS service when it exits.
 
 ## What it finds
-A service that starts ROS 2 and stays (not Type=oneshot, not started by a timer or path unit) without
-Restart=. An explicit Restart=no is taken as a decision and reported as information only, as is a service of
-a ROS tree whose start script is not in it.
+A ROS service without Restart= that should keep running: it is not Type=oneshot, and no timer or path unit
+starts it. It is an info in two cases:
+
+- Restart=no is set explicitly, which is a decision;
+- the start script of the service is not in the tree.
 
 ## Why it matters on a robot
-The first segmentation fault, the first unplugged cable ends the stack until somebody logs in. On a robot in
-the field that is the end of the mission.
+The first segmentation fault or the first unplugged cable stops the robot's software until somebody logs in.
+On a robot in the field, that is the end of the mission.
 
 ## Bad
 ```ini
@@ -26,6 +28,10 @@ ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rov
 Restart=always
 RestartSec=2
 ```
+
+## When to ignore it
+When an operator must decide whether the robot may move again after a crash, or when another supervisor
+restarts the processes.
 
 ## References
 - systemd.service(5), Restart=: the default is no
@@ -54,8 +60,8 @@ def restart_missing(robot: Robot) -> Iterator[Finding]:
         chosen, known = policy.restart_at is not None, unit in units.ros
         yield finding(
             policy.restart_at or unit.where,
-            f"If what {unit.name} runs dies, nothing starts it again",
-            advice="set Restart=always (ros2 launch often ends with status 0) and a start limit",
+            f"When the process of {unit.name} exits, nothing restarts it",
+            advice="set Restart=always (ros2 launch often exits with status 0) and a start limit",
             fix=_restart(unit) if unit.editable and not chosen else None,
             severity="warning" if known and not chosen else "info",
             confidence="high" if known else "medium",
@@ -72,4 +78,4 @@ def _restart(unit):
     edits = [unit.new_line("Service", "Restart=always\nRestartSec=2")]
     if not (unit.has("StartLimitBurst", "Unit") or unit.has("StartLimitIntervalSec", "Unit")):
         edits.insert(0, unit.new_line("Unit", "StartLimitIntervalSec=60\nStartLimitBurst=5"))
-    return fix("restart it, 5 times a minute at most", *edits, safe=False)
+    return fix("restart it, at most 5 times a minute", *edits, safe=False)

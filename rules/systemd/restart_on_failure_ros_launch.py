@@ -1,12 +1,12 @@
-"""Restart=on-failure around ros2 launch, which hardly ever fails.
+"""Restart=on-failure with ros2 launch, which hardly ever fails.
 
 ## What it finds
-Restart=on-failure, on-abnormal or on-abort on a service whose main process is ros2 launch. Silent when the
-launch file is in the tree and respawns all of its nodes itself.
+Restart=on-failure, on-abnormal or on-abort on a service whose main process is ros2 launch. If the launch file
+is in the tree and respawns all of its nodes itself, nothing is reported.
 
 ## Why it matters on a robot
-ros2 launch keeps running when a node dies, and ends with status 0 after on_exit=Shutdown(). systemd sees a
-running or a cleanly ended service: the dead driver stays dead.
+ros2 launch keeps running when a node dies, and exits with status 0 after on_exit=Shutdown(). systemd sees a
+service that runs or has exited cleanly, and does not restart it: the dead driver stays dead.
 
 ## Bad
 ```ini
@@ -21,8 +21,12 @@ Restart=on-failure
 ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rover base.launch.py'
 Restart=always
 ```
-together with on_exit=Shutdown() for the nodes that the robot cannot do without, or respawn=True in the
-launch file.
+together with on_exit=Shutdown() for the nodes that are vital to the robot, or respawn=True in the launch
+file.
+
+## When to ignore it
+When the launch file exits with an error status by itself, or when a clean shutdown must not be followed by a
+restart and the nodes respawn.
 
 ## References
 - <https://github.com/ros2/launch/issues/816>: "process exits with Exit Code = 0"
@@ -58,11 +62,9 @@ def restart_on_failure_ros_launch(robot: Robot) -> Iterator[Finding]:
             continue
         yield finding(
             policy.restart_at,
-            "ros2 launch keeps running when a node dies, and ends with status 0 after Shutdown(): "
-            f"Restart={policy.restart} does not start {unit.name} again",
-            advice="set Restart=always, and let launch end with a vital node or respawn the nodes itself",
-            related=[note(programs[-1].where, "what is launched")],
-            fix=fix("restart it whenever it ends", (policy.restart_at, "always"), safe=False)
-            if unit.editable
-            else None,
+            "ros2 launch keeps running when a node dies, and exits with status 0 after Shutdown(): "
+            f"Restart={policy.restart} does not restart {unit.name}",
+            advice="set Restart=always, and make launch shut down with a vital node or respawn the nodes itself",
+            related=[note(programs[-1].where, "launches this file")],
+            fix=fix("set Restart=always", (policy.restart_at, "always"), safe=False) if unit.editable else None,
         )

@@ -1,15 +1,25 @@
-"""A crash loop that no start limit stops.
+"""A start limit that never stops a crash loop, or that leaves the service down for good.
 
 ## What it finds
-A service with Restart= whose start limit can never trip: it is switched off, or its interval is shorter
-than the restarts take (StartLimitBurst= × RestartSec= > StartLimitIntervalSec=). The defaults are 5 starts
-in 10 s, so RestartSec=3 alone is enough. StartLimitIntervalSec= in [Service] does not count, systemd
-ignores it there. Also: Restart=always with less than a second between restarts and no limit of its own,
-which the default limit stops for good after a second.
+A service with Restart= and a start limit that acts too late or too early:
+
+- The limit can never trip, so that a failing service restarts forever. Either it is disabled, or its interval
+  is shorter than the restarts take (StartLimitBurst= × RestartSec= > StartLimitIntervalSec=). The default is
+  5 starts in 10 s, so that RestartSec=3 alone is enough. It is a warning for Restart=always, for ROS
+  services, and for units with a limit of their own or OnFailure=. It is an info for other units, and for
+  delays of 60 s or more.
+- The limit trips only if every start fails almost at once. It is an info.
+- The opposite: Restart=always with less than a second between restarts and no limit of its own. The default
+  limit trips after about a second, and the service stays down for good. It is a warning for ROS services, and
+  an info for others.
+
+systemd ignores StartLimitIntervalSec= in [Service], and so does this rule.
 
 ## Why it matters on a robot
-A driver whose device is missing restarts for ever: it fills the journal, takes the CPU from the others,
-jerks the device and never reaches "failed", so no alarm is raised and OnFailure= may never be started.
+A driver whose device is missing restarts forever. It fills the journal, takes CPU time from the other
+services and makes the device twitch. It never reaches "failed", so that no alarm is raised and OnFailure= may
+never run. A driver whose default limit trips after a second stays down after the first loose cable, until
+somebody logs in.
 
 ## Bad
 ```ini
@@ -31,6 +41,10 @@ ExecStart=/opt/robot/bin/drivers
 Restart=always
 RestartSec=5
 ```
+
+## When to ignore it
+When endless retries are intended and harmless, for example for a service that waits for a device that the
+operator plugs in. A RestartSec= of a minute or more, or RestartSteps=, makes the loop cheap.
 
 ## References
 - systemd.unit(5), StartLimitIntervalSec=; systemd.service(5), RestartSec= and RestartSteps=
@@ -94,12 +108,12 @@ def _verdict(policy, unit, ros, launch):
         intended = policy.own_limit or unit.has("OnFailure")
         bad = policy.longest < SLOW and (policy.restart == "always" or ros or intended)
         if not policy.limited:
-            message = f"The start limit is switched off: a failing {name} restarts every {every} for ever"
+            message = f"The start limit is disabled: a failing {name} restarts every {every} forever"
         else:
             sums = "The first {0} delays take {2}" if policy.steps else "{0} restarts × {1} = {2}"
             sums = sums.format(policy.burst, every, duration(policy.loop()))
             message = (
-                f"{sums} > {duration(policy.interval)}: the start limit never trips, a failing {name} restarts for ever"
+                f"{sums} > {duration(policy.interval)}: the start limit never trips, a failing {name} restarts forever"
             )
         return "warning" if bad else "info", message
     limit = f"{policy.burst} starts in {duration(policy.interval)}"
@@ -113,8 +127,8 @@ def _verdict(policy, unit, ros, launch):
         return None, ""
     if policy.restart == "always" and policy.delay < 1 and (ros or policy.delay):
         message = (
-            f"{name} restarts after {every} without a limit of its own: {limit} are the default, "
-            "then it stays down for good"
+            f"{name} restarts after {every} without a limit of its own: after {limit}, "
+            "the default, it stays down for good"
         )
         return "warning" if ros else "info", message
     if launch and policy.loop(FAILING_LAUNCH) > policy.interval:
@@ -122,18 +136,18 @@ def _verdict(policy, unit, ros, launch):
         return (
             "info",
             f"The default limit of {limit} trips only if every start fails within "
-            f"{duration(round(spare, 2))}: {name} goes on",
+            f"{duration(round(spare, 2))}: otherwise {name} restarts forever",
         )
     return None, ""
 
 
 def _parts(policy, where):
     lines = [
-        (policy.restart_at, "restarts"),
+        (policy.restart_at, "enables the restarts"),
         (policy.delay_at, "the delay"),
         (policy.interval_at, "the interval of the limit"),
         (policy.burst_at, "the starts that the limit allows"),
-        *((at, "ignored: StartLimitIntervalSec= counts in [Unit] only") for at in policy.misplaced),
+        *((at, "ignored: StartLimitIntervalSec= belongs in [Unit]") for at in policy.misplaced),
     ]
     return [note(at, text) for at, text in lines if at is not None and at is not where]
 

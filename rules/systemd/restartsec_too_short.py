@@ -1,13 +1,13 @@
 """Less than a second between restarts.
 
 ## What it finds
-A service with Restart= and RestartSec= below one second, or without RestartSec=: the default is 100 ms.
-RestartSec=0 on a service without ROS is taken as a decision.
+A service with Restart= that restarts in less than a second: RestartSec= is shorter, or not set (the default
+is 100 ms). RestartSec=0 on a service without ROS is a decision and exempt.
 
 ## Why it matters on a robot
-Serial ports, cameras and network ports need a moment until they are free again; a driver that is back after
-100 ms finds its device busy. Five such failures take less than two seconds, and then the default start
-limit leaves the service down.
+Serial ports, cameras and network ports need a moment until they are free again. A driver that restarts after
+100 ms finds its device busy. Five such failures take less than two seconds. The default start limit then
+leaves the service down.
 
 ## Bad
 ```ini
@@ -23,6 +23,9 @@ ExecStart=/opt/robot/bin/lidar-driver
 Restart=on-failure
 RestartSec=2
 ```
+
+## When to ignore it
+When the service opens no device or port, and its start limit allows the fast restarts.
 
 ## References
 - systemd.service(5), RestartSec=
@@ -49,8 +52,8 @@ def restartsec_too_short(robot: Robot) -> Iterator[Finding]:
         unset = "" if policy.delay_at else " (the default)"
         yield finding(
             policy.delay_at or policy.restart_at,
-            f"{unit.name} restarts after {duration(policy.delay)}{unset}: its device or port may not be "
-            f"free again, and {policy.burst} failures in {duration(policy.interval)} leave it down",
+            f"{unit.name} restarts after {duration(policy.delay)}{unset}: its device or port may still be "
+            f"busy, and {policy.burst} failures in {duration(policy.interval)} leave it down",
             advice="set RestartSec=2 or more",
-            related=[note(policy.restart_at, "restarts")] if policy.delay_at else (),
+            related=[note(policy.restart_at, "enables the restarts")] if policy.delay_at else (),
         )

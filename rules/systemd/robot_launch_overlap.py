@@ -1,16 +1,20 @@
-"""Two services that start the same launch file.
+"""Two services start the same launch file.
 
 ## What it finds
-Two ROS services that start at boot together, where both launch the same file with the same arguments, or
-where the launch file of one includes the launch file of the other. If the launch files are not in the tree,
-a service that launches the whole robot by its name (`bringup.launch.py`) beside two or more that launch
-layers of the same package (`drivers.launch.py`) is reported with medium confidence. Services that exclude
-each other (`Conflicts=`) and includes that hang on a condition are left out.
+Two ROS services that start at boot together, in one of these cases:
+
+- Both launch the same file with the same arguments.
+- The launch file of one includes the launch file of the other.
+- The launch files are not in the tree, one service launches the whole robot by its name
+  (`bringup.launch.py`), and two or more launch layers of the same package (`drivers.launch.py`). This has
+  medium confidence.
+
+Services that exclude each other (`Conflicts=`) and conditional includes are exempt.
 
 ## Why it matters on a robot
-An umbrella service for the whole robot and a service for each layer are both enabled: every node runs
-twice. Two drivers fight for one serial port, two controllers publish to one topic, and two nodes of one
-name answer in turns.
+A service for the whole robot and a service for each layer are both enabled: every node runs twice. Two
+drivers compete for one serial port, two controllers publish to one topic, and two nodes with one name answer
+in turn.
 
 ## Bad
 ```ini
@@ -27,6 +31,9 @@ WantedBy=multi-user.target
 [Unit]
 Conflicts=rover-drivers.service
 ```
+
+## When to ignore it
+When only one of the services is ever enabled on a robot, for example because provisioning chooses it.
 
 ## References
 - ROS 2 documentation, "Managing large projects": one top-level launch file
@@ -64,8 +71,8 @@ def robot_launch_overlap(robot: Robot) -> Iterator[Finding]:
                 if include is not None:
                     yield finding(
                         second.where,
-                        f"{unit.name} already starts {second.where}: with both services every node of it runs twice",
-                        advice="enable one of the two, or let the umbrella be a target",
+                        f"{unit.name} already starts {second.where}: with both services, each of its nodes runs twice",
+                        advice="enable one of the two, or replace the service for the whole robot with a target",
                         related=[
                             note(ros.where, f"{unit.name} launches this file"),
                             note(include, "which includes it"),
@@ -74,9 +81,9 @@ def robot_launch_overlap(robot: Robot) -> Iterator[Finding]:
                 elif second.where.span in told:
                     yield finding(
                         second.where,
-                        f"{unit.name} and {other.name} both launch {second.where}: every node of it runs twice",
+                        f"{unit.name} and {other.name} both launch {second.where}: each of its nodes runs twice",
                         advice="enable one of the two",
-                        related=[note(ros.where, f"{unit.name} launches it too")],
+                        related=[note(ros.where, f"{unit.name} also launches it")],
                     )
 
         yield from _umbrella(robot, stack, [(unit, ros) for unit, ros in started if ros.where.span not in told])
@@ -98,8 +105,8 @@ def _umbrella(robot, stack, started):
             names = ", ".join(other.name for other, _ in others)
             yield finding(
                 ros.where,
-                f"{unit.name} seems to launch the whole robot and {names} its layers: together every node runs twice",
-                advice="enable one set, or let the umbrella be a target",
+                f"{unit.name} seems to launch the whole robot, and {names} its layers: together, every node runs twice",
+                advice="enable one set, or replace the service for the whole robot with a target",
                 related=[note(second.where, f"{other.name} launches a layer") for other, second in others],
                 confidence="medium",
             )

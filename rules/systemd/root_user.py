@@ -1,17 +1,22 @@
-"""A robot's software that runs as root.
+"""The robot's software runs as root.
 
 ## What it finds
-Services of the system manager that run as root (no `User=`, `User=root`, no `DynamicUser=`) and start ROS,
-with `+` before the command as well. Also long-running services that run an interpreter on a script of the
-robot, a program out of somebody's home folder, or a plain network relay. Commands that change the user
-themselves, and containers, are left out.
+A service of the system manager that runs as root (`User=` is not set or is root, and there is no
+`DynamicUser=`), or a command with the prefix `+`, that starts one of these:
+
+- ROS;
+- in a long-running service: an interpreter with a script of the robot;
+- in a long-running service: a program in somebody's home folder;
+- in a long-running service: a plain network relay such as socat.
+
+Commands that change the user themselves, and containers, are exempt.
 
 ## Why it matters on a robot
-Every node, every message parser and every script then may write firmware, change the network and read keys,
-so one bug in a driver is the whole robot. Files that root writes (logs, maps, caches) cannot be changed by
-the robot's user later, and the shared memory of Fast DDS that root creates is closed to nodes of other
-users: topics are listed, data never arrives. A program below `/home` is worse: whoever owns that home
-decides what root runs.
+Every node, every message parser and every script may then write firmware, change the network and read keys:
+one bug in a driver compromises the whole robot. The robot's user cannot change files that root wrote (logs,
+maps, caches). The shared memory of Fast DDS that root creates is closed to nodes of other users: topics are
+listed, but data never arrives. A program below `/home` is worse: the owner of that home decides what root
+runs.
 
 ## Bad
 ```ini
@@ -26,6 +31,10 @@ User=rover
 SupplementaryGroups=dialout video
 ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rover_bringup rover.launch.py'
 ```
+
+## When to ignore it
+When the program needs full root and does little else, for example a flashing or provisioning tool. For a
+driver, grant groups and capabilities instead.
 
 ## References
 - systemd.exec(5), "User="
@@ -76,15 +85,15 @@ def root_user(robot: Robot) -> Iterator[Finding]:
                 yield finding(
                     process.program,
                     message,
-                    advice="drop the '+'",
-                    related=[note(user, "does not count here")],
+                    advice="remove the '+'",
+                    related=[note(user, "has no effect here")],
                 )
             else:
                 yield finding(
                     user or unit.where,
                     f"{unit.name} runs {what} as root" + ("" if user else ": it has no User="),
-                    advice="add a User= of its own, and SupplementaryGroups= for the devices it opens",
-                    related=[note(where, "started here")],
+                    advice="add a User= of its own, and SupplementaryGroups= for the devices that it opens",
+                    related=[note(where, "the unit starts it here")],
                     fix=_fix(units, unit, user),
                     confidence=confidence,
                 )
@@ -113,7 +122,7 @@ def runs(robot, unit, process):
         return "ROS", where, "high"
     if unit in robot.units.presumed_ros and process.lost_script:
         return (
-            f"{process.lost_script} (presumably ROS: it is not in this tree)",
+            f"{process.lost_script} (probably ROS: it is not in this tree)",
             process.lost_script,
             "medium",
         )
@@ -142,7 +151,7 @@ def _fix(units, unit, user):
         return None
     (name,) = others
     return fix(
-        f"run it as {name}, like its neighbours",
+        f"run it as {name}, like the other ROS services",
         (user, name) if user else unit.new_line("Service", f"User={name}"),
         safe=False,
     )

@@ -1,13 +1,15 @@
 """The unit names one ROS distribution and sources another.
 
 ## What it finds
-A process that sources `/opt/ros/<distro>/setup.*`, or starts a program below it, while `ROS_DISTRO` in its
-environment (unit, environment files, exports before it) names another one. Also two distributions sourced
-by one process.
+A mix of ROS distributions in one service:
+
+- a process sources `/opt/ros/<distro>/setup.*`, or starts a program below it, while `ROS_DISTRO` in its
+  environment (unit, environment files, earlier exports) names another distribution;
+- one process sources two distributions.
 
 ## Why it matters on a robot
-After an upgrade half of the files still name the old release. Libraries of two releases do not mix: nodes
-crash with undefined symbols, or messages are not understood; whatever builds paths from `ROS_DISTRO` looks
+After an upgrade, half of the files still name the old release. Libraries of two releases do not mix: nodes
+crash with undefined symbols or do not understand messages. Anything that builds paths from `ROS_DISTRO` looks
 in the wrong place.
 
 ## Bad
@@ -23,6 +25,9 @@ ExecStart=/bin/bash -c 'source /opt/ros/humble/setup.bash && exec ros2 launch ro
 Environment=ROS_DISTRO=jazzy
 ExecStart=/bin/bash -c 'source /opt/ros/${ROS_DISTRO}/setup.bash && exec ros2 launch rover rover.launch.py'
 ```
+
+## When to ignore it
+When the process is a bridge that uses two distributions on purpose, such as ros1_bridge.
 
 ## References
 - REP 2000, releases and target platforms
@@ -57,19 +62,19 @@ def ros_distro_mismatch(robot: Robot) -> Iterator[Finding]:
 
 
 def _finding(unit, process, step, word, distro, chosen, named):
-    there = note(chosen[0], f"{chosen[1]} is named here")
+    there = note(chosen[0], f"names {chosen[1]}")
     start = [note(process.program, f"{unit.name} starts it here")] if step.script else []
     if named and named.text == chosen[1] and step.script:
         return finding(
             named.value,
             f"ROS_DISTRO says {chosen[1]}, but {step.script.basename}, which {unit.name} starts, uses {distro}",
-            advice="name one distribution, best through ${ROS_DISTRO}",
-            related=[note(word, f"{distro} is used here"), *start],
+            advice="name one distribution, preferably through ${ROS_DISTRO}",
+            related=[note(word, f"uses {distro}"), *start],
         )
     return finding(
         word,
         f"{unit.name} uses {distro} here" + (f" while ROS_DISTRO says {chosen[1]}" if named else f" after {chosen[1]}"),
-        advice="name one distribution, best through ${ROS_DISTRO}",
+        advice="name one distribution, preferably through ${ROS_DISTRO}",
         related=[there, *start],
     )
 

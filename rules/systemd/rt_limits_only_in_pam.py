@@ -1,15 +1,18 @@
-"""Real-time limits that only a login gets.
+"""Real-time limits that apply only to logins, not to the service.
 
 ## What it finds
-/etc/security/limits.conf or limits.d grants rtprio, memlock or nice to the user of a ROS service (or to a
-group of the user), and the unit has no LimitRTPRIO=, LimitMEMLOCK= or LimitNICE=. PAM reads these files at
-login; systemd does not. An error when the service runs ros2_control; information when it is only nice and
-the unit sets Nice=, which systemd applies itself, and for services that show no interest in scheduling
-while another service of the user does.
+/etc/security/limits.conf or limits.d grants rtprio, memlock or nice to the user of a ROS service, or to a
+group of that user, but the unit has no LimitRTPRIO=, LimitMEMLOCK= or LimitNICE=. PAM reads these files at
+login. systemd does not read them.
+
+- error: the service runs ros2_control;
+- warning: other ROS services;
+- info: only nice is granted, and the unit sets Nice=, which systemd applies itself;
+- info: the service sets no priority, while another service of the same user does.
 
 ## Why it matters on a robot
-By hand, from an SSH session, the control loop gets its priority; as a service it is refused, and nobody
-looks at the one line in the log. The arm jitters only in production.
+Started by hand in an SSH session, the control loop gets its priority. As a service it does not, and nobody
+reads the one line in the log. The arm jitters only in production.
 
 ## Bad
 ```ini
@@ -27,6 +30,10 @@ LimitRTPRIO=98
 LimitMEMLOCK=infinity
 ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rover arm.launch.py'
 ```
+
+## When to ignore it
+When the limits are meant only for people who log in, and the nodes of this service need no real-time priority
+or locked memory.
 
 ## References
 - systemd.exec(5), "Process Properties"; limits.conf(5), pam_limits(8)
@@ -83,10 +90,10 @@ def rt_limits_only_in_pam(robot: Robot) -> Iterator[Finding]:
         keys = [f"{SETTING[item]}={_value(item, grants[-1].value)}" for item, grants in missing.items()]
         yield finding(
             unit.get("User") or unit.where,
-            f"limits.d grants {', '.join(missing)} to logins only: {unit.name} runs without it",
+            f"limits.d grants {', '.join(missing)} only to logins: {unit.name} runs without it",
             advice=f"set {' and '.join(keys)} in the unit",
-            related=[note(grant.line, "read by PAM at login") for grants in missing.values() for grant in grants],
-            fix=fix("grant it to the service", unit.new_line("Service", "\n".join(keys)), safe=False)
+            related=[note(grant.line, "PAM reads this at login") for grants in missing.values() for grant in grants],
+            fix=fix("set the limit in the unit", unit.new_line("Service", "\n".join(keys)), safe=False)
             if unit.editable
             else None,
             severity=severity,

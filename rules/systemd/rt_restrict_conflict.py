@@ -1,13 +1,15 @@
-"""RestrictRealtime= forbids what the unit asks for.
+"""RestrictRealtime= forbids the real-time priority that the unit requests.
 
 ## What it finds
-RestrictRealtime=yes together with LimitRTPRIO= (an error: the permission can never be used) or with
-CPUSchedulingPolicy=fifo or rr (a warning: systemd still starts the process with that policy, but the
-process may not choose one for its threads).
+RestrictRealtime=yes together with one of these settings:
+
+- error: LimitRTPRIO=, because the service can never use it;
+- warning: CPUSchedulingPolicy=fifo or rr. systemd starts the process with that policy, but the process cannot
+  set one for its threads.
 
 ## Why it matters on a robot
-The control loop asks for its real-time priority, is refused, and runs with the jitter of an ordinary
-process.
+The kernel rejects the control loop's request for real-time priority. The loop runs with the jitter of an
+ordinary process.
 
 ## Bad
 ```ini
@@ -23,6 +25,9 @@ RestrictRealtime=yes
 ExecStart=/opt/ros/jazzy/lib/controller_manager/ros2_control_node
 LimitRTPRIO=99
 ```
+
+## When to ignore it
+The warning, when the process needs no policy other than the one that systemd gives it at the start.
 
 ## References
 - systemd.exec(5), RestrictRealtime=
@@ -51,17 +56,17 @@ def rt_restrict_conflict(robot: Robot) -> Iterator[Finding]:
         if limit and limit.partition(":")[0] != "0":
             yield finding(
                 limit,
-                f"RestrictRealtime= refuses every real-time priority, so LimitRTPRIO={limit} is of no "
-                f"use to {unit.name}",
-                advice="drop RestrictRealtime= or the limit",
-                related=[note(restricted.at, "refuses real-time scheduling")],
+                f"RestrictRealtime= forbids every real-time priority, so LimitRTPRIO={limit} has no "
+                f"effect on {unit.name}",
+                advice="remove RestrictRealtime= or the limit",
+                related=[note(restricted.at, "forbids real-time scheduling")],
             )
         elif policy in ("fifo", "rr"):
             yield finding(
                 policy,
-                f"{unit.name} starts with {policy} scheduling, but RestrictRealtime= refuses it any "
-                "policy for its own threads",
-                advice="drop RestrictRealtime=",
-                related=[note(restricted.at, "refuses real-time scheduling")],
+                f"{unit.name} starts with {policy} scheduling, but RestrictRealtime= forbids it to set "
+                "a real-time policy for its threads",
+                advice="remove RestrictRealtime=",
+                related=[note(restricted.at, "forbids real-time scheduling")],
                 severity="warning",
             )

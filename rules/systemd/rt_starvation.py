@@ -1,12 +1,15 @@
-"""Real-time scheduling for a whole launch tree.
+"""Real-time scheduling for all nodes of a launch file.
 
 ## What it finds
-A service that runs ros2 launch with CPUSchedulingPolicy=fifo or rr at priority 90 and above or without a
-priority, or with IOSchedulingClass=realtime. Children inherit both.
+A service that runs ros2 launch and lets every child inherit one of these:
+
+- CPUSchedulingPolicy=fifo or rr with a priority of 90 or above, or without a priority, unless
+  CPUSchedulingResetOnFork= is set;
+- IOSchedulingClass=realtime.
 
 ## Why it matters on a robot
-Every node, the logging ones included, then goes before journald, sshd and the kernel's own threads. One
-busy loop locks the machine; one bag recorder starves every other disk access.
+Every node, including the loggers, then has priority over journald, sshd and the kernel's own threads. One
+busy loop locks the machine. One bag recorder starves all other disk access.
 
 ## Bad
 ```ini
@@ -25,6 +28,10 @@ ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec /opt/ros/jazzy/
 CPUSchedulingPolicy=fifo
 CPUSchedulingPriority=50
 ```
+
+## When to ignore it
+When every node of the launch file is a control loop with a bounded run time, and CPU cores are reserved for
+the rest of the system.
 
 ## References
 - systemd.exec(5), CPUSchedulingPolicy=, CPUSchedulingResetOnFork= and IOSchedulingClass=; sched(7)
@@ -56,7 +63,7 @@ def rt_starvation(robot: Robot) -> Iterator[Finding]:
             and inherited
             and (priority is None or (priority.isdigit() and int(priority) >= HIGH))
         ):
-            level = f"priority {priority}" if priority else "no priority of its own choice"
+            level = f"priority {priority}" if priority else "no explicit priority"
             yield finding(
                 priority or policy,
                 f"All nodes of {unit.name} run with {policy} scheduling, {level}: a busy loop in one of "
@@ -68,7 +75,7 @@ def rt_starvation(robot: Robot) -> Iterator[Finding]:
         if io in ("realtime", "1"):
             yield finding(
                 io,
-                f"All nodes of {unit.name} go before every other disk access: journald, sshd and the rest can starve",
-                advice="drop the line, or give the class to one service that needs it",
+                f"The disk access of all nodes of {unit.name} comes first: journald, sshd and the rest can starve",
+                advice="remove the line, or set the class only for the one service that needs it",
                 related=tree,
             )

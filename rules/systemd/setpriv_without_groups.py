@@ -1,12 +1,11 @@
-"""setpriv that leaves the user's groups behind.
+"""setpriv without the user's groups.
 
 ## What it finds
-A command that changes the user with `setpriv --reuid` and neither sets up the groups of that user
-(`--init-groups`) nor names groups (`--groups`).
+A command that changes the user with `setpriv --reuid`, and has neither `--init-groups` nor `--groups`.
 
 ## Why it matters on a robot
-The process runs as the right user but without `dialout`, `video` or `input`: serial ports, cameras and
-joysticks stay closed, while the same command works in a shell of that user.
+The process runs as the right user but without `dialout`, `video` or `input`. It cannot open serial ports,
+cameras and joysticks, although the same command works in a shell of that user.
 
 ## Bad
 ```ini
@@ -20,6 +19,9 @@ ExecStart=/usr/bin/setpriv --reuid rover --regid rover --clear-groups /opt/rover
 User=rover
 ExecStart=/opt/rover/bin/base
 ```
+
+## When to ignore it
+When the process opens no device and needs no group besides its primary one.
 
 ## References
 - setpriv(1)
@@ -48,8 +50,8 @@ def setpriv_without_groups(robot: Robot) -> Iterator[Finding]:
                     continue
                 yield finding(
                     user[0],
-                    "The process gets the user but not the user's groups: devices of dialout, video or input stay "
-                    "closed",
+                    "The process gets the user but not the user's groups: it cannot open devices of dialout, video "
+                    "or input",
                     advice="use User= in the unit, or add --init-groups",
                     related=[note(process.program, f"{unit.name} starts it here")] if step.script else (),
                 )

@@ -1,12 +1,12 @@
-"""Bash words in /bin/sh.
+"""Bash syntax in /bin/sh.
 
 ## What it finds
-`source` in text that `sh` reads, and a `setup.bash` or `.bashrc` read by `sh` with a dot: in the `-c` text
-of a unit, or in a script of the tree that a unit starts.
+`sh` reads `source`, or reads a `setup.bash` or `.bashrc` with a dot, in the `-c` text of a unit or in a
+script of the tree that a unit starts.
 
 ## Why it matters on a robot
-On Ubuntu and Debian `/bin/sh` is dash. It has no `source` ("source: not found"), and a `setup.bash` fails
-in it at the first bash word. The service ends at once, or goes on without the ROS environment.
+On Ubuntu and Debian, `/bin/sh` is dash. It has no `source` ("source: not found"), and a `setup.bash` fails in
+it at the first bash keyword. The service exits at once or continues without the ROS environment.
 
 ## Bad
 ```ini
@@ -19,6 +19,9 @@ ExecStart=/bin/sh -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rover
 [Service]
 ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rover_bringup rover.launch.py'
 ```
+
+## When to ignore it
+When `/bin/sh` on the robot is bash, as on Fedora or in some Yocto images.
 
 ## References
 - dash(1)
@@ -55,7 +58,7 @@ def sh_source(robot: Robot) -> Iterator[Finding]:
                 shell = _shell(process, step)
                 yield finding(
                     words[0],
-                    f"{message}: the command fails and what follows has no ROS environment",
+                    f"{message}: the command fails, and later commands have no ROS environment",
                     advice="run it with /bin/bash",
                     related=[note(process.program, f"{unit.name} starts it here")] if step.script else (),
                     fix=fix("use /bin/bash", (shell, "/bin/bash")) if shell is not None else None,

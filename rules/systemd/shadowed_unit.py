@@ -1,12 +1,12 @@
 """A unit in /etc hides the packaged one completely.
 
 ## What it finds
-A unit file in a directory of higher priority (`/etc/systemd/system`) of the same name as one in a lower one
-(`/usr/lib/systemd/system`). Masks and links are left out.
+A unit file in a directory of higher priority (`/etc/systemd/system`) with the same name as one in a directory
+of lower priority (`/usr/lib/systemd/system`). Masks and links are exempt.
 
 ## Why it matters on a robot
-The two are never merged: what the package changes later, a security fix among it, does not arrive. A
-drop-in keeps the packaged file and changes only what it names.
+systemd never merges the two: later changes in the package, such as a security fix, have no effect. A drop-in
+keeps the packaged file and changes only the settings that it names.
 
 ## Bad
 ```
@@ -19,6 +19,9 @@ drop-in keeps the packaged file and changes only what it names.
 /etc/systemd/system/chrony.service.d/wait.conf
 /usr/lib/systemd/system/chrony.service
 ```
+
+## When to ignore it
+When the unit in /etc is a complete replacement on purpose.
 
 ## References
 - systemd.unit(5), "Unit File Load Path"
@@ -44,6 +47,6 @@ def shadowed_unit(robot: Robot) -> Iterator[Finding]:
         yield finding(
             own,
             f"{own.robot_path} hides {hidden.source.robot_path} completely: nothing of it applies",
-            advice=f"put what differs into {unit.name}.d/*.conf",
-            related=[note(hidden.source, "hidden")],
+            advice=f"move the differences to {unit.name}.d/*.conf",
+            related=[note(hidden.source, "the hidden file")],
         )

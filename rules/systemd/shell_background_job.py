@@ -2,11 +2,11 @@
 
 ## What it finds
 `ros2 ... &` in the shell text or script of ExecStart=. It is an error when nothing keeps the shell running
-afterwards.
+after the job, and a warning otherwise.
 
 ## Why it matters on a robot
-The shell is the main process. When it ends, systemd takes the service for finished and kills the job; when
-it goes on, for instance with `wait`, the crash of a job goes unnoticed and Restart= never acts.
+The shell is the main process. When it exits, systemd considers the service finished and kills the job. When
+it keeps running, for example with `wait`, the crash of a job goes unnoticed, and Restart= has no effect.
 
 ## Bad
 ```ini
@@ -20,6 +20,9 @@ ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash; ros2 launch rover base
 ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rover base.launch.py'
 ```
 and a unit of its own for every further process.
+
+## When to ignore it
+When the shell waits for every job and exits when one of them does, for example with `wait -n`.
 
 ## References
 - systemd.service(5), Type=simple; systemd.kill(5)
@@ -49,11 +52,11 @@ def shell_background_job(robot: Robot) -> Iterator[Finding]:
                 ends = not any(_keeps_running(later) for later in process.steps[at + 1 :])
                 yield finding(
                     step.command.words[0],
-                    f"Nothing keeps the shell running after this background job: {unit.name} ends at "
-                    "once and systemd kills the job"
+                    f"Nothing keeps the shell running after this background job: {unit.name} exits at "
+                    "once, and systemd kills the job"
                     if ends and not step.command.depth
                     else f"A background job: when it dies, {unit.name} still counts as running and is not restarted",
-                    advice="run it in the foreground with exec, each process in a unit of its own",
+                    advice="run it in the foreground with exec, and each process in a unit of its own",
                     related=[note(process.program, "the main process")],
                     severity="error" if ends and not step.command.depth else "warning",
                 )

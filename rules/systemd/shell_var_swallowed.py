@@ -1,14 +1,15 @@
-"""systemd replaces a ${...} before the shell of the Exec line sees it.
+"""systemd expands ${...} before the shell of the Exec line sees it.
 
 ## What it finds
-In the text of bash -c '...': ${X} where the same text sets X, and forms that only a shell knows, such as
-${X%.*}, ${X[0]} and ${1}. Variables that the unit or its environment files set are not judged, and neither
-are ${X:-default} (systemd leaves it alone), $X inside a longer text (likewise) and lines with the prefix :
-(nothing is expanded).
+In the text of `bash -c '...'`: ${X} where the same text sets X, and forms that only a shell knows, such as
+${X%.*}, ${X[0]} and ${1}.
+
+These are exempt: variables that the unit or its environment files set, ${X:-default} and $X inside a longer
+text (which systemd does not expand), and lines with the prefix `:` (which turns expansion off).
 
 ## Why it matters on a robot
-systemd looks the name up in the environment of the service, does not find it and puts in nothing. The shell
-then runs a command with a hole in it, such as rm -rf /tmp/ or a launch without its argument.
+systemd looks up the name in the environment of the service, does not find it and substitutes nothing. The
+shell then runs a command with a gap in it, such as rm -rf /tmp/ or a launch without its argument.
 
 ## Bad
 ```ini
@@ -21,6 +22,9 @@ ExecStart=/bin/bash -c 'D=/var/log/robot; mkdir -p ${D} && exec robot-drivers --
 [Service]
 ExecStart=/bin/bash -c 'D=/var/log/robot; mkdir -p $${D} && exec robot-drivers --log $${D}'
 ```
+
+## When to ignore it
+When the variable reaches the service manager another way, and its value is the one that the shell should see.
 
 ## References
 - systemd.service(5), "Command lines": $$ is a literal dollar
@@ -81,7 +85,7 @@ def _swallowed(robot, line, text):
         what = f"and {name} is set only in this shell text" if plain else "which only a shell understands"
         yield finding(
             use,
-            f"systemd replaces {use} by nothing before the shell sees it, {what}",
+            f"systemd replaces {use} with nothing before the shell sees it, {what}",
             advice=f"write ${use}",
             fix=fix("double the dollar", (text.part(start, start + 1), "$$"), safe=False),
         )

@@ -1,13 +1,14 @@
 """A shell stays between systemd and the ROS command.
 
 ## What it finds
-A script, or the text behind `sh -c`, that starts a ROS 2 program without `exec`, so that the shell remains
-the main process. The last command of `bash -c` is fine: bash execs it by itself.
+A script, or the text of `sh -c`, that starts a ROS 2 program without `exec`, so that the shell remains the
+main process. The last command of `bash -c` is exempt, because bash runs it with exec anyway.
+
+It is a warning with KillMode=mixed or process, and an info with any other KillMode=.
 
 ## Why it matters on a robot
-With KillMode=mixed or process only the shell gets the stop signal; ros2 launch never hears of it, and its
-nodes are killed with SIGKILL, or survive. With the default KillMode= the signal reaches all of them at
-once; that is reported as information.
+With KillMode=mixed or process, only the shell gets the stop signal. ros2 launch never sees it, and its nodes
+are killed with SIGKILL, or survive. With the default KillMode=, the signal reaches all of them at once.
 
 ## Bad
 ```bash
@@ -22,6 +23,9 @@ ros2 launch rover base.launch.py
 source /opt/ros/jazzy/setup.bash
 exec ros2 launch rover base.launch.py
 ```
+
+## When to ignore it
+When the shell forwards the signal with a trap and waits for the program, for example to clean up after it.
 
 ## References
 - systemd.kill(5), KillMode=mixed
@@ -58,7 +62,7 @@ def shell_wrapper_no_exec(robot: Robot) -> Iterator[Finding]:
                 + (
                     f"on stop only the shell gets {signal}, not this command"
                     if alone
-                    else "it is the shell that systemd watches"
+                    else "systemd watches the shell, not this command"
                 ),
                 advice="start the command with exec"
                 if step.last
@@ -66,12 +70,12 @@ def shell_wrapper_no_exec(robot: Robot) -> Iterator[Finding]:
                 related=[
                     note(service.process.program, "the main process"),
                     *(
-                        [note(service.kill_mode.at, "only the main process is signalled")]
+                        [note(service.kill_mode.at, "only the main process gets the signal")]
                         if alone and service.kill_mode.at
                         else ()
                     ),
                 ],
-                fix=fix("replace the shell", (words[0].part(0, 0), "exec "))
+                fix=fix("add exec", (words[0].part(0, 0), "exec "))
                 if step.last and not step.command.assignments
                 else None,
                 severity="warning" if alone else "info",

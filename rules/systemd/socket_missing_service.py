@@ -1,16 +1,16 @@
-"""A socket that activates a service which does not exist.
+"""A socket activates a service that does not exist.
 
 ## What it finds
-A socket unit whose service is neither in the tree nor among the units of the distribution: Service=, or the
-service of its own name; with Accept=yes the template of its own name. Outside a complete root file system
-the finding is a warning.
+A socket unit whose service is neither in the tree nor in the distribution. The service is the one in
+Service=, otherwise the service of the same name, or its template with Accept=yes. It is an error in a
+complete root file system, and a warning elsewhere.
 
 ## Why it matters on a robot
 The socket does not start, or accepts connections that nobody ever serves.
 
 ## Bad
 ```ini
-# robot-api.socket, beside robot-web.service
+# robot-api.socket, while the service is robot-web.service
 [Socket]
 ListenStream=8080
 ```
@@ -21,6 +21,9 @@ ListenStream=8080
 ListenStream=8080
 Service=robot-web.service
 ```
+
+## When to ignore it
+When another package ships the service.
 
 ## References
 - systemd.socket(5), "Service=", "Accept="

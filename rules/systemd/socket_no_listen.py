@@ -1,10 +1,10 @@
-"""A socket unit that listens on nothing.
+"""A socket unit that listens on nothing: systemd refuses it.
 
 ## What it finds
 A socket unit without any Listen...= setting, after all drop-ins.
 
 ## Why it matters on a robot
-systemd refuses the unit, and the service behind it is never activated.
+systemd refuses the unit and never activates its service.
 
 ## Bad
 ```ini
@@ -18,6 +18,9 @@ Accept=yes
 ListenStream=8080
 Accept=yes
 ```
+
+## When to ignore it
+When a drop-in outside of this tree adds the address.
 
 ## References
 - systemd.socket(5)

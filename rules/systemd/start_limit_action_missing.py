@@ -1,11 +1,11 @@
-"""After the start limit the service stays down and nobody is told.
+"""After the start limit, the service stays down and nothing raises an alarm.
 
 ## What it finds
-A ROS service whose start limit can be reached and that has neither OnFailure= nor StartLimitAction=.
+A ROS service whose start limit can trip, and that has neither OnFailure= nor StartLimitAction=.
 
 ## Why it matters on a robot
-Once the limit is hit the service stays "failed" until somebody runs `systemctl reset-failed`. A robot in
-the field should at least raise an alarm, stop its actuators or reboot.
+When the limit trips, the service stays "failed" until somebody runs `systemctl reset-failed`. A robot in the
+field should at least raise an alarm, stop its actuators or reboot.
 
 ## Bad
 ```ini
@@ -21,6 +21,9 @@ StartLimitIntervalSec=90
 StartLimitBurst=5
 OnFailure=robot-alarm.service
 ```
+
+## When to ignore it
+When monitoring outside of systemd detects the failed unit, or when the robot can do without the service.
 
 ## References
 - systemd.unit(5), StartLimitAction= and OnFailure=
@@ -48,7 +51,7 @@ def start_limit_action_missing(robot: Robot) -> Iterator[Finding]:
         yield finding(
             policy.burst_at or policy.interval_at or policy.restart_at,
             f"After {policy.burst} starts in {duration(policy.interval)} {unit.name} stays down until "
-            "somebody runs systemctl reset-failed, and nothing is told",
+            "somebody runs systemctl reset-failed, and nothing raises an alarm",
             advice="name a handler with OnFailure= in [Unit], or an action with StartLimitAction=",
-            related=[note(policy.restart_at, "restarts")],
+            related=[note(policy.restart_at, "enables the restarts")],
         )

@@ -1,12 +1,12 @@
-"""Output goes to a file that grows for ever.
+"""Output goes to a file that grows forever.
 
 ## What it finds
-StandardOutput= or StandardError= with `append:` or `file:`, and no logrotate file of the tree that covers
-the file. In a complete root file system `logrotate/missing` says more about files that are appended to.
+StandardOutput= or StandardError= with `append:` or `file:`, when no logrotate file of the tree covers the
+file. In a complete root file system, `logrotate/missing` reports the files that are appended to.
 
 ## Why it matters on a robot
-ROS nodes write a lot. The small disk of a robot is full after weeks, and then nothing works any more, the
-update least of all.
+ROS nodes log a lot. The small disk of a robot is full after weeks. Then nothing works any more, least of all
+the update.
 
 ## Bad
 ```ini
@@ -19,6 +19,9 @@ StandardOutput=append:/var/log/rover/base.log
 [Service]
 StandardOutput=journal
 ```
+
+## When to ignore it
+When the program prints only a few lines per boot, or when a job outside of this tree truncates the file.
 
 ## References
 - systemd.exec(5), StandardOutput=; logrotate(8)

@@ -1,13 +1,13 @@
-"""sudo inside a service.
+"""sudo in a service.
 
 ## What it finds
-`sudo` in a command line of a unit, in its `-c` text, or in a script of the tree that it starts. With
-`NoNewPrivileges=yes` this is an error: sudo cannot work there.
+`sudo` in a command line of a unit or in its `-c` text. With `NoNewPrivileges=yes` it is an error, and scripts
+of the tree that the unit starts are checked too.
 
 ## Why it matters on a robot
-A service has no terminal on which sudo could ask for a password: it either fails, or the robot's user was
-given `NOPASSWD`, which hands root to everything else that this user runs. systemd can give one command more
-rights, or run the whole unit as another user, without that.
+A service has no terminal on which sudo could ask for a password. sudo fails, unless the robot's user has
+`NOPASSWD`, which gives root to everything else that this user runs. Without that, systemd can run one command
+with more rights, or the whole unit as another user.
 
 ## Bad
 ```ini
@@ -22,6 +22,9 @@ ExecStartPre=/usr/bin/sudo /usr/sbin/ip link set can0 up
 User=rover
 ExecStartPre=+/usr/sbin/ip link set can0 up
 ```
+
+## When to ignore it
+When sudoers allows exactly this command without a password, and a system unit cannot run it.
 
 ## References
 - systemd.service(5), "Command lines": the prefix `+`
@@ -51,15 +54,15 @@ def sudo_in_exec(robot: Robot) -> Iterator[Finding]:
                 words = [word for word in step.command.words[:2] if word.rpartition("/")[2] == "sudo"]
                 if not words or step.command.words[0] not in (words[0], "exec") or (step.script and not locked):
                     continue
-                related = [note(locked, "forbids what sudo does")] if locked else []
+                related = [note(locked, "prevents sudo from gaining privileges")] if locked else []
                 if step.script:
                     related.append(note(process.program, f"{unit.name} starts the script here"))
                 yield finding(
                     words[0],
-                    "sudo cannot work here: NoNewPrivileges= takes away its set-user-ID bit"
+                    "sudo cannot work here: NoNewPrivileges= disables its set-user-ID bit"
                     if locked
                     else ("sudo in a service has no terminal to ask for a password, and NOPASSWD gives root away"),
-                    advice="let systemd do it: '+' before this one command, or User= for the unit",
+                    advice="let systemd do it: prefix this one command with '+', or set User= for the unit",
                     related=related,
                     severity="error" if locked else None,
                 )

@@ -1,11 +1,12 @@
-"""The journal calls the robot's lines "bash".
+"""The journal labels the robot's log lines "bash".
 
 ## What it finds
-A ROS service that is started through a shell, without SyslogIdentifier=.
+A ROS service that starts through a shell, without SyslogIdentifier=. Services whose output does not go to the
+journal are exempt.
 
 ## Why it matters on a robot
-systemd names the lines after the program of ExecStart=: all layers appear as "bash", and `journalctl -t`
-cannot tell them apart.
+systemd labels the lines with the program of ExecStart=: all services appear as "bash", and `journalctl -t`
+cannot select one.
 
 ## Bad
 ```ini
@@ -19,6 +20,9 @@ ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rov
 ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rover base.launch.py'
 SyslogIdentifier=rover-base
 ```
+
+## When to ignore it
+When you select logs by unit only (`journalctl -u`), which always works.
 
 ## References
 - systemd.exec(5), SyslogIdentifier=
@@ -46,6 +50,6 @@ def syslogidentifier_missing(robot: Robot) -> Iterator[Finding]:
             continue
         yield finding(
             unit.where,
-            f'The journal shows the lines of {unit.name} as "{shells[0].name}"',
+            f'The journal labels the lines of {unit.name} "{shells[0].name}"',
             advice=f"set SyslogIdentifier={unit.stem.partition('@')[0]}",
         )

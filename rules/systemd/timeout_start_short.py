@@ -1,13 +1,15 @@
-"""The start check may wait longer than systemd lets it.
+"""The start check may wait longer than systemd allows.
 
 ## What it finds
-A command of ExecStartPre= (or ExecStart= of a service that counts as started only when it says so) whose
-loops and sleeps, read from the shell text or the script in the tree, add up to more than TimeoutStartSec=.
-Typical is a time-out for each device in a loop over several devices. systemd starts the clock anew for
-every command of the unit.
+A command in ExecStartPre= whose loops and sleeps add up to more than TimeoutStartSec=. The rule reads them
+from the shell text, or from the script in the tree. A typical case is a timeout per device in a loop over
+several devices. ExecStart= is also checked in services such as Type=notify and oneshot, whose start ends only
+when the program reports readiness or exits.
+
+systemd restarts the timer for every command of the unit.
 
 ## Why it matters on a robot
-systemd kills the check before it can say which device is missing; the journal only shows a start that timed
+systemd kills the check before it can say which device is missing. The journal only shows that the start timed
 out.
 
 ## Bad
@@ -24,6 +26,10 @@ ExecStartPre=/usr/local/bin/wait-for-devices
 TimeoutStartSec=150
 ExecStartPre=/usr/local/bin/wait-for-devices
 ```
+
+## When to ignore it
+When the longest wait never happens, for example because the loop ends early or the devices appear in
+parallel.
 
 ## References
 - systemd.service(5), TimeoutStartSec= and ExecStartPre=
@@ -62,7 +68,7 @@ def timeout_start_short(robot: Robot) -> Iterator[Finding]:
             default = "" if limit.at else " (the default)"
             yield finding(
                 limit.at or process.program,
-                f"{process.name} may wait {sum_}{duration(wait.seconds)}, TimeoutStartSec= is "
+                f"{process.name} may wait {sum_}{duration(wait.seconds)}, but TimeoutStartSec= is "
                 f"{duration(limit.value)}{default}: systemd kills it before it can say what is missing",
                 advice=f"set TimeoutStartSec= above {duration(wait.seconds)}",
                 related=[

@@ -1,13 +1,13 @@
-"""TimeoutStopSec= is shorter than ros2 launch needs to stop its nodes.
+"""TimeoutStopSec= does not fit the time that ros2 launch needs to stop its nodes.
 
 ## What it finds
-A service that runs ros2 launch with TimeoutStopSec= below 15 seconds, or above 90. When the launch file is in the tree,
-the `sigterm_timeout` and `sigkill_timeout` of its nodes count instead of the usual 5 and 5 seconds.
+A service that runs ros2 launch with a TimeoutStopSec= below 15 s or above 90 s. If the launch file is in the
+tree, the `sigterm_timeout` and `sigkill_timeout` of its nodes replace the usual 5 s each.
 
 ## Why it matters on a robot
-When it is asked to stop, launch sends every node SIGINT, after 5 s SIGTERM and after 5 s more SIGKILL. A
-shorter time-out kills launch and all nodes in the middle of that, before they have reached their safe
-state. A very long one lets one hung node hold up every shutdown.
+When launch stops, it sends every node SIGINT, SIGTERM after 5 s, and SIGKILL after another 5 s. A shorter
+timeout kills launch and all nodes during this sequence, before they have reached their safe state. With a
+very long one, a single hung node delays every shutdown.
 
 ## Bad
 ```ini
@@ -24,6 +24,10 @@ ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rov
 KillSignal=SIGINT
 TimeoutStopSec=20
 ```
+
+## When to ignore it
+When measurements show that all nodes always stop well within the limit, or need the long one, for example to
+save a large map.
 
 ## References
 - systemd.service(5), TimeoutStopSec=
@@ -63,10 +67,10 @@ def timeout_stop_vs_launch(robot: Robot) -> Iterator[Finding]:
             steps = "(SIGINT, 5 s, SIGTERM, 5 s, SIGKILL) " if not given else ""
             message = (
                 f"{unit.name} is killed {duration(limit.value)} after the stop: ros2 launch alone may take "
-                f"{duration(needed)} {steps}to end its nodes"
+                f"{duration(needed)} {steps}to stop its nodes"
             )
         elif limit.value == math.inf:
-            message = f"One hung node of {unit.name} blocks the stop, and with it the shutdown, for ever"
+            message = f"One hung node of {unit.name} blocks the stop, and with it the shutdown, forever"
         else:
             message = f"One hung node of {unit.name} delays every shutdown by {duration(limit.value)}"
         own = limit.at in unit.values("TimeoutStopSec", "Service")
@@ -75,11 +79,11 @@ def timeout_stop_vs_launch(robot: Robot) -> Iterator[Finding]:
             message,
             advice=f"set TimeoutStopSec={math.ceil(needed + 2 * MARGIN)}",
             related=[
-                *(note(found.where, "ros2 launch is started here") for found in launches),
-                *(note(value.span, "a node is given this long") for value in given),
+                *(note(found.where, "the unit starts ros2 launch here") for found in launches),
+                *(note(value.span, "a node may take this long") for value in given),
             ],
             fix=fix(
-                f"leave {math.ceil(needed + 2 * MARGIN)} seconds",
+                f"set TimeoutStopSec={math.ceil(needed + 2 * MARGIN)}",
                 (limit.at, f"{math.ceil(needed + 2 * MARGIN)}"),
                 safe=False,
             )

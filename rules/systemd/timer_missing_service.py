@@ -1,16 +1,15 @@
-"""A timer that starts a unit which does not exist.
+"""A timer starts a unit that does not exist.
 
 ## What it finds
-A timer whose Unit=, or the service of its own name, is neither in the tree nor among the units of the
-distribution. Outside a complete root file system the unit may come from elsewhere, so the finding is a
-warning there.
+A timer whose Unit=, or the service of the same name, is neither in the tree nor in the distribution. It is an
+error in a complete root file system, and a warning elsewhere, because the unit may be elsewhere.
 
 ## Why it matters on a robot
-The timer refuses to start with "Unit ... not found", and what it should do never happens.
+The timer refuses to start with "Unit ... not found", and its job never runs.
 
 ## Bad
 ```ini
-# robot-backup.timer, beside robot-sync.service
+# robot-backup.timer, while the service is robot-sync.service
 [Timer]
 OnCalendar=daily
 ```
@@ -21,6 +20,9 @@ OnCalendar=daily
 OnCalendar=daily
 Unit=robot-sync.service
 ```
+
+## When to ignore it
+When another package ships the unit.
 
 ## References
 - systemd.timer(5), "Unit="

@@ -1,12 +1,11 @@
-"""A timer that never elapses because nothing says when.
+"""A timer without a trigger: systemd refuses it.
 
 ## What it finds
-A timer unit without any of OnActiveSec=, OnBootSec=, OnStartupSec=, OnUnitActiveSec=, OnUnitInactiveSec=,
-OnCalendar=, OnClockChange= and OnTimezoneChange=, after all drop-ins.
+A timer unit without OnActiveSec=, OnBootSec=, OnStartupSec=, OnUnitActiveSec=, OnUnitInactiveSec=,
+OnCalendar=, OnClockChange= or OnTimezoneChange=, after all drop-ins.
 
 ## Why it matters on a robot
-systemd refuses the timer, so the backup, the log rotation or the health check that it should start never
-runs.
+systemd refuses the timer. The backup, the log rotation or the health check that it should start never runs.
 
 ## Bad
 ```ini
@@ -20,6 +19,9 @@ Unit=robot-backup.service
 OnCalendar=daily
 Unit=robot-backup.service
 ```
+
+## When to ignore it
+When a drop-in outside of this tree adds the trigger.
 
 ## References
 - systemd.timer(5)

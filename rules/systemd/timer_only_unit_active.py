@@ -1,12 +1,12 @@
-"""A timer that waits for its service to have run once.
+"""A timer that never starts its service for the first time.
 
 ## What it finds
-A timer whose only triggers are OnUnitActiveSec= and OnUnitInactiveSec=, while nothing else in the tree
-names the service that it starts.
+A timer whose only triggers are OnUnitActiveSec= and OnUnitInactiveSec=, while nothing else in the tree starts
+or names its service.
 
 ## Why it matters on a robot
-Both count from the last run of the service. After boot there is none, so the timer waits for ever and
-systemctl list-timers shows no next run.
+Both triggers count from the last run of the service. After boot there is none, so that the timer waits
+forever, and systemctl list-timers shows no next run.
 
 ## Bad
 ```ini
@@ -20,6 +20,10 @@ OnUnitActiveSec=10min
 OnBootSec=1min
 OnUnitActiveSec=10min
 ```
+
+## When to ignore it
+When something outside of this tree, such as an operator or a fleet agent, starts the service for the first
+time.
 
 ## References
 - systemd.timer(5): monotonic timers relative to the unit's activation
@@ -49,7 +53,7 @@ def timer_only_unit_active(robot: Robot) -> Iterator[Finding]:
             continue
         yield finding(
             repeated[0],
-            f"{unit.name} waits for {service} to have run once, and nothing runs it a first time",
+            f"{unit.name} counts from the last run of {service}, and nothing starts it for the first time",
             advice="add OnBootSec=",
         )
 

@@ -1,12 +1,12 @@
-"""A comment behind a value becomes part of the value.
+"""A comment after a value becomes part of the value.
 
 ## What it finds
-A blank and # or ; behind a value. systemd knows comments only on lines of their own. Exec lines are not
-judged (a shell may read the comment), nor are descriptions and quoted values.
+A blank and # or ; after a value. systemd recognizes comments only on lines of their own. Exec lines (where a
+shell may read the comment), descriptions and quoted values are exempt.
 
 ## Why it matters on a robot
-The value is the whole rest of the line: User=robot # the robot's account names a user that does not exist,
-and the service fails with status 217/USER; RestartSec=5 # seconds is dropped.
+The value is the whole rest of the line. `User=robot # the robot's account` names a user that does not exist,
+and the service fails with status 217/USER. systemd ignores `RestartSec=5 # seconds`.
 
 ## Bad
 ```ini
@@ -20,6 +20,9 @@ User=robot  # the service account
 # the service account
 User=robot
 ```
+
+## When to ignore it
+Only when the # or ; belongs to the value.
 
 ## References
 - systemd.syntax(7): comments are lines that start with # or ;
@@ -47,7 +50,7 @@ def trailing_comment(robot: Robot) -> Iterator[Finding]:
         yield finding(
             comment,
             f"systemd has no trailing comments: {line.key}= takes '{_shortened(comment)}' as part of the value",
-            advice="put the comment on a line of its own above",
+            advice="move the comment to a line of its own above",
             fix=fix("move the comment above", *changes) if on_one_line else None,
         )
 

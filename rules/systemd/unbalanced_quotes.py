@@ -1,11 +1,12 @@
-"""A quote that is opened and not closed.
+"""A quote that is not closed.
 
 ## What it finds
 A single or double quote without its partner, in Exec lines and in all settings whose words may be quoted.
-systemd groups with quotes anywhere in a word, so the apostrophe of an ordinary word counts too.
+systemd recognizes quotes anywhere in a word, so that the apostrophe of an ordinary word is also one.
 
 ## Why it matters on a robot
-An Exec line with an open quote stops the unit from loading; other settings are dropped.
+An open quote in an Exec line prevents the unit from loading. systemd ignores other settings with an open
+quote.
 
 ## Bad
 ```ini
@@ -18,6 +19,9 @@ ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rob
 [Service]
 ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch robot bringup.launch.py'
 ```
+
+## When to ignore it
+Never: systemd ignores the line or refuses the unit.
 
 ## References
 - systemd.service(5), "Command lines"; systemd.syntax(7), "Quoting"

@@ -1,12 +1,12 @@
-"""An unknown % specifier: systemd does not take the line, or the unit does not load.
+"""An unknown % specifier: systemd ignores the line, or refuses the unit.
 
 ## What it finds
-A % with a letter or digit behind it that is no specifier, as in date +%F. A % before a blank or at the end
-of a word stands for itself, and %% is a literal %.
+A % before a letter or digit that is not a specifier, as in date +%F. A % before a blank or at the end of a
+word is literal, and %% is a literal %.
 
 ## Why it matters on a robot
-In Exec lines an unknown specifier stops the whole unit from loading; in other settings the line or the word
-is dropped.
+In Exec lines, an unknown specifier prevents the whole unit from loading. In other settings, systemd ignores
+the line or the word.
 
 ## Bad
 ```ini
@@ -21,6 +21,9 @@ ExecStart=/usr/bin/robot-drivers
 ExecStartPre=/bin/bash -c 'mkdir -p /var/log/robot/$(date +%%F)'
 ExecStart=/usr/bin/robot-drivers
 ```
+
+## When to ignore it
+Only if the robot's systemd is newer than this tool and knows the specifier.
 
 ## References
 - systemd.unit(5), "Specifiers"
@@ -49,7 +52,7 @@ def unescaped_percent(robot: Robot) -> Iterator[Finding]:
         first = bad[0]
         edits = [(problem.where, f"%{problem.where}") for problem in bad]
         known = line.directive.type in ("units", "socket-units", "trigger-unit", "slice", "service-unit")
-        what = "is no specifier that a unit name may hold" if known else "is not a specifier"
+        what = "is not a specifier that a unit name may contain" if known else "is not a specifier"
         yield finding(
             first.where,
             f"{first.where} {what}: {line.consequence(first)}",

@@ -1,10 +1,10 @@
 """A unit file with execute permission.
 
 ## What it finds
-In a root file system: a unit file or drop-in with an execute bit.
+A unit file or drop-in in a root file system that has an execute bit.
 
 ## Why it matters on a robot
-systemd logs "is marked executable" at every load, and among such lines the ones that matter are missed.
+systemd logs "is marked executable" at every load. Among such lines, the important ones are easily missed.
 
 ## Bad
 ```
@@ -15,6 +15,10 @@ systemd logs "is marked executable" at every load, and among such lines the ones
 ```
 -rw-r--r-- /etc/systemd/system/rover.service
 ```
+
+## When to ignore it
+When the file system of the tree cannot store modes, for example on a FAT or SMB share, and the image sets
+them later.
 
 ## References
 - systemd: "Configuration file ... is marked executable. Please remove executable permission bits"
@@ -36,5 +40,5 @@ def unit_file_executable(robot: Robot) -> Iterator[Finding]:
             yield finding(
                 source,
                 f"The file is executable (mode {source.mode:04o}): systemd complains at every load",
-                advice="chmod 0644",
+                advice="run chmod 0644",
             )

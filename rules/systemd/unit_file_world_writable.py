@@ -1,11 +1,11 @@
 """A unit file that every user can change.
 
 ## What it finds
-In a root file system: a unit file or drop-in that is writable for everybody.
+A unit file or drop-in in a root file system that is writable for everybody.
 
 ## Why it matters on a robot
-Whoever gets any account on the robot, through a node or a web page, writes a command into the file and has
-it run as root at the next boot.
+Anyone who gets an account on the robot, through a node or a web page, can add a command to the file. It runs
+as root at the next boot.
 
 ## Bad
 ```
@@ -16,6 +16,10 @@ it run as root at the next boot.
 ```
 -rw-r--r-- /etc/systemd/system/rover.service
 ```
+
+## When to ignore it
+When the file system of the tree cannot store modes, for example on a FAT or SMB share, and the image sets
+them later.
 
 ## References
 - systemd: "Configuration file ... is marked world-writable. Please remove world writability permission
@@ -42,5 +46,5 @@ def unit_file_world_writable(robot: Robot) -> Iterator[Finding]:
             yield finding(
                 source,
                 f"Every local user can change what this unit runs (mode {source.mode:04o})",
-                advice="chmod 0644",
+                advice="run chmod 0644",
             )

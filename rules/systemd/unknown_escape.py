@@ -1,12 +1,13 @@
 r"""An escape sequence that systemd does not know.
 
 ## What it finds
-A backslash with a character behind it that is no escape of systemd, such as \d, \. or \$: in Exec lines it
-is kept as it is and a warning logged, also within single quotes; in Environment= the whole line is dropped.
+A backslash before a character with which it forms no escape of systemd, such as \d, \. or \$. In Exec lines,
+also within single quotes, systemd keeps it and logs a warning. In Environment= it ignores the whole line,
+which is an error.
 
 ## Why it matters on a robot
-The regular expression or dollar sign that the shell should see arrives by luck, and stops doing so when
-systemd gives the sequence a meaning. In Environment= none of the variables of the line is set.
+The regular expression or dollar sign reaches the shell only by luck: systemd may give the sequence a meaning
+one day. In Environment=, systemd sets none of the variables of the line.
 
 ## Bad
 ```ini
@@ -19,6 +20,9 @@ ExecStart=/bin/bash -c 'ls /dev | grep "ttyUSB\d"'
 [Service]
 ExecStart=/bin/bash -c 'ls /dev | grep "ttyUSB\\d"'
 ```
+
+## When to ignore it
+In Exec lines, when the warning in the journal does no harm. Never in Environment=.
 
 ## References
 - systemd.service(5), "Command lines"; systemd.syntax(7), "Quoting"
@@ -45,8 +49,8 @@ def unknown_escape(robot: Robot) -> Iterator[Finding]:
         edits = [(problem.where, problem.suggestion) for problem in bad if problem.suggestion]
         yield finding(
             first.where,
-            f"systemd knows no escape {first.where} and "
-            + ("ignores the line" if dropped else "passes it on as it stands, with a warning"),
+            f"systemd does not know the escape {first.where} and "
+            + ("ignores the line" if dropped else "passes it on unchanged, with a warning"),
             advice="write two backslashes for a literal one",
             severity="error" if dropped else None,
             fix=fix("double the backslash", *edits, safe=False) if edits else None,

@@ -1,13 +1,12 @@
-"""A key that systemd does not know: the line is ignored.
+"""A key that systemd does not know: it ignores the line.
 
 ## What it finds
-A key that no section of this unit type has: a misspelt name, another case, or a setting of another unit
-type. Keys that start with X- are meant for other programs and are fine.
+A key that no section of this unit type has: a misspelled name, wrong capitals, or a setting of another unit
+type. Keys whose name starts with `X-` are for other programs and are exempt.
 
 ## Why it matters on a robot
-systemd drops the line with one message in the journal and starts the unit all the same. The watchdog that
-should restart a hung driver, or the memory limit that should protect the rest of the robot, is simply not
-there.
+systemd ignores the line with one message in the journal and starts the unit anyway. The watchdog that should
+restart a hung driver, or the memory limit that should protect the rest of the robot, does not exist.
 
 ## Bad
 ```ini
@@ -22,6 +21,9 @@ WatchDogSec=30
 ExecStart=/usr/bin/robot-drivers
 WatchdogSec=30
 ```
+
+## When to ignore it
+Only if the robot's systemd is newer than this tool and knows the key.
 
 ## References
 - systemd.directives(7)
@@ -59,7 +61,7 @@ def _unknown(key, section):
     homes = directives.sections_with(key)
     meant = nearest(key, directives.sections()[section])
     if homes:
-        return finding(key, message, advice=f"{key}= belongs to [{'] or ['.join(homes)}] of another type of unit")
+        return finding(key, message, advice=f"{key}= belongs in [{'] or ['.join(homes)}] of another unit type")
     if not meant:
         return finding(key, message, advice="remove the line, or see systemd.directives(7) for the right name")
     change = fix(f"rename to {meant[0]}", (key, meant[0]), safe=meant[0].lower() == key.lower())

@@ -1,11 +1,11 @@
-"""A section that systemd does not know is skipped with everything in it.
+"""A section that systemd does not know: it ignores everything in it.
 
 ## What it finds
-A section header that no unit of this type has: a misspelt name, another case, or a header without its
-closing bracket. Sections that start with X- are meant for other programs and are fine.
+A section header that no unit type has: a misspelled name, wrong capitals, or a header without its closing
+bracket. Sections whose name starts with `X-` are for other programs and are exempt.
 
 ## Why it matters on a robot
-Everything below the header is ignored, so the service loses its restart policy or is never enabled, while
+systemd ignores everything below the header. The service loses its restart policy or is never enabled, while
 systemctl reports it as loaded. With a broken header the unit does not load at all.
 
 ## Bad
@@ -19,6 +19,9 @@ ExecStart=/usr/bin/robot-drivers
 [Service]
 ExecStart=/usr/bin/robot-drivers
 ```
+
+## When to ignore it
+Never: systemd ignores the section. Prefix its name with `X-` if another program reads it.
 
 ## References
 - systemd.unit(5), systemd.syntax(7)

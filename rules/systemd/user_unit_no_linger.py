@@ -1,12 +1,12 @@
-"""A user unit that waits for a login.
+"""A user unit that starts only when somebody logs in.
 
 ## What it finds
-In a root file system: an enabled unit of a user manager, while nobody (for a unit in a home: not that user)
-has lingering switched on (`/var/lib/systemd/linger/USER`).
+An enabled unit of a user manager in a root file system, when lingering is off (no file in
+`/var/lib/systemd/linger`): for that user, if the unit is in a home, and otherwise for all users.
 
 ## Why it matters on a robot
-The user manager starts at the first login and stops after the last logout. On the desk somebody is always
-logged in; in the field nobody is, and the service does not run, or stops when the SSH connection drops.
+The user manager starts at the first login and stops after the last logout. On the bench, somebody is always
+logged in. In the field nobody is, and the service does not run, or stops when the SSH connection drops.
 
 ## Bad
 ```
@@ -18,6 +18,10 @@ logged in; in the field nobody is, and the service does not run, or stops when t
 /home/rover/.config/systemd/user/default.target.wants/nav.service
 /var/lib/systemd/linger/rover
 ```
+
+## When to ignore it
+When the unit is only for people who log in, for example a desktop tool, or when provisioning runs `loginctl
+enable-linger`.
 
 ## References
 - loginctl(1), "enable-linger"
@@ -52,6 +56,6 @@ def user_unit_no_linger(robot: Robot) -> Iterator[Finding]:
         yield finding(
             link.source,
             f"{link.name} starts only when {home[1] if home else 'somebody'} logs in, and stops after the last logout",
-            advice=f"loginctl enable-linger {home[1] if home else 'USER'}, or a system unit with User=",
+            advice=f"run loginctl enable-linger {home[1] if home else 'USER'}, or use a system unit with User=",
             related=[note(own[0].where, "the unit")],
         )

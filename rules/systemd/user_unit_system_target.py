@@ -1,13 +1,15 @@
-"""A user unit that names a unit of the system.
+"""A user unit that names a unit of the system manager.
 
 ## What it finds
-A unit of the user manager (`/etc/systemd/user`, `~/.config/systemd/user`) that is installed into, ordered
-after, or requires a target which only the system manager has: `multi-user.target`, `network-online.target`
-and others.
+A unit of the user manager (`/etc/systemd/user`, `~/.config/systemd/user`) that names a target of the system
+manager, such as `multi-user.target` or `network-online.target`:
+
+- error: in WantedBy=, RequiredBy=, Requires= or BindsTo=;
+- warning: in After= or Wants=.
 
 ## Why it matters on a robot
-The user manager knows no such unit. Installed into `multi-user.target` the service never starts, ordered
-after `network-online.target` it does not wait, and with `Requires=` it fails.
+The user manager does not have this unit. With `WantedBy=multi-user.target` the service never starts. With
+`After=network-online.target` it does not wait. With `Requires=` it fails.
 
 ## Bad
 ```ini
@@ -22,6 +24,9 @@ WantedBy=multi-user.target
 [Install]
 WantedBy=default.target
 ```
+
+## When to ignore it
+When a user unit of the same name exists on the robot, outside of this tree.
 
 ## References
 - systemd.special(7), "Units managed by the user service manager"
@@ -62,7 +67,7 @@ def user_unit_system_target(robot: Robot) -> Iterator[Finding]:
                     + ("never starts" if installs else "fails to start"),
                     advice="write WantedBy=default.target"
                     if installs
-                    else f"drop {key}={word}, or make it a system unit",
+                    else f"remove {key}={word}, or make it a system unit",
                     fix=fix("write default.target", (word, "default.target")) if installs else None,
                 )
         for key in ("After", "Wants"):
@@ -70,7 +75,7 @@ def user_unit_system_target(robot: Robot) -> Iterator[Finding]:
                 yield finding(
                     word,
                     f"The user manager has no {word}: this {key}= has no effect",
-                    advice="drop it, or make it a system unit with User=",
-                    fix=fix(f"drop {key}={word}", line.without(word)),
+                    advice="remove it, or make it a system unit with User=",
+                    fix=fix(f"remove {key}={word}", line.without(word)),
                     severity="warning",
                 )

@@ -1,11 +1,11 @@
 """User= or Group= in a user unit.
 
 ## What it finds
-`User=`, `Group=`, `SupplementaryGroups=` or `DynamicUser=yes` in a service of the user manager.
+`User=`, `Group=` or `SupplementaryGroups=` in a service of the user manager.
 
 ## Why it matters on a robot
-The user manager has no right to change the user or the groups of what it starts. The service fails with
-`216/GROUP` or `217/USER` before its first line runs.
+The user manager may not change the user or the groups of its processes. The service fails with `216/GROUP` or
+`217/USER` before its program runs.
 
 ## Bad
 ```ini
@@ -20,6 +20,9 @@ User=rover
 [Service]
 ExecStart=/opt/rover/bin/rviz
 ```
+
+## When to ignore it
+When User= names the very user whose manager runs the unit: it then changes nothing, and can be deleted.
 
 ## References
 - systemd.exec(5), "User="

@@ -1,12 +1,13 @@
-"""A shell variable where systemd expands none.
+"""A variable in a setting where systemd expands none.
 
 ## What it finds
 $NAME or ${NAME} in User=, WorkingDirectory=, EnvironmentFile=, Environment=, ReadWritePaths= and other
-settings. systemd expands variables only in Exec lines.
+settings. systemd expands variables only in Exec lines. In Environment=, secrets and variables whose reader
+expands them are exempt.
 
 ## Why it matters on a robot
-The text is taken as it stands: the path does not exist, the unit does not load, or PATH holds the five
-characters $PATH and no program is found any more.
+systemd uses the text unchanged. The path does not exist, the unit does not load, or PATH contains the literal
+text $PATH, and the service no longer finds any program.
 
 ## Bad
 ```ini
@@ -21,6 +22,9 @@ Environment=PATH=/opt/robot/bin:$PATH
 WorkingDirectory=/home/robot/robot_ws
 Environment=PATH=/opt/robot/bin:/usr/local/bin:/usr/bin:/bin
 ```
+
+## When to ignore it
+When the program that reads the value expands the variable itself.
 
 ## References
 - systemd.exec(5), "Environment="; systemd.service(5), "Command lines"; systemd.unit(5), "Specifiers"
@@ -47,8 +51,8 @@ def var_in_nonexec_key(robot: Robot) -> Iterator[Finding]:
             continue
         yield finding(
             variable,
-            f"Only Exec lines expand variables: {line.key}= takes '{variable}' as it stands",
-            advice="write the value in full, or use a specifier such as %i where one fits",
+            f"systemd expands variables only in Exec lines: {line.key}= contains the literal text '{variable}'",
+            advice="write the full value, or use a specifier such as %i where one fits",
         )
 
 

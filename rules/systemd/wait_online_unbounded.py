@@ -1,12 +1,13 @@
 """The boot waits for the network without a limit.
 
 ## What it finds
-A `systemd-networkd-wait-online` with `--timeout=0`, which means no limit: in a drop-in of the
-distribution's unit, or in a unit of one's own.
+`systemd-networkd-wait-online` with `--timeout=0`, which means no limit, in a drop-in of the distribution's
+unit or in another service.
 
 ## Why it matters on a robot
-Without link on one interface, a spare port or a camera that is switched off, `network-online.target` is
-never reached, and nothing that waits for it starts. The robot looks dead and needs a screen and a keyboard.
+If one interface has no link, such as a spare port or a camera that is off, systemd never reaches
+`network-online.target`. No unit that waits for it starts. The robot looks dead and needs a screen and a
+keyboard.
 
 ## Bad
 ```ini
@@ -23,6 +24,10 @@ ExecStart=/usr/lib/systemd/systemd-networkd-wait-online --timeout=0
 ExecStart=
 ExecStart=/usr/lib/systemd/systemd-networkd-wait-online --interface=eth0 --timeout=30
 ```
+
+## When to ignore it
+When the robot is useless without the network, and `--interface=` names only interfaces that are always
+connected.
 
 ## References
 - systemd-networkd-wait-online.service(8)
@@ -54,7 +59,7 @@ def wait_online_unbounded(robot: Robot) -> Iterator[Finding]:
             if forever:
                 yield finding(
                     forever[0],
-                    f"{unit.name} waits for ever: without link on one interface nothing behind "
+                    f"{unit.name} waits forever: if one interface has no link, no unit after "
                     "network-online.target starts",
-                    advice="give a limit (--timeout=30), and name what must be up (--interface=)",
+                    advice="set a limit (--timeout=30), and name the interfaces that must be up (--interface=)",
                 )

@@ -1,14 +1,16 @@
-"""A unit that a target wants and that waits for a later target.
+"""A unit that one target wants, and that waits for a later target.
 
 ## What it finds
 A unit that one target wants (`WantedBy=`, a `.wants` link) and that is ordered after another target which
-itself waits for the first one: `WantedBy=multi-user.target` with `After=graphical.target`. A target waits
-for all that it wants, so the unit waits for itself. `After=` and `WantedBy=` of one and the same target are
-fine: the explicit order suppresses the implicit one.
+itself waits for the first one: `WantedBy=multi-user.target` with `After=graphical.target`. A target waits for
+all units that it wants, so that the unit waits for itself.
+
+`After=` and `WantedBy=` of the same target are exempt: the explicit order suppresses the implicit one. It is
+an info when nothing starts the targets together.
 
 ## Why it matters on a robot
-At boot systemd deletes the job of the unit to break the cycle. The robot comes up without it, no unit is
-marked as failed, and `systemctl start` by hand works.
+At boot, systemd deletes the start job of the unit to break the cycle. The robot boots without the unit, no
+unit is marked as failed, and `systemctl start` by hand works.
 
 ## Bad
 ```ini
@@ -27,6 +29,9 @@ After=graphical.target
 [Install]
 WantedBy=graphical.target
 ```
+
+## When to ignore it
+The info, when the unit is never enabled in this combination.
 
 ## References
 - systemd.target(5), "Default Dependencies"
@@ -54,12 +59,12 @@ def wantedby_and_after_later_target(robot: Robot) -> Iterator[Finding]:
         steps = [
             note(edge.where, f"{edge.target.name} waits for {edge.source.name}") for edge in cycle.waits if edge.where
         ]
-        effect = "cannot start" if cycle.fatal else "is left out at boot" if cycle.root else "may be left out"
+        effect = "cannot start" if cycle.fatal else "is dropped at boot" if cycle.root else "may be dropped"
         yield finding(
             (later if later in lines else lines[0]).where,
             f"{name} waits for {later.source.name}, which waits for {sooner.target.name}, "
             f"which waits for {name}: the unit {effect}",
-            advice=f"let {later.source.name} want the unit (WantedBy={later.source.name}), or drop the After=",
+            advice=f"let {later.source.name} want the unit (WantedBy={later.source.name}), or remove the After=",
             related=[step for step in steps if step.span != later.where],
             chain=steps,
             severity=None if cycle.root else "info",

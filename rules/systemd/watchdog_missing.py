@@ -1,11 +1,11 @@
 """A driver or safety service without a watchdog.
 
 ## What it finds
-A ROS service whose name says that it drives hardware or guards it, without WatchdogSec=.
+A ROS service without WatchdogSec= whose name marks it as a driver or a safety function.
 
 ## Why it matters on a robot
-A driver that hangs keeps its process and its unit "active": nobody notices that the emergency stop or the
-motors are not served any more.
+A driver that hangs keeps its process running and its unit "active". Nobody notices that nothing serves the
+emergency stop or the motors any more.
 
 ## Bad
 ```ini
@@ -23,6 +23,9 @@ WatchdogSec=5
 Restart=on-failure
 ```
 with a driver that sends WATCHDOG=1 from its control loop.
+
+## When to ignore it
+When something else detects the hang, for example the motor controller's own command timeout.
 
 ## References
 - systemd.service(5), WatchdogSec=

@@ -1,12 +1,12 @@
-"""The watchdog kills the service, and nothing starts it again.
+"""The watchdog kills the service, and nothing restarts it.
 
 ## What it finds
-WatchdogSec= together with Restart=no (the default), on-success or on-abort: none of them restarts after a
-watchdog timeout.
+WatchdogSec= together with Restart=no (the default), on-success or on-abort. None of them restarts the service
+after a watchdog timeout.
 
 ## Why it matters on a robot
-The watchdog is there to get a hung driver going again. Without a restart it turns a hang into a dead
-driver.
+The purpose of the watchdog is to get a hung driver running again. Without a restart, it turns a hang into a
+dead driver.
 
 ## Bad
 ```ini
@@ -25,6 +25,9 @@ WatchdogSec=10
 Restart=on-failure
 RestartSec=2
 ```
+
+## When to ignore it
+When OnFailure= brings the robot to a safe state, and an operator must decide before it runs again.
 
 ## References
 - systemd.service(5), table "Exit causes and the effect of the Restart= settings"
@@ -50,8 +53,8 @@ def watchdog_no_restart(robot: Robot) -> Iterator[Finding]:
             continue
         yield finding(
             service.watchdog.at,
-            f"After a watchdog timeout of {duration(service.watchdog.value)} {unit.name} stays dead: "
-            f"Restart={policy.restart} does not start it again",
+            f"After a watchdog timeout of {duration(service.watchdog.value)}, {unit.name} stays dead: "
+            f"Restart={policy.restart} does not restart it",
             advice="set Restart=on-failure or on-watchdog",
             related=[note(policy.restart_at, "does not restart after a watchdog timeout")] if policy.restart_at else (),
         )

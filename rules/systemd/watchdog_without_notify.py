@@ -1,14 +1,19 @@
-"""WatchdogSec= without anybody who can feed the watchdog.
+"""WatchdogSec= in a service where no process can feed the watchdog.
 
 ## What it finds
-WatchdogSec= on a service whose main process never sends keep-alives (ros2 launch, ros2 run, a shell), while
-NotifyAccess= does not let its children send them; also NotifyAccess=all when nothing that is started talks
-to systemd. Setting WatchdogSec= makes systemd listen, but to the main process only. A script that is not in
-the tree, and a Python script that never talks to systemd, are reported with less confidence.
+WatchdogSec= on a service from which systemd never gets a keep-alive:
+
+- error: the main process is ros2 launch, ros2 run or a shell, which send none, and NotifyAccess= does not let
+  its children send them;
+- warning: the main process is a script that is not in the tree, or a Python script that never notifies
+  systemd;
+- warning: NotifyAccess=all is set, but no program that the service starts notifies systemd.
+
+WatchdogSec= alone makes systemd accept keep-alives, but only from the main process.
 
 ## Why it matters on a robot
-The first keep-alive never arrives: a healthy stack is killed with SIGABRT every WatchdogSec= seconds, while
-driving.
+The first keep-alive never arrives. systemd kills healthy nodes with SIGABRT every WatchdogSec= seconds, while
+the robot drives.
 
 ## Bad
 ```ini
@@ -26,6 +31,9 @@ NotifyAccess=all
 ```
 with a node in slam.launch.py that sends WATCHDOG=1. Such a node must not ask sd_watchdog_enabled():
 WATCHDOG_PID names the main process.
+
+## When to ignore it
+When a library or wrapper that is not in the tree sends WATCHDOG=1 from the main process.
 
 ## References
 - systemd.service(5), WatchdogSec= and NotifyAccess=; sd_notify(3)
@@ -56,11 +64,11 @@ def watchdog_without_notify(robot: Robot) -> Iterator[Finding]:
         yield finding(
             service.watchdog.at,
             f"No keep-alive reaches systemd, {why}: {unit.name} is killed every {duration(service.watchdog.value)}",
-            advice="let a process of the unit send WATCHDOG=1 and set NotifyAccess=all, or drop WatchdogSec=",
+            advice="let a process of the unit send WATCHDOG=1 and set NotifyAccess=all, or remove WatchdogSec=",
             related=[
                 note(service.main.where, "the main process"),
-                *([note(service.type.at, "readiness")] if service.type.at and service.notifies else ()),
-                *([note(service.access.at, "who may notify")] if service.access.at else ()),
+                *([note(service.type.at, "also requires READY=1")] if service.type.at and service.notifies else ()),
+                *([note(service.access.at, "limits which process may notify")] if service.access.at else ()),
             ],
             fix=_fix(unit, service, robot) if unit.editable else None,
             chain=_chain(robot, service),
@@ -74,7 +82,7 @@ def _chain(robot, service):
     if service.access.value == "all" or service.main.ros is None:
         return ()
     for node, said in robot.notify.speakers(service.main.ros):
-        return robot.provenance.chain_to_node(node, note(said, "a child of launch talks to systemd"))
+        return robot.provenance.chain_to_node(node, note(said, "a child of launch notifies systemd"))
     return ()
 
 
@@ -89,20 +97,20 @@ def _verdict(service, robot):
     if robot.notify.within(service.process) and (access == "exec" or service.as_root):
         return None, ""
     if main.is_ros_tool:
-        return "error", f"for it listens to ros2 {main.kind} only, which sends none"
+        return "error", f"because it listens only to ros2 {main.kind}, which sends none"
     if main.kind == "shell":
-        return "error", "for it listens to the shell only, which sends none"
+        return "error", "because it listens only to the shell, which sends none"
     if main.kind == "lost":
-        return "warning", "for it listens to the shell script only"
+        return "warning", "because it listens only to the shell script"
     if main.kind == "python" and main.script is not None and not robot.notify.sources:
-        return "warning", f"for {main.script.basename} sends none"
+        return "warning", f"because {main.script.basename} sends none"
     return None, ""
 
 
 def _fix(unit, service, robot):
     if service.access.value != "all" and robot.notify.sources:
         if service.access.at:
-            return fix("let every process send keep-alives", (service.access.at, "all"), safe=False)
-        return fix("let every process send keep-alives", unit.new_line("Service", "NotifyAccess=all"), safe=False)
+            return fix("set NotifyAccess=all", (service.access.at, "all"), safe=False)
+        return fix("set NotifyAccess=all", unit.new_line("Service", "NotifyAccess=all"), safe=False)
     lines = [line for line in unit.assignments("WatchdogSec", "Service") if line.value is service.watchdog.at]
-    return fix("drop the watchdog", *map(delete_lines, lines), safe=False) if lines else None
+    return fix("remove WatchdogSec=", *map(delete_lines, lines), safe=False) if lines else None

@@ -1,12 +1,12 @@
-"""A working directory that does not exist, or lies in somebody else's home.
+"""A working directory that does not exist, or is in another user's home.
 
 ## What it finds
-In a root file system: `WorkingDirectory=` below `/home` that is not there, or that belongs to the home of
-another user than `User=`.
+`WorkingDirectory=` below `/home`, in a complete root file system, that does not exist or is in the home of a
+user other than `User=`.
 
 ## Why it matters on a robot
-The service does not start: `status=200/CHDIR`. The path was right on the developer's machine, where the
-user had another name.
+The service does not start: `status=200/CHDIR`. The path was right on the developer's machine, where the user
+had another name.
 
 ## Bad
 ```ini
@@ -21,6 +21,9 @@ WorkingDirectory=/home/dev/ros2_ws
 User=rover
 WorkingDirectory=~
 ```
+
+## When to ignore it
+When the directory is created at the first boot, or is shared with the service's user on purpose.
 
 ## References
 - systemd.exec(5), "WorkingDirectory="

@@ -1,10 +1,10 @@
-"""A section of another unit type has no effect.
+"""A section of another unit type: systemd ignores it.
 
 ## What it finds
-A section that belongs to another type of unit, such as [Service] in a .target or [Timer] in a .service.
+A section that belongs to another unit type, such as [Service] in a .target or [Timer] in a .service.
 
 ## Why it matters on a robot
-systemd skips the section: the process is never started, the timer never runs, and the unit still loads
+systemd ignores the section. The process never starts, or the timer never runs, but the unit still loads
 without an error.
 
 ## Bad
@@ -20,6 +20,9 @@ ExecStart=/usr/bin/robot-bringup
 [Service]
 ExecStart=/usr/bin/robot-bringup
 ```
+
+## When to ignore it
+Never: systemd ignores the section.
 
 ## References
 - systemd.unit(5): each type of unit has a section of its own
@@ -43,6 +46,6 @@ def wrong_section_for_type(robot: Robot) -> Iterator[Finding]:
             if section.name in homes and section.name not in directives.sections_of_type(file.type):
                 yield finding(
                     section.name,
-                    f"[{section.name}] has no meaning in a .{file.type}: nothing in it applies",
+                    f"[{section.name}] has no meaning in a .{file.type} unit: systemd ignores everything in it",
                     advice=f"move the settings to a .{homes[section.name]} unit",
                 )
