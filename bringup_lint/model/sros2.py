@@ -9,6 +9,7 @@ from datetime import datetime
 from datetime import timezone
 from typing import NamedTuple
 
+from bringup_lint.model.schema import Remark
 from bringup_lint.model.xml import Document
 from bringup_lint.model.xml import Element
 from bringup_lint.source import Located
@@ -16,21 +17,6 @@ from bringup_lint.source import Source
 from bringup_lint.source import Span
 
 _DATE_TIME = re.compile(r"(\d{4})-(\d\d)-(\d\d)T(\d\d):(\d\d):(\d\d)(?:\.\d+)?(?:Z|[+-]\d\d:\d\d)?", re.ASCII)
-
-
-class Remark(NamedTuple):
-    """Something that the security plugins of a DDS library reject, or might."""
-
-    code: str
-    """``xml``, ``missing``, ``unknown``, ``order``, ``duplicate``, ``bool``, ``kind``, ``number``, ``range``, ``date``,
-    ``default``, ``attribute``."""
-    where: Located | Span
-    detail: str = ""
-    """The missing, unknown or misplaced name, or what is wrong with the value."""
-    element: Element | None = None
-    """The element that the remark is about, or inside which something is missing."""
-    before: Element | None = None
-    """For ``missing``: the child in front of which the element belongs, if there is one."""
 
 
 class Range(NamedTuple):

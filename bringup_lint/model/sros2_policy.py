@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from dataclasses import field
 from typing import NamedTuple
 
-from bringup_lint.model.sros2 import Remark
+from bringup_lint.model.schema import Remark
 from bringup_lint.model.xml import Document
 from bringup_lint.model.xml import Element
 from bringup_lint.source import Located

@@ -5,6 +5,8 @@ from __future__ import annotations
 import dataclasses
 import re
 
+from bringup_lint.model.schema import Code
+from bringup_lint.model.schema import Remark
 from bringup_lint.model.sros2 import AccessRule
 from bringup_lint.model.sros2 import DomainRule
 from bringup_lint.model.sros2 import Domains
@@ -12,14 +14,13 @@ from bringup_lint.model.sros2 import Governance
 from bringup_lint.model.sros2 import Grant
 from bringup_lint.model.sros2 import Permissions
 from bringup_lint.model.sros2 import Range
-from bringup_lint.model.sros2 import Remark
 from bringup_lint.model.sros2 import TopicRule
 from bringup_lint.model.xml import Document
 from bringup_lint.model.xml import Element
 from bringup_lint.parsers.sros2_schema import check
-from bringup_lint.parsers.sros2_schema import schema
 from bringup_lint.parsers.xml import parse as parse_xml
 from bringup_lint.source import Located
+from bringup_lint.source import Problem
 from bringup_lint.source import Source
 
 _SIGNED = re.compile(r"\.(?:p7s|smime|p7m)$", re.I)
@@ -85,15 +86,22 @@ def _document(source: Source) -> Document:
 
 def _remarks(document: Document, file: str) -> list[Remark]:
     remarks = [
-        Remark(
-            "xml", problem.where, f"{problem.code.replace('-', ' ')}{f', {problem.detail}' if problem.detail else ''}"
-        )
+        not_wellformed(problem)
         for problem in document.problems
         if not (problem.code == "late-declaration" and is_signed(document.source))
     ]
     if document.root is not None and not remarks:
-        remarks += check(document.root, schema(file))
+        remarks += (each for each in check(document.root, file) if each.code not in _TOLERATED)
     return remarks
+
+
+_TOLERATED = (Code.UNKNOWN_ATTRIBUTE, Code.TEXT, Code.SHAPE)
+"""What the plugins read over."""
+
+
+def not_wellformed(problem: Problem) -> Remark:
+    detail = f", {problem.detail}" if problem.detail else ""
+    return Remark(Code.XML, problem.where, f"{problem.code.replace('-', ' ')}{detail}")
 
 
 def _text(element: Element | None) -> Located | None:
@@ -109,6 +117,7 @@ def _domains(element: Element | None, remarks: list[Remark]) -> Domains | None:
         return None
     domains = Domains(element)
     for child in element.children:
+        ends: tuple[Located | None, Located | None]
         if child.local == "id":
             ends = (child.text, child.text)
         elif child.local == "id_range":
@@ -118,11 +127,12 @@ def _domains(element: Element | None, remarks: list[Remark]) -> Domains | None:
             continue
         first, last = (int(end) if end and end.isascii() and end.isdigit() else None for end in ends)
         if child.local == "id_range" and first is None and ends[0] is None:
-            remarks.append(Remark("range", child.span, "no minimum", child))
+            remarks.append(Remark(Code.RANGE, child.span, "no minimum", element=child))
         if first is None or (last is None and ends[1] is not None):
             domains.known = False
         elif last is not None and first > last:
-            remarks.append(Remark("range", child.span, f"the minimum {first} is above the maximum {last}", child))
+            detail = f"the minimum {first} is above the maximum {last}"
+            remarks.append(Remark(Code.RANGE, child.span, detail, element=child))
         else:
             domains.ranges.append(Range(first, last, child.span))
     return domains

@@ -5,16 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterable
 from collections.abc import Iterator
 
-from bringup_lint.model.sros2 import Remark
+from bringup_lint.model.schema import Code
+from bringup_lint.model.schema import Remark
 from bringup_lint.model.sros2_policy import Policy
 from bringup_lint.model.sros2_policy import PolicyEnclave
 from bringup_lint.model.sros2_policy import Profile
 from bringup_lint.model.sros2_policy import Right
-from bringup_lint.model.xml import Document
 from bringup_lint.model.xml import Element
-from bringup_lint.parsers.sros2_schema import Item
+from bringup_lint.parsers.sros2 import not_wellformed
 from bringup_lint.parsers.sros2_schema import check
-from bringup_lint.parsers.sros2_schema import schema
 from bringup_lint.parsers.xml import parse as parse_xml
 from bringup_lint.source import Located
 from bringup_lint.source import Source
@@ -26,7 +25,7 @@ WAYS = {"topics": ("publish", "subscribe"), "services": ("reply", "request"), "a
 
 def policy(source: Source) -> Policy:
     document = parse_xml(source)
-    model = Policy(source, document, _xml(document))
+    model = Policy(source, document, [not_wellformed(problem) for problem in document.problems])
     root = document.root
     if root is None:
         return model
@@ -37,13 +36,6 @@ def policy(source: Source) -> Policy:
         model.enclaves += [_enclave(each) for each in holder.find_all("enclave")]
     model.open |= _includes(root)
     return model
-
-
-def _xml(document: Document) -> list[Remark]:
-    return [
-        Remark("xml", each.where, f"{each.code.replace('-', ' ')}{f', {each.detail}' if each.detail else ''}")
-        for each in document.problems
-    ]
 
 
 def _includes(element: Element) -> bool:
@@ -82,32 +74,13 @@ def _rights(groups: Iterable[Element]) -> Iterator[Right]:
 def _structure(root: Element) -> Iterator[Remark]:
     """What sros2's schema rejects, by the table; what is included is left out, and may be what seems to be missing."""
     if root.namespace:
-        yield Remark("namespace", root.name, root.namespace, root)
+        yield Remark(Code.NAMESPACE, root.name, root.namespace, element=root)
         return
     including = {id(element) for element in root.walk() if _includes(element)}
-    for remark in check(root, schema("policy")):
-        unsure = remark.code == "missing" and id(remark.element) in including
-        if not unsure and remark.code != "empty":
+    for remark in check(root, "policy"):
+        unsure = remark.code is Code.MISSING and id(remark.element) in including
+        if not unsure and remark.code is not Code.EMPTY:
             yield remark
     version = root.get("version")
     if version is not None and version != VERSION:
-        yield Remark("version", version, str(version), root)
-    yield from _strict(root, schema("policy"))
-
-
-def _strict(element: Element, item: Item) -> Iterator[Remark]:
-    """Attributes that do not belong to an element, and text where only elements may stand."""
-    for attribute in element.attributes if item.type != "any" else ():
-        if attribute.name not in item.attributes and not attribute.name.startswith(("xmlns", "xml:", "xsi:")):
-            yield Remark("unknown attribute", attribute.name, str(attribute.name), element)
-        elif item.values.get(str(attribute.name)) and attribute.value not in item.values[str(attribute.name)]:
-            yield Remark("qualifier", attribute.value, str(attribute.name), element)
-    if item.type == "any":
-        return
-    if item.type == "string" and element.children:
-        yield Remark("unknown", element.children[0].name, str(element.children[0].name), element.children[0])
-    if item.children and element.text:
-        yield Remark("text", element.text, str(element.name), element)
-    for child in element.children:
-        if child.local in item.children and not is_include(child):
-            yield from _strict(child, item.children[child.local])
+        yield Remark(Code.VERSION, version, str(version), element=root)

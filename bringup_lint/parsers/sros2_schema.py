@@ -1,107 +1,60 @@
-"""The structure of security documents: elements, their order and their values, by the table ``dds/sros2.tsv``."""
+"""The structure of security documents and policies: elements, their order and their values."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cache
-from typing import NamedTuple
 
 from bringup_lint.facts import table
-from bringup_lint.model.sros2 import Remark
+from bringup_lint.model.schema import Code
+from bringup_lint.model.schema import Fault
+from bringup_lint.model.schema import Item
+from bringup_lint.model.schema import Remark
 from bringup_lint.model.sros2 import moment
 from bringup_lint.model.xml import Element
+from bringup_lint.schema.names import Spelling
+from bringup_lint.schema.table import Schema
+from bringup_lint.schema.table import schema_of
+from bringup_lint.schema.walk import Entry
+from bringup_lint.schema.walk import walk
 
-
-class Item(NamedTuple):
-    """An element of the table."""
-
-    name: str
-    order: int
-    """0 where any place will do."""
-    required: bool
-    single: bool
-    type: str
-    allowed: tuple[str, ...]
-    children: dict[str, Item]
-    attributes: dict[str, bool]
-    """Name -> whether it is required."""
-    values: dict[str, tuple[str, ...]]
-    """Attribute -> its words, where only some are allowed."""
+WITHOUT_PREFIX = Spelling(drops_prefix=True)
+NEVER_EMPTY = ("topic_expression", "topic", "subject_name")
+_OF_XML = ("xmlns", "xml:", "xsi:")
 
 
 @cache
-def schema(file: str) -> Item:
-    """The root element of ``governance``, ``permissions`` or ``policy``."""
-    items: dict[str, Item] = {}
-    for row in table("dds/sros2"):
-        if row["file"] != file:
-            continue
-        path, required = row["path"], row["required"] == "yes"
-        if row["kind"] == "attribute":
-            owner, _, name = path.rpartition("@")
-            items[owner].attributes[name] = required
-            if row["type"] == "enum":
-                items[owner].values[name] = tuple(row["allowed"].split("|"))
-            continue
-        above, _, name = path.rpartition("/")
-        order = int(row["order"] or 0)
-        item = Item(
-            name, order, required, row["max_occurs"] == "1", row["type"], tuple(row["allowed"].split("|")), {}, {}, {}
-        )
-        items[path] = item
-        if above:
-            items[above].children[name] = item
-    return next(iter(items.values()))
+def schema(file: str) -> Schema:
+    """The schema of ``governance``, ``permissions`` or ``policy``."""
+    return schema_of(row for row in table("dds/sros2") if row["file"] == file)
 
 
-def check(element: Element, item: Item) -> Iterator[Remark]:
-    """What is wrong with an element and all below it."""
-    for name, required in item.attributes.items():
-        if required and element.get(name) is None:
-            yield Remark("attribute", element.name, name, element)
-    if item.children:
-        yield from _children(element, item)
-    elif not element.children:
-        yield from _value(element, item)
+def check(root: Element, file: str) -> Iterator[Remark]:
+    """What is wrong with a document, whatever its root is called. Elements with a prefix are foreign, and left alone."""
+    known = schema(file)
+    top = next(iter(known.top.children.values()))
+    for remark in walk(known, _entry(root), top, fault_of, WITHOUT_PREFIX):
+        if remark.code is not Code.UNKNOWN or ":" not in str(remark.where):
+            yield remark
 
 
-def _children(element: Element, item: Item) -> Iterator[Remark]:
-    reached, seen, in_order = 0, set(), True
-    for child in element.children:
-        known = item.children.get(child.local)
-        if known is None:
-            if ":" not in child.name:
-                yield Remark("unknown", child.name, str(child.name), child)
-            continue
-        if known.single and known.name in seen:
-            yield Remark("duplicate", child.name, known.name, child)
-        elif in_order and known.order and known.order < reached:
-            in_order = False
-            yield Remark("order", child.name, known.name, child)
-        seen.add(known.name)
-        reached = max(reached, known.order)
-        yield from check(child, known)
-    for known in item.children.values():
-        if known.required and known.name not in seen:
-            later = [child for child in element.children if _order(item, child) > known.order]
-            yield Remark("missing", element.name, known.name, element, later[0] if later else None)
+def _entry(element: Element) -> Entry:
+    attributes = [
+        Entry(each.name, each.value, element=element)
+        for each in element.attributes
+        if not each.name.startswith(_OF_XML)
+    ]
+    return Entry(element.name, element.text, [_entry(child) for child in element.children], attributes, element)
 
 
-def _order(item: Item, child: Element) -> int:
-    known = item.children.get(child.local)
-    return known.order if known else 0
-
-
-def _value(element: Element, item: Item) -> Iterator[Remark]:
-    text = element.text
-    where = text if text else element.tag
-    if item.type == "bool" and text not in item.allowed:
-        yield Remark("bool", where, item.name, element)
-    elif item.type == "enum" and text not in item.allowed:
-        yield Remark("default" if item.name == "default" else "kind", where, item.name, element)
-    elif item.type == "int" and not (text.isascii() and text.isdigit()):
-        yield Remark("number", where, item.name, element)
-    elif item.type == "dateTime" and moment(text) is None:
-        yield Remark("date", where, item.name, element)
-    elif item.type == "string" and not text and item.name in ("topic_expression", "topic", "subject_name"):
-        yield Remark("empty", where, item.name, element)
+def fault_of(item: Item, text: str) -> Fault | None:
+    """What a security plugin or sros2 has against a text."""
+    if item.type == "bool":
+        return None if text in item.words else Fault(Code.BOOL)
+    if item.type == "enum":
+        return None if text in item.words else Fault(Code.ENUM)
+    if item.type == "int":
+        return None if text.isascii() and text.isdigit() else Fault(Code.NUMBER)
+    if item.type == "dateTime":
+        return None if moment(text) is not None else Fault(Code.DATE)
+    return None if text or item.name not in NEVER_EMPTY else Fault(Code.EMPTY)

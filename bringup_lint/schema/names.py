@@ -30,6 +30,8 @@ class Spelling(NamedTuple):
     """Case does not count."""
     shortens: bool = False
     """A unique prefix of a name counts as the name."""
+    drops_prefix: bool = False
+    """A namespace prefix does not count."""
 
 
 EXACT = Spelling()
@@ -40,6 +42,8 @@ def find(items: Mapping[str, Item], name: str, spelling: Spelling = EXACT) -> Ma
     item = items.get(name)
     if item is not None:
         return Match(item, How.EXACT)
+    if spelling.drops_prefix and ":" in name:
+        return find(items, name.rpartition(":")[2])
     wanted = name.lower() if spelling.folds else name
     for item in items.values():
         if spelling.folds and item.name.lower() == wanted:

@@ -25,6 +25,7 @@ from bringup_lint.schema.names import Spelling
 from bringup_lint.schema.names import find
 from bringup_lint.schema.table import Schema
 from bringup_lint.source import Located
+from bringup_lint.source import Span
 
 Written = TypeVar("Written")
 Judge = Callable[[Item, Located], Fault | None]
@@ -36,10 +37,8 @@ class Entry:
     """One name as it is written: a section, a key, an element or an attribute."""
 
     name: Located
-    local: str
-    """The name to look up: without a namespace prefix."""
     value: Located | None = None
-    """None where only other entries may be."""
+    """None where only other entries may be; the text of an element is its value."""
     children: Sequence[Entry] = ()
     attributes: Sequence[Entry] = ()
     element: Element | None = None
@@ -114,10 +113,13 @@ def missing(items: Mapping[str, Item], known: Iterable[tuple[Written, Item]]) ->
 def walk(schema: Schema, entry: Entry, item: Item, judge: Judge, spelling: Spelling = EXACT) -> Iterator[Remark]:
     """Everything that is wrong with an entry and all below it."""
     shape = schema.inside(item)
-    yield from _attributes(entry, item, judge, spelling)
+    if item.type != "any":
+        yield from _attributes(entry, item, judge, spelling)
     if not shape.children:
-        yield from _value(entry, item, judge)
+        yield from _leaf(entry, item, judge)
         return
+    if entry.value:
+        yield Remark(Code.TEXT, entry.value, str(entry.name), item=item, element=entry.element)
     below = level(((each.name, each) for each in entry.children), shape.children, item, spelling)
     yield from below.remarks
     yield from repeated(below.known)
@@ -140,10 +142,18 @@ def _attributes(entry: Entry, item: Item, judge: Judge, spelling: Spelling) -> I
         yield from _value(each, known, judge)
 
 
+def _leaf(entry: Entry, item: Item, judge: Judge) -> Iterator[Remark]:
+    if not entry.children:
+        yield from _value(entry, item, judge)
+    elif item.type != "any":
+        inner = entry.children[0]
+        yield Remark(Code.SHAPE, inner.name, inner.name, item=item, element=inner.element)
+
+
 def _value(entry: Entry, item: Item, judge: Judge) -> Iterator[Remark]:
-    if entry.value is None or entry.children:
-        return
-    fault = judge(item, entry.value)
-    if fault is not None:
-        where = entry.value or (entry.element.tag if entry.element else entry.name)
+    fault = None if entry.value is None else judge(item, entry.value)
+    if fault is not None and entry.value is not None:
+        where: Located | Span = entry.value
+        if not entry.value and not item.is_attribute and entry.element is not None:
+            where = entry.element.tag
         yield Remark(fault.code, where, fault.detail or item.name, fault.fatal, item, entry.element)

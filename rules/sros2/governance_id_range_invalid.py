@@ -37,13 +37,14 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.schema import Code
 
 
 @rule("error", symptoms=["Found domain range in Governance file without minimum value", "with invalid range"])
 def governance_id_range_invalid(robot: Robot) -> Iterator[Finding]:
-    for document, remark in robot.sros2.remarks("range", "number"):
+    for document, remark in robot.sros2.remarks(Code.RANGE, Code.NUMBER):
         code = " (code 110)" if document in robot.sros2.governances else ""
-        if remark.code == "number":
+        if remark.code == Code.NUMBER:
             text = remark.element.text
             message = f"'{text}' is not a domain" if text else f"{remark.detail} is empty"
         else:

@@ -33,11 +33,14 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.schema import Code
 
 
 @rule("error", fix="safe", symptoms=["Can not parse governance file"])
 def governance_kind_invalid(robot: Robot) -> Iterator[Finding]:
-    for _, remark in robot.sros2.remarks("kind"):
+    for _, remark in robot.sros2.remarks(Code.ENUM):
+        if remark.detail == "default":
+            continue
         right = remark.where.upper() if remark.element.text else ""
         kinds = ("NONE", "SIGN", "ENCRYPT")
         if remark.detail != "data_protection_kind":

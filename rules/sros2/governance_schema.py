@@ -41,37 +41,38 @@ from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.schema import Code
 
 
 @rule("error", fix="unsafe", symptoms=["Found topic rule in Governance file without", "code: 110"])
 def governance_schema(robot: Robot) -> Iterator[Finding]:
-    for document, remark in robot.sros2.remarks("missing", "unknown", "duplicate", "order", "empty"):
+    for document, remark in robot.sros2.remarks(Code.MISSING, Code.UNKNOWN, Code.DUPLICATE, Code.ORDER, Code.EMPTY):
         if document not in robot.sros2.governances:
             continue
-        if remark.code == "missing":
+        if remark.code == Code.MISSING:
             yield finding(
                 remark.where,
                 f"{remark.where} has no {remark.detail}: the document is rejected (code 110), no node starts",
                 advice=f"add {remark.detail}{_place(remark)}, and sign the document again",
                 fix=_insertion(remark),
             )
-        elif remark.code == "order" and not robot.sros2.is_used(document.source):
+        elif remark.code == Code.ORDER and not robot.sros2.is_used(document.source):
             continue
-        elif remark.code == "order":
+        elif remark.code == Code.ORDER:
             yield finding(
                 remark.where,
                 f"{remark.detail} is out of order: Cyclone DDS accepts it, Fast DDS rejects the document and no node "
                 "starts",
                 advice="keep the order of the specification, and sign the document again",
             )
-        elif remark.code == "empty":
+        elif remark.code == Code.EMPTY:
             yield finding(
                 remark.where,
                 f"{remark.detail} is empty: it covers no topic",
                 advice="write a topic name or a pattern, such as *",
             )
         else:
-            what = "is not an element of a governance document" if remark.code == "unknown" else "appears twice"
+            what = "is not an element of a governance document" if remark.code == Code.UNKNOWN else "appears twice"
             yield finding(
                 remark.where,
                 f"{remark.detail} {what}: the document is rejected, no node starts",

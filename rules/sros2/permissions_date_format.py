@@ -33,11 +33,12 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.schema import Code
 
 
 @rule("error", fix="safe", symptoms=["Permissions validity period expired"])
 def permissions_date_format(robot: Robot) -> Iterator[Finding]:
-    for _, remark in robot.sros2.remarks("date"):
+    for _, remark in robot.sros2.remarks(Code.DATE):
         text = remark.element.text
         short = re.fullmatch(r"\d{4}-\d\d-\d\d", text)
         yield finding(

@@ -32,6 +32,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.schema import Code
 
 
 @rule("warning", fix="safe")
@@ -40,7 +41,7 @@ def permissions_default_missing(robot: Robot) -> Iterator[Finding]:
         if not robot.sros2.is_used(permissions.source):
             continue
         for remark in permissions.remarks:
-            if remark.code == "default":
+            if remark.code == Code.ENUM and remark.detail == "default":
                 text = remark.element.text
                 right = text.upper() if text.upper() in ("ALLOW", "DENY") else "DENY"
                 yield finding(
@@ -49,7 +50,7 @@ def permissions_default_missing(robot: Robot) -> Iterator[Finding]:
                     advice=f"write {right}",
                     fix=fix(f"write {right}", (remark.where, right)) if text else None,
                 )
-            elif remark.code == "missing" and remark.detail == "default":
+            elif remark.code == Code.MISSING and remark.detail == "default":
                 yield finding(
                     remark.where,
                     "The grant has no default: Cyclone DDS denies, other libraries may reject the document",

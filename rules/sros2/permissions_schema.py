@@ -36,20 +36,20 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.schema import Code
+
+CODES = (Code.MISSING, Code.MISSING_ATTRIBUTE, Code.UNKNOWN, Code.DUPLICATE)
 
 
 @rule("error")
 def permissions_schema(robot: Robot) -> Iterator[Finding]:
     for permissions in robot.sros2.permissions:
         for remark in permissions.remarks:
-            if remark.code not in ("missing", "unknown", "duplicate", "attribute") or remark.detail in (
-                "default",
-                "topic",
-            ):
+            if remark.code not in CODES or remark.detail in ("default", "topic"):
                 continue
-            if remark.code in ("missing", "attribute"):
+            if remark.code in (Code.MISSING, Code.MISSING_ATTRIBUTE):
                 message, advice = f"{remark.where} has no {remark.detail}", f"add {remark.detail}"
-            elif remark.code == "unknown":
+            elif remark.code == Code.UNKNOWN:
                 message, advice = f"{remark.detail} is not an element of permissions", "delete it"
             else:
                 message, advice = f"{remark.detail} appears twice", "delete one of the two"

@@ -37,18 +37,20 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.schema import Code
 
 MESSAGES = {
-    "missing": "{where} has no {detail}",
-    "attribute": "{where} has no attribute {detail}",
-    "unknown": "{detail} is not allowed here in a policy",
-    "duplicate": "{detail} appears twice",
-    "order": "{detail} is out of order",
-    "version": "Version {detail} is not 0.2.0",
-    "namespace": "A policy must not have an XML namespace",
-    "unknown attribute": "{detail} is not an attribute of this element",
-    "qualifier": "'{where}' is neither ALLOW nor DENY",
-    "text": "{detail} contains text, but only elements are allowed",
+    Code.MISSING: "{where} has no {detail}",
+    Code.MISSING_ATTRIBUTE: "{where} has no attribute {detail}",
+    Code.UNKNOWN: "{detail} is not allowed here in a policy",
+    Code.SHAPE: "{detail} is not allowed here in a policy",
+    Code.DUPLICATE: "{detail} appears twice",
+    Code.ORDER: "{detail} is out of order",
+    Code.VERSION: "Version {detail} is not 0.2.0",
+    Code.NAMESPACE: "A policy must not have an XML namespace",
+    Code.UNKNOWN_ATTRIBUTE: "{detail} is not an attribute of this element",
+    Code.ENUM: "'{where}' is neither ALLOW nor DENY",
+    Code.TEXT: "{detail} contains text, but only elements are allowed",
 }
 
 
@@ -59,7 +61,7 @@ def policy_schema(robot: Robot) -> Iterator[Finding]:
             if remark.code not in MESSAGES:
                 continue
             what = MESSAGES[remark.code].format(where=remark.where, detail=remark.detail)
-            right = str(remark.where).strip().upper() if remark.code == "qualifier" else ""
+            right = str(remark.where).strip().upper() if remark.code == Code.ENUM else ""
             yield finding(
                 remark.where,
                 f"{what}: ros2 security fails, the permissions do not change",

@@ -35,15 +35,16 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.schema import Code
 
 
 @rule("error", symptoms=["Can not parse governance file", "Can not parse permissions file"])
 def xml_not_wellformed(robot: Robot) -> Iterator[Finding]:
-    for _, remark in robot.sros2.remarks("xml"):
+    for _, remark in robot.sros2.remarks(Code.XML):
         yield _finding(remark, "The document", "no node of these enclaves starts", " and sign the document again")
     for policy in robot.sros2.policies:
         for remark in policy.remarks:
-            if remark.code == "xml":
+            if remark.code == Code.XML:
                 yield _finding(remark, "The policy", "ros2 security creates no permissions from it", "")
 
 

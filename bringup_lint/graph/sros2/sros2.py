@@ -22,11 +22,12 @@ from bringup_lint.graph.sros2.shared import User
 from bringup_lint.graph.sros2.shared import shared_enclaves
 from bringup_lint.graph.sros2.ungranted import Ungranted
 from bringup_lint.graph.sros2.ungranted import ungranted
+from bringup_lint.model.schema import Code
+from bringup_lint.model.schema import Remark
 from bringup_lint.model.shell import Command
 from bringup_lint.model.sros2 import Governance
 from bringup_lint.model.sros2 import Grant
 from bringup_lint.model.sros2 import Permissions
-from bringup_lint.model.sros2 import Remark
 from bringup_lint.model.sros2 import moment
 from bringup_lint.model.sros2_policy import Policy
 from bringup_lint.model.sros2_policy import PolicyEnclave
@@ -215,7 +216,7 @@ class Sros2:
     def grants(self) -> Iterator[tuple[Permissions, Grant]]:
         return ((each, grant) for each in self.permissions for grant in each.grants)
 
-    def remarks(self, *codes: str) -> Iterator[tuple[Governance | Permissions, Remark]]:
+    def remarks(self, *codes: Code) -> Iterator[tuple[Governance | Permissions, Remark]]:
         """What is wrong with the documents, by code."""
         for document in (*self.governances, *self.permissions):
             for remark in document.remarks:
