@@ -30,7 +30,7 @@ def schema(file: str) -> Schema:
 
 
 def check(root: Element, file: str) -> Iterator[Remark]:
-    """What is wrong with a document, whatever its root is called. Elements with a prefix are foreign, and left alone."""
+    """What is wrong with a document, whatever its root is called. Elements with a prefix are left alone."""
     known = schema(file)
     top = next(iter(known.top.children.values()))
     for remark in walk(known, _entry(root), top, fault_of, WITHOUT_PREFIX):

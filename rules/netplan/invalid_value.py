@@ -78,8 +78,9 @@ def _explain(code: str, where: str, detail: str) -> tuple[str, str]:
 
 @rule("error", symptoms=["Error in network definition"])
 def invalid_value(robot: Robot) -> Iterator[Finding]:
-    for code, where, detail in robot.netplan.problems(*CODES):
+    for problem in robot.netplan.problems(*CODES):
+        where = problem.where
         text = where if isinstance(where, Located) else where.text.partition("\n")[0]
-        message, advice = _explain(code, text, detail)
-        secrets = [where] if code == "secret" else []
+        message, advice = _explain(problem.code, text, problem.detail)
+        secrets = [where] if problem.code == "secret" else []
         yield finding(where, f"netplan generates nothing: {message}", advice=advice, secrets=secrets)

@@ -45,8 +45,8 @@ from bringup_lint.api import rule
 
 @rule("error", symptoms=["networkd does not support this wifi mode", "networkd backend does not support"])
 def renderer_unsupported(robot: Robot) -> Iterator[Finding]:
-    for _, where, detail in robot.netplan.problems("unsupported"):
-        other = "NetworkManager" if detail.startswith("networkd") else "networkd"
-        same = "needs the same" in detail
+    for problem in robot.netplan.problems("unsupported"):
+        other = "NetworkManager" if problem.detail.startswith("networkd") else "networkd"
+        same = "needs the same" in problem.detail
         advice = "write the same value in both" if same else f"choose renderer: {other}, or remove this setting"
-        yield finding(where, f"netplan stops halfway: {detail}", advice=advice)
+        yield finding(problem.where, f"netplan stops halfway: {problem.detail}", advice=advice)

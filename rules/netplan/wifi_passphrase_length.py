@@ -44,12 +44,13 @@ from bringup_lint.api.templates import is_stand_in
     ],
 )
 def wifi_passphrase_length(robot: Robot) -> Iterator[Finding]:
-    for _, where, detail in robot.netplan.problems("passphrase"):
+    for problem in robot.netplan.problems("passphrase"):
+        where = problem.where
         if is_stand_in(where):
             continue
         yield finding(
             where,
-            f"A WPA passphrase has 8 to 63 characters, this one is not valid ({detail}): netplan stops",
+            f"A WPA passphrase has 8 to 63 characters, this one is not valid ({problem.detail}): netplan stops",
             advice="correct the passphrase",
             secrets=[where],
         )
