@@ -1,12 +1,13 @@
-"""A shortened Cyclone DDS name.
+"""A Cyclone DDS name is shortened.
 
 ## What it finds
-A name that is only the beginning of the real one, such as `addr` for `Address`. The library takes
-unique beginnings only in XML that is given inline in `CYCLONEDDS_URI`.
+A name that is only the beginning of the real one, such as `addr` for `Address`:
+- **error**: in a file, where the library does not accept shortened names.
+- **info**: in XML that is given inline in `CYCLONEDDS_URI`, where it accepts them if they are unique.
 
 ## Why it matters on a robot
-In a file the shortened name is unknown: no participant, no ROS node. Inline it works until another name
-begins the same way.
+In a file the library does not know the shortened name: no participant is created and no ROS node starts.
+Inline, the name works until another one starts with the same letters.
 
 ## Bad
 ```xml
@@ -17,6 +18,9 @@ begins the same way.
 ```xml
 <Peer Address="10.0.0.10"/>
 ```
+
+## When to ignore it
+Inline, if the robot stays on one version of the library. In a file never.
 
 ## References
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
@@ -36,9 +40,9 @@ from bringup_lint.api.schema import Code
 def abbreviated_name(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.dds.remarks(Code.ABBREVIATED):
         if remark.fatal:
-            message = f"'{remark.where}' is no full name, and a file may not shorten names: no node starts"
+            message = f"'{remark.where}' is not a full name, and a file must not shorten names: no node starts"
         else:
-            message = f"'{remark.where}' works only as long as no other name begins with it"
+            message = f"'{remark.where}' works only as long as no other name starts with it"
         yield finding(
             remark.where,
             message,

@@ -1,13 +1,13 @@
-"""A unit that Cyclone DDS does not know.
+"""Cyclone DDS does not know a unit.
 
 ## What it finds
-A size or duration with an unknown unit, or without one where the library insists. Sizes take B, kB,
-KiB, MB, MiB, GB and GiB (all powers of 1024), durations ns, us, ms, s, min, hr and day; capital letters
-matter.
+A size or duration with an unknown unit, or without one where the library requires it. Units are
+case-sensitive:
+- sizes: B, kB, KiB, MB, MiB, GB and GiB (all powers of 1024)
+- durations: ns, us, ms, s, min, hr and day
 
 ## Why it matters on a robot
-The library says `unrecognised unit` or `unit is required` and creates no participant: no ROS node
-starts.
+The library reports `unrecognised unit` or `unit is required` and creates no participant: no ROS node starts.
 
 ## Bad
 ```xml
@@ -18,6 +18,9 @@ starts.
 ```xml
 <SocketReceiveBufferSize max="100kB"/>
 ```
+
+## When to ignore it
+Never: the library refuses the file, and no node starts.
 
 ## References
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library

@@ -1,12 +1,12 @@
-"""A Cyclone DDS setting that has moved or is going away.
+"""A Cyclone DDS setting has moved or is deprecated.
 
 ## What it finds
-An element that the target version takes only with a warning: deprecated ones such as
-`NetworkInterfaceAddress`, older names, and settings that have moved to another group.
+An element that the target version accepts only with a warning: a deprecated one such as
+`NetworkInterfaceAddress`, an older name, or a setting that has moved to another group.
 
 ## Why it matters on a robot
-Every process logs a warning at each start, and the next library may refuse the file, which stops every
-node.
+Every process logs a warning at each start. The next version of the library may refuse the file, and then no
+node starts.
 
 ## Bad
 ```xml
@@ -23,6 +23,9 @@ node.
   </Interfaces>
 </General>
 ```
+
+## When to ignore it
+If the same file must also work with an older version of the library that knows only the old name.
 
 ## References
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library; 0.9.1
@@ -59,7 +62,7 @@ def deprecated_element(robot: Robot) -> Iterator[Finding]:
         else:
             message, advice = (
                 f"{remark.where} is deprecated in {library}",
-                "remove it, or use what replaces it",
+                "remove it, or use its replacement",
             )
             if remark.item.name == "NetworkInterfaceAddress":
                 advice = 'write <Interfaces><NetworkInterface name="..."/></Interfaces>'

@@ -1,10 +1,10 @@
-"""A Domain Id that is neither any nor a number.
+"""The Id of a Domain is neither any nor a number.
 
 ## What it finds
-A `Domain` whose `Id` is no unsigned decimal number below 4294967295 and not `any`.
+A `Domain` whose `Id` is neither `any` nor an unsigned decimal number below 4294967295.
 
 ## Why it matters on a robot
-The library says `neither 'any' nor a less than 2**32-1` and creates no participant: no ROS node starts.
+The library reports `neither 'any' nor a less than 2**32-1` and creates no participant: no ROS node starts.
 
 ## Bad
 ```xml
@@ -15,6 +15,9 @@ The library says `neither 'any' nor a less than 2**32-1` and creates no particip
 ```xml
 <Domain Id="any">
 ```
+
+## When to ignore it
+Never: the library refuses the file, and no node starts.
 
 ## References
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library

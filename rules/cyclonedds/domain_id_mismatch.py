@@ -1,11 +1,11 @@
-"""A Cyclone DDS file for another domain than the one the robot runs on.
+"""A Cyclone DDS file is for a different domain than the robot's.
 
 ## What it finds
-A process reads a file whose `Domain` blocks all have an `Id` other than `any`, and none is the
-process's ROS_DOMAIN_ID (0 when its whole environment is known and does not set it).
+A process reads a file whose `Domain` blocks all have an `Id` other than `any`, and none of them is the
+ROS_DOMAIN_ID of the process (0 if its environment is completely known and does not set it).
 
 ## Why it matters on a robot
-The library skips blocks of other domains without a word: nothing of the file counts, and the robot runs
+The library skips blocks for other domains without a message: nothing in the file applies, and the robot runs
 with multicast and default settings.
 
 ## Bad
@@ -18,6 +18,9 @@ with multicast and default settings.
 ```xml
 <Domain Id="any">
 ```
+
+## When to ignore it
+If the file is shared by several processes, and this one should run with the defaults.
 
 ## References
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library: an unknown element below Id 42 passes on
@@ -46,10 +49,10 @@ def domain_id_mismatch(robot: Robot) -> Iterator[Finding]:
                 continue
             related = [note(selection.uri, f"{selection.who} reads the file")]
             if selection.domain_where is not None:
-                related.append(note(selection.domain_where, f"{selection.who} runs on this domain"))
+                related.append(note(selection.domain_where, f"{selection.who} runs in this domain"))
             yield finding(
                 ids[0],
-                f"The file configures domain {numbers[0]}, but {selection.who} runs on {selection.domain}: "
+                f"The file configures domain {numbers[0]}, but {selection.who} runs in domain {selection.domain}: "
                 "it has no effect",
                 advice="write any",
                 related=related,

@@ -1,11 +1,11 @@
-"""A Cyclone DDS setting that is given twice.
+"""A Cyclone DDS setting appears twice.
 
 ## What it finds
-One setting with two values in the same Domain block, also when its group is opened twice. Peers,
-interfaces and threads may be many; a second Domain block or file overrides the first and is fine.
+One setting with two values in the same Domain block, also if its group is opened twice. Peers, interfaces and
+threads may appear several times. A second Domain block or file overrides the first one and is not reported.
 
 ## Why it matters on a robot
-The library says `only 1 instance allowed` and creates no participant: no ROS node starts.
+The library reports `only 1 instance allowed` and creates no participant: no ROS node starts.
 
 ## Bad
 ```xml
@@ -17,6 +17,9 @@ The library says `only 1 instance allowed` and creates no participant: no ROS no
 ```xml
 <AllowMulticast>spdp</AllowMulticast>
 ```
+
+## When to ignore it
+Never: the library refuses the file, and no node starts.
 
 ## References
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
@@ -38,7 +41,7 @@ def duplicate_element(robot: Robot) -> Iterator[Finding]:
         first = robot.dds.first_of(configuration, remark)
         yield finding(
             remark.where,
-            f"{remark.detail} is given twice (only 1 instance allowed): no participant can be created, no node starts",
+            f"{remark.detail} appears twice (only 1 instance allowed): no participant can be created, no node starts",
             advice="keep one of the two",
             related=[note(first, "the first one")] if first else (),
         )

@@ -1,13 +1,13 @@
-"""A Cyclone DDS setting of another version.
+"""A Cyclone DDS setting is for another version of the library.
 
 ## What it finds
-An element, attribute or value that other versions of the library take, but not the one of the robot's
-ROS distribution. When the tree does not tell the distribution, 0.10 is assumed (Humble to Kilted) and
+An element, attribute or value that other versions of the library accept, but not the version of the robot's
+ROS distribution. If the tree does not show the distribution, version 0.10 is assumed (Humble to Kilted) and
 the finding is a warning.
 
 ## Why it matters on a robot
-What a version does not know is fatal to it: no participant, no ROS node. Configuration copied from the
-newest manual fails on an older robot, and files of Foxy fail on Jazzy.
+The library refuses what its version does not know: no participant is created and no ROS node starts.
+Configuration copied from the newest manual fails on an older robot, and files for Foxy fail on Jazzy.
 
 ## Bad
 ```xml
@@ -24,6 +24,10 @@ newest manual fails on an older robot, and files of Foxy fail on Jazzy.
   <NetworkInterfaceAddress>eth0</NetworkInterfaceAddress>
 </General>
 ```
+
+## When to ignore it
+If the robot has another version of the library than its distribution, for example one that you build in the
+workspace.
 
 ## References
 - 0.7.0, 0.9.1, 0.10.5, 11.0.1, tried with the real libraries; 0.8.2 from its source
@@ -48,7 +52,7 @@ def element_too_new(robot: Robot) -> Iterator[Finding]:
         library = robot.dds.cyclonedds
         yield finding(
             remark.where,
-            f"{library} does not take '{remark.where}', only {', '.join(versions)} does: no node starts",
-            advice=f"write what {library.version} knows, or set target-ros to the robot's distribution",
+            f"{library} does not accept '{remark.where}' (accepted by {', '.join(versions)}): no node starts",
+            advice=f"use a setting that {library.version} supports, or set target-ros to the robot's distribution",
             severity=None if library.known else "warning",
         )

@@ -1,10 +1,12 @@
-"""On the wire the robot is in another domain than ROS_DOMAIN_ID says.
+"""The robot uses another domain on the network than its ROS_DOMAIN_ID.
 
 ## What it finds
-`ExternalDomainId` in a Cyclone DDS file, with another number than the domain of a process that reads the file.
+`ExternalDomainId` in a Cyclone DDS file, with a different number than the domain of a process that reads the
+file.
 
 ## Why it matters on a robot
-Machines with the same ROS_DOMAIN_ID do not see the robot, and it shares a domain with machines that nobody thinks of.
+Machines with the same ROS_DOMAIN_ID do not discover the robot. It shares a domain with machines that nobody
+expects there.
 
 ## Bad
 ```xml
@@ -15,6 +17,9 @@ Machines with the same ROS_DOMAIN_ID do not see the robot, and it shares a domai
 ```xml
 <ExternalDomainId>default</ExternalDomainId>
 ```
+
+## When to ignore it
+If all machines of the fleet use the same mapping on purpose, for example to reach domains above 232.
 
 ## References
 - Cyclone DDS, configuration reference: Domain/Discovery/ExternalDomainId
@@ -40,7 +45,7 @@ def external_domain_id(robot: Robot) -> Iterator[Finding]:
             if reader.domain is not None and reader.domain != int(text):
                 yield finding(
                     setting.value,
-                    f"{reader.who} says domain {reader.domain}, and is in domain {text} on the network",
+                    f"{reader.who} has ROS_DOMAIN_ID {reader.domain}, but uses domain {text} on the network",
                     advice="delete ExternalDomainId",
                     related=[note(reader.domain_where or reader.where, "the domain of the process")],
                 )

@@ -1,12 +1,12 @@
-"""A Cyclone DDS interface without name and address.
+"""A Cyclone DDS interface has neither a name nor an address.
 
 ## What it finds
-A `NetworkInterface` with neither `name` nor `address`, and without `autodetermine="true"`. A name that
-comes from a variable is left alone.
+A `NetworkInterface` with neither `name` nor `address`, and without `autodetermine="true"`. A name that comes
+from a variable is not checked.
 
 ## Why it matters on a robot
-The library says `Nameless and address-less interface listed in interfaces` and creates no participant:
-no ROS node starts.
+The library reports `Nameless and address-less interface listed in interfaces` and creates no participant: no
+ROS node starts.
 
 ## Bad
 ```xml
@@ -17,6 +17,9 @@ no ROS node starts.
 ```xml
 <NetworkInterface name="eth0" multicast="false"/>
 ```
+
+## When to ignore it
+Never: the library refuses the file, and no node starts.
 
 ## References
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library

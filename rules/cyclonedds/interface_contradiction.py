@@ -1,10 +1,10 @@
-"""An autodetermined Cyclone DDS interface with a name.
+"""A Cyclone DDS interface is both autodetermined and named, or appears twice.
 
 ## What it finds
-A `NetworkInterface` with `autodetermine="true"` and a name or address, or one interface that is named twice.
+A `NetworkInterface` with `autodetermine="true"` and a name or address, or an interface that is named twice.
 
 ## Why it matters on a robot
-The library refuses it and creates no participant: no ROS node starts.
+The library refuses the file and creates no participant: no ROS node starts.
 
 ## Bad
 ```xml
@@ -15,6 +15,9 @@ The library refuses it and creates no participant: no ROS node starts.
 ```xml
 <NetworkInterface name="eth0"/>
 ```
+
+## When to ignore it
+Never: the library refuses the file, and no node starts.
 
 ## References
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library

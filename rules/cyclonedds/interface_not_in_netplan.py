@@ -1,14 +1,18 @@
 """Cyclone DDS uses an interface that the robot does not have.
 
 ## What it finds
-An interface name that no file of the robot's netplan defines. Only files below the same root are
-joined, and only when the tree holds one netplan configuration. Names that a `match:` may give, that
-come from containers, tunnels or USB gadgets, and `presence_required="false"` beside other interfaces
-are left alone. Predictable kernel names (`enp3s0`) give a warning.
+An interface name that no file of the robot's netplan defines. Files are compared only if they are below the
+same root and the tree has exactly one netplan configuration. Not reported are:
+- names that a `match:` may give
+- names of containers, tunnels or USB gadgets
+- `presence_required="false"`, if other interfaces are listed too
+
+Names that a network card gets by default (`enp3s0`, `wlan0`, `eth0`) are a warning if netplan configures a
+physical interface.
 
 ## Why it matters on a robot
-The library says `eth0: does not match an available interface` and creates no participant: no ROS node
-starts. A renamed or exchanged network card is enough.
+The library reports `eth0: does not match an available interface` and creates no participant: no ROS node
+starts. This happens as soon as a network card is renamed or replaced.
 
 ## Bad
 ```xml
@@ -20,6 +24,9 @@ starts. A renamed or exchanged network card is enough.
 ```xml
 <NetworkInterface name="lan0"/>
 ```
+
+## When to ignore it
+If something other than netplan creates the interface on the robot, such as a VPN client or a driver.
 
 ## References
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
@@ -55,7 +62,7 @@ def interface_not_in_netplan(robot: Robot) -> Iterator[Finding]:
                 f"Interface {name} is not configured on this robot: 'does not match an available "
                 "interface', no node starts",
                 advice=f"use one of {', '.join(str(each.device) for each in known)}",
-                chain=robot.provenance.chain_to(setting.value, f"{name} is to carry DDS"),
+                chain=robot.provenance.chain_to(setting.value, f"DDS uses {name}"),
                 related=[note(each.name, "netplan configures this one") for each in known[:3]],
                 severity="warning" if predictable else None,
             )

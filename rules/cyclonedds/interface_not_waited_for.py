@@ -1,14 +1,14 @@
 """The DDS interface may not be up when ROS starts.
 
 ## What it finds
-Cyclone DDS names an interface that the robot's netplan marks `optional: true`: the boot does not wait
-for it, and no unit that reads the file waits for the interface itself: for its device unit, with wait-online, or in a
-script. `presence_required="false"` beside other interfaces is left alone.
+Cyclone DDS names an interface that the robot's netplan marks `optional: true`, so the boot does not wait for
+it. No unit that reads the file waits for the interface itself: through its device unit, with wait-online, or
+in a script. `presence_required="false"` is not reported if other interfaces are listed too.
 
 ## Why it matters on a robot
-The interface is not there yet when the nodes start: `does not match an available interface`, and no
-node starts. By hand, minutes later, everything works. Participants never pick up an interface that
-appears later.
+The interface does not exist yet when the nodes start: `does not match an available interface`, and no node
+starts. Started by hand minutes later, everything works. Participants never pick up an interface that appears
+later.
 
 ## Bad
 ```xml
@@ -23,6 +23,9 @@ eth0:
 eth0:
   optional: false
 ```
+
+## When to ignore it
+If the service restarts until the interface is up (`Restart=on-failure`) and that delay is acceptable.
 
 ## References
 - netplan YAML reference, "optional"
@@ -53,10 +56,10 @@ def interface_not_waited_for(robot: Robot) -> Iterator[Finding]:
             if optional is not None and optional.value and not robot.dds.waits_for(configuration, setting.effective):
                 yield finding(
                     setting.value,
-                    f"The boot does not wait for {setting.effective}: when ROS starts first, no node starts",
+                    f"The boot does not wait for {setting.effective}: if ROS starts first, no node starts",
                     advice="delete optional, and start ROS after network-online.target",
                     related=[note(optional.where, "netplan does not wait for it"), *_order(robot, configuration)],
-                    chain=robot.provenance.chain_to(setting.value, f"{setting.effective} is to carry DDS"),
+                    chain=robot.provenance.chain_to(setting.value, f"DDS uses {setting.effective}"),
                 )
 
 

@@ -1,12 +1,12 @@
 """Robot traffic goes over Wi-Fi.
 
 ## What it finds
-Cyclone DDS names an interface that the robot's netplan configures below `wifis:`. The finding is for
-information: a robot without a cable has no other way.
+Cyclone DDS names an interface that the robot's netplan configures below `wifis:`. The finding is information,
+because a robot without a cable has no other choice.
 
 ## Why it matters on a robot
-On Wi-Fi, multicast is slow and unacknowledged, and roaming or a busy channel delays commands by
-seconds: velocity commands arrive late or not at all.
+On Wi-Fi, multicast is slow and unacknowledged. Roaming or a busy channel delays velocity commands by seconds,
+or loses them.
 
 ## Bad
 ```xml
@@ -17,6 +17,9 @@ seconds: velocity commands arrive late or not at all.
 ```xml
 <NetworkInterface name="lan0"/>
 ```
+
+## When to ignore it
+If the robot's own nodes use the loopback interface or shared memory, and only telemetry goes over Wi-Fi.
 
 ## References
 - IEEE 802.11-2020, group addressed frames are sent at a basic rate without acknowledgement
@@ -40,7 +43,7 @@ def interface_wifi_control(robot: Robot) -> Iterator[Finding]:
             if interface is not None and interface.is_wifi:
                 yield finding(
                     setting.value,
-                    "All DDS traffic uses Wi-Fi: velocity commands may arrive late or not at all",
-                    advice="keep control on a wired interface, and bridge to Wi-Fi what must leave the robot",
+                    "All DDS traffic uses Wi-Fi: velocity commands can arrive late or not at all",
+                    advice="use a wired interface for control, and bridge only what must leave the robot to Wi-Fi",
                     related=[note(interface.name, "a Wi-Fi interface")],
                 )

@@ -1,13 +1,17 @@
-"""A value that Cyclone DDS does not take.
+"""Cyclone DDS does not accept a value.
 
 ## What it finds
-A word, number or list that the library refuses: booleans other than `true` and `false`, unknown
-enumeration words, numbers out of range, a scheduling priority without a class, an address that must be
-multicast and is not, a `${VARIABLE}` that is not closed. Capital letters do not matter, and blanks
-around the text of an element do not either.
+A word, number or list that the library refuses:
+- a boolean other than `true` and `false`, or an unknown word of an enumeration
+- a number out of range
+- a scheduling priority without a class
+- an address that has to be multicast but is not
+- a `${VARIABLE}` that is not closed
+
+Values are not case-sensitive, and spaces around the text of an element do not matter.
 
 ## Why it matters on a robot
-The library stops there and creates no participant: no ROS node starts.
+The library stops at the value and creates no participant: no ROS node starts.
 
 ## Bad
 ```xml
@@ -18,6 +22,9 @@ The library stops there and creates no participant: no ROS node starts.
 ```xml
 <AllowMulticast>false</AllowMulticast>
 ```
+
+## When to ignore it
+Never: the library refuses the file, and no node starts.
 
 ## References
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library: every setting with some fifty values
@@ -52,12 +59,12 @@ def invalid_value(robot: Robot) -> Iterator[Finding]:
             message = f"Priority {remark.where} without a Class aborts the process: no node starts"
             taken = "add <Class>realtime</Class>, or delete the priority"
         elif remark.code == Code.ADDRESS:
-            message = f"{name} '{remark.where}' is no multicast address: no node starts"
+            message = f"{name} '{remark.where}' is not a multicast address: no node starts"
             taken = "write an address of 224.0.0.0/4"
         elif remark.code == Code.RANGE:
             message = f"{name} '{remark.where}' is out of range: no node starts"
         else:
-            message = f"{name} '{remark.where}' is not a value that Cyclone DDS knows: no node starts"
+            message = f"{name} '{remark.where}' is not a value that Cyclone DDS accepts: no node starts"
         yield finding(
             remark.where,
             message,

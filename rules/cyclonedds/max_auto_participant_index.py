@@ -1,13 +1,15 @@
-"""More processes than Cyclone DDS has participant indices.
+"""Cyclone DDS has fewer participant indices than the robot has processes.
 
 ## What it finds
-`ParticipantIndex` `auto` with a `MaxAutoParticipantIndex` below the number of processes that read the file and
-start at boot together, counted from the launch files of their units: components of a container count once, and
-what is conditional does not count. And, for information, an index above 119, whose ports belong to the next domain.
+Two problems with participant indices:
+- **error**: `ParticipantIndex` is `auto`, and `MaxAutoParticipantIndex` is too low for the processes that
+  read the file and start at boot together. They are counted from the launch files of their units. The
+  components of a container count as one process; conditional ones are not counted.
+- **info**: an index above 119, whose ports belong to the next domain.
 
 ## Why it matters on a robot
-Indices 0 to the maximum are given out; the next process dies with `Failed to find a free participant
-index`. Which one that is changes with every boot.
+The library assigns the indices from 0 to the maximum. The next process exits with `Failed to find a free
+participant index`. Which process that is changes with every boot.
 
 ## Bad
 ```xml
@@ -18,6 +20,9 @@ index`. Which one that is changes with every boot.
 ```xml
 <MaxAutoParticipantIndex>30</MaxAutoParticipantIndex>
 ```
+
+## When to ignore it
+If some of the processes are alternatives that never run at the same time, so that the count is too high.
 
 ## References
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
@@ -59,7 +64,7 @@ def max_auto_participant_index(robot: Robot) -> Iterator[Finding]:
             continue
         yield finding(
             limit.value if limit else index.value,
-            f"Only {highest + 1} participants fit, and at least {count} processes start: the rest die at once",
+            f"Only {highest + 1} participants fit, but at least {count} processes start: the rest exit at once",
             advice=f"write MaxAutoParticipantIndex {max(30, count + 10)}, the same on all hosts",
             related=[note(each.where, f"{each.who}: {each.processes}") for each in readers],
         )

@@ -1,13 +1,16 @@
-"""A Cyclone DDS size or duration without a unit.
+"""A Cyclone DDS size or duration has no unit.
 
 ## What it finds
-A bare number for a size, which means bytes, or for a duration, which means milliseconds (microseconds
-for `RetransmitMergingPeriod`), not seconds. Durations for which the library insists on a unit are found
-by `cyclonedds/bad-unit`.
+A number without a unit:
+- **warning**: a duration, which is read as milliseconds (microseconds for `RetransmitMergingPeriod`), not as
+  seconds.
+- **info**: a size, which is read as bytes.
+
+Durations for which the library requires a unit are reported by `cyclonedds/bad-unit`.
 
 ## Why it matters on a robot
-`<LeaseDuration>10</LeaseDuration>` is a lease of 10 ms: participants lose each other all the time. For
-sizes the library only warns, at every start of every process.
+`<LeaseDuration>10</LeaseDuration>` is a lease of 10 ms: participants lose each other all the time. For sizes
+the library only prints a warning at every start of every process.
 
 ## Bad
 ```xml
@@ -18,6 +21,9 @@ sizes the library only warns, at every start of every process.
 ```xml
 <LeaseDuration>10s</LeaseDuration>
 ```
+
+## When to ignore it
+If the number really is meant in bytes or milliseconds, and you accept the warning at every start.
 
 ## References
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library

@@ -1,12 +1,12 @@
-"""A Cyclone DDS element without what it cannot do without.
+"""A Cyclone DDS element has no value for a required part.
 
 ## What it finds
-An element of a list or of `Security` that lacks a part without default: a `Thread` without `Name`,
-`Security` without `IdentityCertificate`, `IdentityCA` or `PrivateKey`. A `Peer` without address has a
-rule of its own.
+An element of a list, or `Security`, without a part that has no default: a `Thread` without `Name`, or
+`Security` without `IdentityCertificate`, `IdentityCA` or `PrivateKey`. A `Peer` without an address has its
+own rule.
 
 ## Why it matters on a robot
-The library says `element missing in configuration` and creates no participant: no ROS node starts.
+The library reports `element missing in configuration` and creates no participant: no ROS node starts.
 
 ## Bad
 ```xml
@@ -21,6 +21,9 @@ The library says `element missing in configuration` and creates no participant: 
   <StackSize>1MB</StackSize>
 </Thread>
 ```
+
+## When to ignore it
+Never: the library refuses the file, and no node starts.
 
 ## References
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
@@ -42,6 +45,6 @@ def missing_value(robot: Robot) -> Iterator[Finding]:
             continue
         yield finding(
             remark.where,
-            f"{remark.where} lacks {remark.detail} (element missing in configuration): no node starts",
+            f"{remark.where} has no {remark.detail} (element missing in configuration): no node starts",
             advice=f"add {remark.detail}",
         )

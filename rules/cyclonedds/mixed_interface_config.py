@@ -1,13 +1,13 @@
-"""Old and new Cyclone DDS interface settings together.
+"""Old and new Cyclone DDS interface settings are mixed.
 
 ## What it finds
-`NetworkInterfaceAddress`, `PreferMulticast` or `AssumeMulticastCapable` beside an `Interfaces` group
-with an interface. Their idle values (`auto`, `false`) are fine. `AssumeMulticastCapable` alone is found
-too: from 0.9 on it always makes the start fail.
+`NetworkInterfaceAddress`, `PreferMulticast` or `AssumeMulticastCapable` together with an `Interfaces` group
+that has an interface. Values that do nothing (`auto`, `false`) are not reported. `AssumeMulticastCapable` is
+also reported alone, because from 0.9 on it always makes the start fail.
 
 ## Why it matters on a robot
-The library says `do not pass deprecated configuration` and creates no participant: no ROS node starts.
-For `AssumeMulticastCapable` alone it fails without saying anything.
+The library reports `do not pass deprecated configuration` and creates no participant: no ROS node starts. For
+`AssumeMulticastCapable` alone it fails without a message.
 
 ## Bad
 ```xml
@@ -23,6 +23,9 @@ For `AssumeMulticastCapable` alone it fails without saying anything.
   <NetworkInterface name="eth0"/>
 </Interfaces>
 ```
+
+## When to ignore it
+Never: the library refuses the file, and no node starts.
 
 ## References
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
@@ -46,8 +49,8 @@ def mixed_interface_config(robot: Robot) -> Iterator[Finding]:
                 f"{remark.where} together with Interfaces is fatal ('do not pass deprecated "
                 "configuration'): no node starts"
             )
-            advice = f"delete {remark.where} and say it in the NetworkInterface"
+            advice = f"delete {remark.where}, and set it in the NetworkInterface"
         else:
-            message = f"{remark.where} makes the start fail without a word from 0.9 on: no node starts"
+            message = f"From 0.9 on, {remark.where} makes the start fail without a message: no node starts"
             advice = 'write <NetworkInterface name="..." multicast="true"/> inside General/Interfaces'
         yield finding(remark.where, message, advice=advice)

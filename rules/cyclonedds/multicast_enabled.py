@@ -1,13 +1,13 @@
 """Multicast discovery shows the robot to the whole network.
 
 ## What it finds
-`AllowMulticast` that is missing, `true`, `default` or contains `asm` in a block that is not confined to
-the loopback interface. The finding is for information: multicast is what every ROS 2 robot does by
-default.
+`AllowMulticast` that is missing, `true`, `default` or contains `asm`, in a block that is neither limited to
+the loopback interface nor secured. The finding is information, because multicast is the default of every ROS
+2 robot.
 
 ## Why it matters on a robot
-Every machine on the network sees every topic, and may publish on it. Domain numbers keep robots apart,
-not people out.
+Every machine on the network sees every topic and can publish on it. Domain numbers separate robots, but do
+not keep anyone out.
 
 ## Bad
 ```xml
@@ -19,6 +19,9 @@ not people out.
 <AllowMulticast>false</AllowMulticast>
 <!-- with Discovery/Peers and ParticipantIndex auto -->
 ```
+
+## When to ignore it
+If the robot's network is closed: only its own machines are connected, or a firewall or VLAN separates it.
 
 ## References
 - Cyclone DDS, configuration guide, "AllowMulticast"

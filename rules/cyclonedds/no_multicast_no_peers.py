@@ -1,13 +1,12 @@
-"""No multicast and no peers: nothing is discovered.
+"""Multicast is off and there are no peers, so nothing is discovered.
 
 ## What it finds
-`AllowMulticast` is `false` (or every interface says `multicast="false"`) and no `Peer` is listed. On
-Jazzy and later, `ROS_STATIC_PEERS` and the LOCALHOST discovery range add peers of their own, so there
-the finding is a warning.
+`AllowMulticast` is `false` (or every interface has `multicast="false"`), and no `Peer` is listed. On Jazzy
+and later the finding is a warning, because `ROS_STATIC_PEERS` and the LOCALHOST discovery range add peers.
 
 ## Why it matters on a robot
-Without multicast a participant only asks the peers that it is told. The robot starts, and no node sees
-another one, not even on the same computer.
+Without multicast, a participant contacts only the peers that are listed. The robot starts, and no node
+discovers another one, not even on the same computer.
 
 ## Bad
 ```xml
@@ -28,6 +27,9 @@ another one, not even on the same computer.
   </Peers>
 </Discovery>
 ```
+
+## When to ignore it
+If the peers come from `ROS_STATIC_PEERS`, or from a second file in `CYCLONEDDS_URI` that is not in the tree.
 
 ## References
 - Cyclone DDS, configuration guide, "Discovery addresses"; rmw_cyclonedds, discovery options (Iron and later)

@@ -1,13 +1,13 @@
-"""Unicast discovery with random ports.
+"""Multicast is off, but unicast discovery cannot find random ports.
 
 ## What it finds
-`AllowMulticast` is `false` and `ParticipantIndex` is `none`, written or by default. Up to 0.10 the
-default is `none`; on Jazzy and Kilted rmw_cyclonedds sets `auto` before it reads the file, from 11 on
-the library's own default works.
+`AllowMulticast` is `false` and `ParticipantIndex` is `none`, either set or by default. Up to 0.10 the default
+is `none`. On Jazzy and Kilted rmw_cyclonedds sets `auto` before it reads the file. From 11 on the library's
+own default works.
 
 ## Why it matters on a robot
-Unicast discovery finds the others at the ports of the indices 0, 1, 2 and so on. With `none` every
-process takes random ports: the robot starts without a word, and its nodes stay alone.
+Unicast discovery looks for other processes at the ports of the indices 0, 1, 2 and so on. With `none` every
+process uses random ports: the robot starts without an error, and its nodes do not discover each other.
 
 ## Bad
 ```xml
@@ -25,6 +25,9 @@ process takes random ports: the robot starts without a word, and its nodes stay 
   <ParticipantIndex>auto</ParticipantIndex>
 </Discovery>
 ```
+
+## When to ignore it
+If every peer is listed with its port and the processes use fixed participant ports.
 
 ## References
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
@@ -51,12 +54,10 @@ def no_multicast_participantindex_none(robot: Robot) -> Iterator[Finding]:
         if index is not None and (index.effective or "").lower() != "none":
             continue
         where = index.value if index else off.value
-        message = (
-            "Unicast discovery cannot find ports that are random: without multicast and with ParticipantIndex none "
-        )
+        message = "Unicast discovery cannot find random ports: without multicast and with ParticipantIndex none "
         yield finding(
             where,
-            message + "the robot starts and its nodes stay alone",
+            message + "the robot starts, but its nodes do not see each other",
             advice="write <ParticipantIndex>auto</ParticipantIndex> in Discovery",
             related=[note(off.value, "multicast is off")] if index else (),
             fix=fix("write auto", (index.value, "auto")) if index else None,

@@ -1,11 +1,11 @@
-"""A Cyclone DDS peer that is no address.
+"""A Cyclone DDS peer is not an address.
 
 ## What it finds
-A peer with a network prefix (`10.0.0.0/24`), a number above 255, or a port that is not 1 to 65535. One
-`Peer` may list several addresses with commas, and host names are fine.
+A peer with a network prefix (`10.0.0.0/24`), a number above 255, or a port that is not in 1 to 65535. One
+`Peer` may list several addresses separated by commas, and host names are valid.
 
 ## Why it matters on a robot
-Up to 0.10 the peer is dropped with a log line and that machine is not discovered. From 11 on the
+Up to 0.10 the library drops the peer with a log line and does not discover that machine. From 11 on the
 process aborts: no ROS node starts.
 
 ## Bad
@@ -18,6 +18,9 @@ process aborts: no ROS node starts.
 <Peer Address="10.0.0.10"/>
 <Peer Address="10.0.0.11"/>
 ```
+
+## When to ignore it
+Never: no version of the library contacts such a peer.
 
 ## References
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
@@ -41,5 +44,5 @@ def peer_invalid(robot: Robot) -> Iterator[Finding]:
                 yield finding(
                     part,
                     f"Peer '{part}' {why}: {effect}",
-                    advice="write one address or host name, as 10.0.0.10 or 10.0.0.10:7412",
+                    advice="write one address or host name, such as 10.0.0.10 or 10.0.0.10:7412",
                 )

@@ -1,11 +1,11 @@
-"""A Cyclone DDS peer without address.
+"""A Cyclone DDS peer has no address.
 
 ## What it finds
-A `Peer` without the attribute `Address`, or with the address as text. `address` in any capitalisation
-is fine. An empty address is found too: the library takes it and contacts nobody.
+A `Peer` without the attribute `Address`, or with the address as text. The attribute name is not
+case-sensitive. An empty address is a warning: the library accepts it and contacts no machine.
 
 ## Why it matters on a robot
-The library says `element missing in configuration` or `no data expected` and creates no participant: no
+The library reports `element missing in configuration` or `no data expected` and creates no participant: no
 ROS node starts.
 
 ## Bad
@@ -17,6 +17,9 @@ ROS node starts.
 ```xml
 <Peer Address="10.0.0.10"/>
 ```
+
+## When to ignore it
+Never: the library refuses the file, and no node starts. An empty address does no harm, but has no effect.
 
 ## References
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
@@ -37,7 +40,7 @@ def peer_missing_address(robot: Robot) -> Iterator[Finding]:
         for element in domain.found("Discovery/Peers/Peer"):
             address = domain.of(element, "Address")
             if address is not None and address.effective == "":
-                message = "The peer's address is empty: nobody is contacted"
+                message = "The peer's address is empty: no machine is contacted"
                 yield finding(element.name, message, advice="write the address, or delete the peer", severity="warning")
             elif address is None or element.text:
                 change = None
@@ -45,7 +48,7 @@ def peer_missing_address(robot: Robot) -> Iterator[Finding]:
                     change = fix("make it an attribute", (element.span, f'<{element.name} Address="{element.text}"/>'))
                 yield finding(
                     element.name,
-                    "A Peer needs the attribute Address, and takes no text: no participant can be created, "
+                    "A Peer needs the attribute Address and accepts no text: no participant can be created, "
                     "no node starts",
                     advice='write <Peer Address="..."/>',
                     fix=change,

@@ -1,11 +1,11 @@
-"""A peer that the robot's network cannot reach.
+"""The robot's network cannot reach a peer.
 
 ## What it finds
-A peer address that lies in no subnet of the robot's netplan and that no route covers. Interfaces with
-DHCP, default routes and other routes make every address reachable, and are left alone.
+A peer address that is in no subnet of the robot's netplan and that no route covers. Nothing is reported if an
+interface uses DHCP or a default route exists, because then every address may be reachable.
 
 ## Why it matters on a robot
-Packets to that machine never leave the robot: it is not discovered, and nothing says why.
+Packets to that machine never leave the robot: it is not discovered, and no message says why.
 
 ## Bad
 ```xml
@@ -17,6 +17,9 @@ Packets to that machine never leave the robot: it is not discovered, and nothing
 ```xml
 <Peer Address="10.0.0.2"/>
 ```
+
+## When to ignore it
+If the address is reached through an interface that netplan does not configure, such as a VPN.
 
 ## References
 - netplan YAML reference, "routes"
@@ -43,8 +46,8 @@ def peer_outside_subnet(robot: Robot) -> Iterator[Finding]:
             if subnets:
                 yield finding(
                     peer,
-                    f"Peer {address} lies in no subnet of this robot and no route covers it: it will not be discovered",
+                    f"Peer {address} is in no subnet of this robot and no route covers it: it is not discovered",
                     advice="correct the address, or add a route",
-                    chain=robot.provenance.chain_to(peer, f"{peer} is to be contacted"),
+                    chain=robot.provenance.chain_to(peer, f"DDS contacts {peer}"),
                     related=[note(each.name, f"has {network}") for each, network in subnets[:3]],
                 )

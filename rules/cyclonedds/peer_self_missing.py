@@ -1,13 +1,15 @@
-"""The robot itself is missing from its peers.
+"""The robot is missing from its own list of peers.
 
 ## What it finds
-Multicast is off, peers are listed, and neither `localhost` nor a loopback address nor an address that
-the robot's netplan gives it is among them. Without the robot's addresses only files whose peers are all
-plain addresses outside the loopback network are judged, for information.
+Multicast is off, peers are listed, and the robot is not one of them: not as `localhost`, not by a loopback
+address, and not by an address from its netplan.
+- **warning**: netplan gives the robot its addresses.
+- **info**: the robot's addresses are not known. Only lists of plain addresses are checked then, because a
+  host name may be the robot.
 
 ## Why it matters on a robot
-A process contacts only its peers. When the own computer is not one of them, the robot's own nodes do
-not see each other, while remote ones do.
+A process contacts only its peers. If the list does not include the robot's own computer, its nodes do not
+discover each other, although they discover those on other machines.
 
 ## Bad
 ```xml
@@ -21,6 +23,9 @@ not see each other, while remote ones do.
 <Peer Address="localhost"/>
 <Peer Address="10.0.0.20"/>
 ```
+
+## When to ignore it
+If only one process on the robot uses this file, for example a bridge to the base station.
 
 ## References
 - Cyclone DDS, configuration guide, "Discovery addresses"
@@ -51,10 +56,10 @@ def peer_self_missing(robot: Robot) -> Iterator[Finding]:
         inserted = Span(first.span.source, first.span.start, first.span.start)
         yield finding(
             first.name,
-            "The robot itself is not among its peers, and multicast is off: its own nodes do not see each other",
+            "Multicast is off and the robot is not among its own peers: its nodes do not see each other",
             advice='add <Peer Address="localhost"/>',
             related=[note(off.value, "multicast is off")],
-            chain=robot.provenance.chain_to(first.name, "only these peers are contacted"),
+            chain=robot.provenance.chain_to(first.name, "DDS contacts only these peers"),
             severity=None if own else "info",
             fix=fix("add localhost", (inserted, f'<{first.name} Address="localhost"/>')) if own else None,
         )

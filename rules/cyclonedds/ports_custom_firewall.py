@@ -1,12 +1,12 @@
-"""Cyclone DDS uses ports that the firewall keeps closed.
+"""The firewall blocks the ports that Cyclone DDS uses.
 
 ## What it finds
-Base, DomainGain, ParticipantGain or offsets under `Discovery/Ports` of a Cyclone DDS file, where the domain of the
-processes that read it is known, and a firewall of the tree that opens UDP ports for DDS, but not those of the first
-participant that follow from the settings.
+Settings under `Discovery/Ports` of a Cyclone DDS file that move the ports, and a firewall of the tree that
+opens UDP ports for DDS, but not those of the first participant. The domain of the processes that read the
+file has to be known.
 
 ## Why it matters on a robot
-The other machines see nothing of the robot; on the robot itself everything works.
+Other machines do not see the robot. On the robot itself everything works.
 
 ## Bad
 ```xml
@@ -17,6 +17,9 @@ The other machines see nothing of the robot; on the robot itself everything work
 ```xml
 <Ports><Base>7400</Base></Ports>
 ```
+
+## When to ignore it
+If DDS only has to work on the robot itself, and the open ports are for something else.
 
 ## References
 - DDSI-RTPS 2.5, section 9.6.2.3
@@ -64,8 +67,8 @@ def ports_custom_firewall(robot: Robot) -> Iterator[Finding]:
                 first = next(iter(given.values()))
                 yield finding(
                     first.value,
-                    f"DDS uses the ports {', '.join(map(str, needed))}, and the firewall keeps {closed[0]} closed: "
+                    f"DDS uses the ports {', '.join(map(str, needed))}, but the firewall blocks {closed[0]}: "
                     "other machines see nothing of the robot",
-                    advice="open these ports, or go back to the default ones",
+                    advice="open these ports, or use the default ones",
                     related=[note(opened[0].where, "the firewall opens these")],
                 )

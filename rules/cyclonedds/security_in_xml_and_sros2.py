@@ -1,11 +1,11 @@
-"""Security is defined twice: in the Cyclone DDS file and by SROS2.
+"""Security is configured twice: in the Cyclone DDS file and by SROS2.
 
 ## What it finds
 A `Security` group in a Cyclone DDS file that a process with `ROS_SECURITY_ENABLE=true` reads.
 
 ## Why it matters on a robot
-The middleware passes the keystore's files through properties of the participant, and the library refuses or overrules
-the other set: which identity the robot has depends on the library's version.
+The middleware passes the files of the keystore as properties of the participant, and the library rejects or
+overrides one of the two configurations. The version of the library decides which identity the robot has.
 
 ## Bad
 ```xml
@@ -17,6 +17,9 @@ the other set: which identity the robot has depends on the library's version.
 ROS_SECURITY_ENABLE=true
 ROS_SECURITY_KEYSTORE=/etc/lawn/keystore
 ```
+
+## When to ignore it
+If you have tested this combination with the library version of the robot, and the version is pinned.
 
 ## References
 - rmw_cyclonedds, how security is configured
@@ -41,7 +44,7 @@ def security_in_xml_and_sros2(robot: Robot) -> Iterator[Finding]:
             for place in domain.found("Security")[:1]:
                 yield finding(
                     place.name,
-                    f"Security of {process.name} is defined here and by its keystore: one gets in the other's way",
+                    f"Security of {process.name} is configured here and by its keystore: the two conflict",
                     advice="delete the Security group",
                     related=[note(enable.value, "SROS2 is switched on here")],
                 )

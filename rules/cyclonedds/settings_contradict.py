@@ -1,12 +1,13 @@
-"""Cyclone DDS settings that exclude each other.
+"""Cyclone DDS settings contradict each other.
 
 ## What it finds
-Values that are fine alone and refused together: writer watermarks out of order (`WhcLow` ≤
-`WhcHighInit` ≤ `WhcHigh`), `Transport` against `TCP/Enable` or `UseIPv6`, and port parameters or a
-domain number that lead beyond port 65535.
+Values that are valid alone but refused together:
+- writer watermarks that are out of order (`WhcLow` ≤ `WhcHighInit` ≤ `WhcHigh`)
+- a `Transport` that contradicts `TCP/Enable` or `UseIPv6`
+- port parameters or a domain number that lead to ports above 65535
 
 ## Why it matters on a robot
-The library says `Invalid watermark settings`, `invalid combination of Transport, IPv6, TCP` or `Invalid
+The library reports `Invalid watermark settings`, `invalid combination of Transport, IPv6, TCP` or `Invalid
 port mapping` and creates no participant: no ROS node starts.
 
 ## Bad
@@ -23,6 +24,9 @@ port mapping` and creates no participant: no ROS node starts.
   <WhcHighInit>5kB</WhcHighInit>
 </Watermarks>
 ```
+
+## When to ignore it
+Never: the library refuses the file, and no node starts.
 
 ## References
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
@@ -50,9 +54,9 @@ def settings_contradict(robot: Robot) -> Iterator[Finding]:
         Code.WATERMARKS: ("the watermarks are out of order", "keep WhcLow <= WhcHighInit <= WhcHigh"),
         Code.TRANSPORT: (
             "Transport contradicts the older switches",
-            "delete TCP/Enable and UseIPv6: Transport says it all",
+            "delete TCP/Enable and UseIPv6: Transport replaces both",
         ),
-        Code.PORTS: ("the port numbers leave 1 to 65535", "lower the port parameters or the domain number"),
+        Code.PORTS: ("the port numbers are not in 1 to 65535", "lower the port parameters or the domain number"),
     }
     for _, remark in robot.dds.remarks(*words):
         what, advice = words[remark.code]

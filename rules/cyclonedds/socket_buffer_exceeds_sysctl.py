@@ -1,14 +1,15 @@
-"""A Cyclone DDS buffer that the kernel does not grant.
+"""Cyclone DDS requires a larger socket buffer than the kernel grants.
 
 ## What it finds
 `SocketReceiveBufferSize min` or `SocketSendBufferSize min` (or their older names) above twice
-`net.core.rmem_max` or `wmem_max`: the kernel doubles what is asked for and caps it there. When no
-sysctl file raises the limit, the kernel's default of 212992 counts; in a tree that is no root file
-system that is a warning. `max` alone only asks.
+`net.core.rmem_max` or `wmem_max`: the kernel doubles the requested size and limits it there. `max` alone is
+only a request and is not reported.
+- **error**: a sysctl file sets the limit, or the tree is a complete root file system.
+- **warning**: no file of the tree sets the limit, so the kernel's default of 212992 is assumed.
 
 ## Why it matters on a robot
-The library says `failed to increase socket receive buffer size` and creates no participant: no ROS node
-starts. Privileges do not help, and in a container the host's limit counts.
+The library reports `failed to increase socket receive buffer size` and creates no participant: no ROS node
+starts. Privileges do not help, and in a container the limit of the host applies.
 
 ## Bad
 ```xml
@@ -21,6 +22,10 @@ starts. Privileges do not help, and in a container the host's limit counts.
 # sysctl.d: net.core.rmem_max = 10485760
 <SocketReceiveBufferSize min="10MB"/>
 ```
+
+## When to ignore it
+If the limit is raised on the robot outside the tree, for example by the host of a container or a provisioning
+script.
 
 ## References
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library: 8192 kB passes and 8193 kB fails with rmem_max
@@ -58,9 +63,9 @@ def socket_buffer_exceeds_sysctl(robot: Robot) -> Iterator[Finding]:
             yield finding(
                 setting.value,
                 f"At least {setting.value} needs {limit_name} >= {(wanted + 1) // 2}, but {has}: no node starts",
-                advice=f"set {limit_name} = {wanted} in /etc/sysctl.d, or ask with max instead of min",
+                advice=f"set {limit_name} = {wanted} in /etc/sysctl.d, or use max instead of min",
                 related=[*_limit(limit), *_readers(robot, configuration)],
-                chain=robot.provenance.chain_to(setting.value, f"at least {setting.value} is asked for"),
+                chain=robot.provenance.chain_to(setting.value, f"DDS requires at least {setting.value}"),
                 severity=None if known else "warning",
                 confidence="high" if known else "medium",
             )

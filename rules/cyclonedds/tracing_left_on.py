@@ -1,13 +1,13 @@
-"""Cyclone DDS tracing that was left on.
+"""Cyclone DDS tracing is still switched on.
 
 ## What it finds
-`Verbosity` `fine`, `finer` or `finest`, or trace categories such as `data` and `traffic`, in a file
-that is not named after debugging. In a whole root file system, an `OutputFile` in a folder that is not
-there is an error.
+Tracing that is useful only for debugging:
+- **warning**: `Verbosity` `fine`, `finer` or `finest`, in a file whose name does not contain `debug`.
+- **error**: an `OutputFile` in a folder that does not exist, in a complete root file system.
 
 ## Why it matters on a robot
-At `finest` every packet of every node is written down: the processor is busy with it, and the disk
-fills. A trace file that cannot be opened is fatal: no node starts.
+At `finest` every node writes down every packet: this uses much CPU time and fills the disk. A trace file that
+cannot be opened is fatal: no node starts.
 
 ## Bad
 ```xml
@@ -23,6 +23,10 @@ fills. A trace file that cannot be opened is fatal: no node starts.
   <Verbosity>warning</Verbosity>
 </Tracing>
 ```
+
+## When to ignore it
+While you debug discovery on this robot. A missing folder is harmless only if something creates it before ROS
+starts.
 
 ## References
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library

@@ -1,11 +1,11 @@
-"""Text where Cyclone DDS expects none.
+"""Cyclone DDS does not expect text here.
 
 ## What it finds
-Text inside an element that takes only attributes or other elements, such as `SocketReceiveBufferSize`
-or `General`. `Peer` has a rule of its own.
+Text inside an element that accepts only attributes or other elements, such as `SocketReceiveBufferSize` or
+`General`. `Peer` has its own rule.
 
 ## Why it matters on a robot
-The library says `no data expected` and creates no participant: no ROS node starts.
+The library reports `no data expected` and creates no participant: no ROS node starts.
 
 ## Bad
 ```xml
@@ -16,6 +16,9 @@ The library says `no data expected` and creates no participant: no ROS node star
 ```xml
 <SocketReceiveBufferSize min="10MB"/>
 ```
+
+## When to ignore it
+Never: the library refuses the file, and no node starts.
 
 ## References
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
@@ -37,10 +40,11 @@ def unexpected_text(robot: Robot) -> Iterator[Finding]:
             continue
         attributes = [item.name for item in remark.item.attributes.values()]
         takes = f"attributes ({', '.join(attributes)})" if attributes else "other elements"
+        what = f"accepts {takes}, but no text"
         if remark.item.type != "group":
-            takes = "either a value or nothing beside it"
+            what = "cannot have both text and other elements"
         yield finding(
             remark.where,
-            f"{remark.item.name} takes {takes}, no text: no participant can be created, no node starts",
+            f"{remark.item.name} {what}: no participant can be created, no node starts",
             advice=f'write the value as {attributes[0]}="..."' if len(attributes) in (1, 2) else "remove the text",
         )

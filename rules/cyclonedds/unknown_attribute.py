@@ -1,11 +1,11 @@
-"""An attribute that Cyclone DDS does not know.
+"""Cyclone DDS does not know an attribute.
 
 ## What it finds
-An attribute that no version of the library knows for its element. Namespace and schema attributes on
-the root are fine.
+An attribute that no version of the library knows for its element. Namespace and schema attributes of the root
+element are valid.
 
 ## Why it matters on a robot
-The library stops there and creates no participant: no ROS node starts.
+The library stops at the attribute and creates no participant: no ROS node starts.
 
 ## Bad
 ```xml
@@ -16,6 +16,9 @@ The library stops there and creates no participant: no ROS node starts.
 ```xml
 <NetworkInterface name="eth0"/>
 ```
+
+## When to ignore it
+If the robot uses a fork or a build of your own that knows the attribute. Otherwise never.
 
 ## References
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
@@ -40,7 +43,7 @@ def unknown_attribute(robot: Robot) -> Iterator[Finding]:
         library = robot.dds.cyclonedds
         yield finding(
             remark.where,
-            f"'{remark.where}' is an unknown attribute for {library}: no participant can be created, no node starts",
+            f"{library} does not know the attribute '{remark.where}': no participant can be created, no node starts",
             advice=f"write {meant.name}" if meant else "delete the attribute",
             fix=fix(f"rename to {meant.name}", (remark.where, meant.name), safe=False) if meant else None,
         )

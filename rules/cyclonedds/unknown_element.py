@@ -1,8 +1,9 @@
-"""An element that Cyclone DDS does not know.
+"""Cyclone DDS does not know an element.
 
 ## What it finds
-An element that no version of the library knows at this place, or one that stands in the wrong group.
-Names ignore case; older names that the library still takes are fine.
+An element that no version of the library knows at this place, or one that is in the wrong group. Names are
+not case-sensitive, and older names that the library still accepts are not reported. Elements that need a
+special build of the library are reported too.
 
 ## Why it matters on a robot
 The library stops at the first unknown element and creates no participant: no ROS node starts.
@@ -22,6 +23,9 @@ The library stops at the first unknown element and creates no participant: no RO
   </Interfaces>
 </General>
 ```
+
+## When to ignore it
+If the robot uses a fork or a build of your own that knows the element. Otherwise never.
 
 ## References
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
@@ -44,14 +48,14 @@ def unknown_element(robot: Robot) -> Iterator[Finding]:
         if robot.dds.accepted_by(configuration, remark) and remark.code != Code.BUILD:
             continue
         library = robot.dds.cyclonedds
-        message = f"'{remark.where}' is an unknown element for {library}: no participant can be created, no node starts"
+        message = f"{library} does not know the element '{remark.where}': no participant can be created, no node starts"
         if remark.code == Code.BUILD:
             message = (
-                f"'{remark.where}' exists only in builds with {remark.detail}; ROS packages have none: no node starts"
+                f"'{remark.where}' needs a build with {remark.detail}, which ROS packages do not have: no node starts"
             )
         meant = robot.dds.spelling(configuration, remark)
         place = robot.dds.place(configuration, remark)
-        advice = "delete it, or look the name up in the configuration guide of this version"
+        advice = "delete it, or look up the name in the configuration guide of this version"
         if meant is not None:
             advice = f"write {meant.name}"
         elif place:

@@ -1,8 +1,8 @@
 """The root element of a Cyclone DDS file is not CycloneDDS.
 
 ## What it finds
-A file whose outermost element is something else than `CycloneDDS` (in any capitalisation). Only XML
-that is given inline in `CYCLONEDDS_URI` may leave it out.
+A file whose outermost element is not `CycloneDDS` (in any case). Only XML that is given inline in
+`CYCLONEDDS_URI` may omit it.
 
 ## Why it matters on a robot
 The library does not know the element and creates no participant: no ROS node starts.
@@ -20,6 +20,9 @@ The library does not know the element and creates no participant: no ROS node st
   <Domain/>
 </CycloneDDS>
 ```
+
+## When to ignore it
+Never: the library refuses the file, and no node starts.
 
 ## References
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
@@ -48,7 +51,7 @@ def wrong_root(robot: Robot) -> Iterator[Finding]:
             change = fix("rename the root element", (start, "CycloneDDS"), (closing, "CycloneDDS"), safe=False)
         yield finding(
             root.name,
-            f"The root element '{root.name}' is unknown to Cyclone DDS: no participant can be created, no node starts",
+            f"Cyclone DDS does not know the root element '{root.name}': no participant can be created, no node starts",
             advice="make CycloneDDS the outermost element, with Domain inside",
             fix=change,
         )

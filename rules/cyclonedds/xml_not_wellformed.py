@@ -1,8 +1,8 @@
 """Cyclone DDS cannot parse the XML.
 
 ## What it finds
-A configuration that the library's own XML reader refuses: end tags that do not match, text after the
-root element, a bare `&`, an entity. A DOCTYPE is reported too: entities are never expanded.
+XML that the library's own parser refuses: end tags that do not match, text after the root element, a bare
+`&`, an entity. A DOCTYPE that the library skips is a warning: it never expands entities.
 
 ## Why it matters on a robot
 The library stops at the first error and creates no participant, so no ROS node starts at all.
@@ -16,6 +16,9 @@ The library stops at the first error and creates no participant, so no ROS node 
 ```xml
 <General><DontRoute>true</DontRoute></General>
 ```
+
+## When to ignore it
+Never for an error: no node starts. A DOCTYPE is harmless if an editor needs it.
 
 ## References
 - Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
@@ -35,7 +38,7 @@ from bringup_lint.api.schema import Code
 def xml_not_wellformed(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.dds.remarks(Code.XML):
         if not remark.fatal:
-            message = "Cyclone DDS steps over the DOCTYPE: what it declares has no effect"
+            message = "Cyclone DDS skips the DOCTYPE: its declarations have no effect"
             yield finding(remark.where, message, advice="delete the DOCTYPE", severity="warning")
             continue
         problem, _, detail = remark.detail.partition(": ")

@@ -1,11 +1,12 @@
-"""A Fast DDS boolean that is not true or false.
+"""A Fast DDS boolean is neither true nor false.
 
 ## What it finds
-A boolean element other than `true`, `false` or a number, without blanks or line ends around it.
+A boolean element whose text is not exactly `true`, `false` or a number. Spaces and line ends around the word
+are not allowed.
 
 ## Why it matters on a robot
-The library ignores the whole file and goes on with its defaults, exit status 0: multicast discovery, no
-peers, no limits. Only a line on the terminal tells.
+The library ignores the whole file and uses its defaults: multicast discovery, no peers, no limits. The exit
+status is 0, and only a line on the terminal reports the error.
 
 ## Bad
 ```xml
@@ -16,6 +17,9 @@ peers, no limits. Only a line on the terminal tells.
 ```xml
 <useBuiltinTransports>false</useBuiltinTransports>
 ```
+
+## When to ignore it
+Never: the library ignores the whole file.
 
 ## References
 - Fast DDS 2.14.5, tried with the real library
@@ -43,6 +47,6 @@ def bool_case(robot: Robot) -> Iterator[Finding]:
         yield finding(
             text,
             f"'{text}' is not a boolean for Fast DDS, which reads only true and false: the whole file is ignored",
-            advice=f"write {right}, with no blank around it" if right else "write true or false",
+            advice=f"write {right}, without spaces around it" if right else "write true or false",
             fix=change,
         )

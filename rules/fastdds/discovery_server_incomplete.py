@@ -1,12 +1,11 @@
-"""A Fast DDS discovery client without server.
+"""A Fast DDS discovery client has no server.
 
 ## What it finds
-A default participant with `discoveryProtocol` `CLIENT` or `SUPER_CLIENT` and no `discoveryServersList`.
-`ROS_DISCOVERY_SERVER` in an environment that the tree does not show may name one, so the confidence is
-medium.
+A default participant with `discoveryProtocol` `CLIENT` or `SUPER_CLIENT` and without `discoveryServersList`.
+The confidence is medium, because an environment outside the tree may set `ROS_DISCOVERY_SERVER`.
 
 ## Why it matters on a robot
-A client talks to its servers only: without one it finds nobody.
+A client contacts only its servers: without one it discovers no other participant.
 
 ## Bad
 ```xml
@@ -18,6 +17,9 @@ A client talks to its servers only: without one it finds nobody.
 <discoveryProtocol>CLIENT</discoveryProtocol>
 <discoveryServersList>...</discoveryServersList>
 ```
+
+## When to ignore it
+If `ROS_DISCOVERY_SERVER` is set where the robot is started, outside the tree.
 
 ## References
 - Fast DDS documentation, "Discovery Server Settings"
@@ -42,6 +44,6 @@ def discovery_server_incomplete(robot: Robot) -> Iterator[Finding]:
                 if protocol is not None and protocol.text in ("CLIENT", "SUPER_CLIENT"):
                     yield finding(
                         protocol.text,
-                        f"A {protocol.text} without a server finds nobody",
+                        f"A {protocol.text} without a server discovers no other participant",
                         advice="add discoveryServersList, or choose SIMPLE",
                     )

@@ -1,11 +1,11 @@
-"""A Fast DDS element that is given twice.
+"""A Fast DDS element appears twice.
 
 ## What it finds
-An element that stands twice in a parent that takes it once.
+An element that appears twice in a parent that accepts it once.
 
 ## Why it matters on a robot
-The library ignores the whole file and goes on with its defaults, exit status 0: multicast discovery, no
-peers, no limits. Only a line on the terminal tells.
+The library ignores the whole file and uses its defaults: multicast discovery, no peers, no limits. The exit
+status is 0, and only a line on the terminal reports the error.
 
 ## Bad
 ```xml
@@ -17,6 +17,9 @@ peers, no limits. Only a line on the terminal tells.
 ```xml
 <useBuiltinTransports>false</useBuiltinTransports>
 ```
+
+## When to ignore it
+Never: the library ignores the whole file.
 
 ## References
 - Fast DDS 2.14.5, tried with the real library
@@ -36,6 +39,6 @@ def duplicate_element(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.dds.fastdds_remarks(Code.DUPLICATE):
         yield finding(
             remark.where,
-            f"{remark.where} is given twice: the whole file is ignored, the robot runs with defaults",
+            f"{remark.where} appears twice: the whole file is ignored, the robot runs with defaults",
             advice="keep one of the two",
         )

@@ -1,12 +1,12 @@
-"""A Fast DDS profile or transport name that is given twice.
+"""Two Fast DDS profiles or transports have the same name.
 
 ## What it finds
 Two profiles of one kind with the same `profile_name` (`publisher` and `data_writer` are one kind), or
 two transports with the same `transport_id`. A participant and a writer may share a name.
 
 ## Why it matters on a robot
-The library keeps the first and refuses the second with a line on the terminal: half of what the file
-says has no effect.
+The library keeps the first one and refuses the second with a line on the terminal: part of the file has no
+effect.
 
 ## Bad
 ```xml
@@ -19,6 +19,9 @@ says has no effect.
 <participant profile_name="robot"/>
 <participant profile_name="base"/>
 ```
+
+## When to ignore it
+Never: the second one has no effect. Delete it if the first one is right.
 
 ## References
 - Fast DDS 2.14.5, tried with the real library
@@ -41,7 +44,7 @@ def duplicate_profile(robot: Robot) -> Iterator[Finding]:
         first = robot.dds.first_named(profiles, remark)
         yield finding(
             remark.where,
-            f"A second {kind} is called '{remark.where}': it is refused, the first one counts",
+            f"A second {kind} is called '{remark.where}': it is refused, only the first one applies",
             advice="rename one of the two",
             related=[note(first, "the first one")] if first else (),
         )

@@ -1,11 +1,12 @@
-"""A word that Fast DDS does not know.
+"""Fast DDS does not know a word.
 
 ## What it finds
-An enumeration whose text is not exactly one of the library's words: case and blanks count.
+An enumeration whose text is not exactly one of the library's words. The words are case-sensitive, and spaces
+around them are not allowed.
 
 ## Why it matters on a robot
-The library ignores the whole file and goes on with its defaults, exit status 0: multicast discovery, no
-peers, no limits. Only a line on the terminal tells.
+The library ignores the whole file and uses its defaults: multicast discovery, no peers, no limits. The exit
+status is 0, and only a line on the terminal reports the error.
 
 ## Bad
 ```xml
@@ -16,6 +17,9 @@ peers, no limits. Only a line on the terminal tells.
 ```xml
 <kind>RELIABLE</kind>
 ```
+
+## When to ignore it
+Never: the library ignores the whole file.
 
 ## References
 - Fast DDS 2.14.5, tried with the real library
@@ -40,9 +44,9 @@ def enum_case(robot: Robot) -> Iterator[Finding]:
         change = fix(f"write {right}", (robot.dds.with_blanks(text), right)) if right else None
         blanks = text != robot.dds.with_blanks(text).text
         says = (
-            f"'{text}' has blanks around it"
+            f"'{text}' has spaces around it"
             if blanks and right == text
-            else f"'{text}' is no word that Fast DDS knows here"
+            else f"'{text}' is not a value that Fast DDS accepts here"
         )
         yield finding(
             text,

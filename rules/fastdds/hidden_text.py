@@ -1,12 +1,12 @@
-"""A comment that hides a Fast DDS value.
+"""A comment hides a Fast DDS value.
 
 ## What it finds
-A comment that stands inside an element before its text. The library's XML reader gives the text only
-when it comes first.
+A comment inside an element, before its text. The library's XML parser returns the text only if it comes
+first.
 
 ## Why it matters on a robot
-The library ignores the whole file and goes on with its defaults, exit status 0: multicast discovery, no
-peers, no limits. Only a line on the terminal tells.
+The library ignores the whole file and uses its defaults: multicast discovery, no peers, no limits. The exit
+status is 0, and only a line on the terminal reports the error.
 
 ## Bad
 ```xml
@@ -18,6 +18,9 @@ peers, no limits. Only a line on the terminal tells.
 <!-- the base -->
 <participantID>5</participantID>
 ```
+
+## When to ignore it
+Never: the library ignores the whole file.
 
 ## References
 - Fast DDS 2.14.5, tried with the real library; TinyXML-2, XMLElement::GetText

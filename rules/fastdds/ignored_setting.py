@@ -1,12 +1,14 @@
-"""A Fast DDS setting that has no effect.
+"""A Fast DDS setting has no effect.
 
 ## What it finds
-QoS that the library knows by name and does not support from XML: `durabilityService`, `presentation`,
-`timeBasedFilter`, `destinationOrder`, and the tags `qos_profile`, `application` and `type` below
-`profiles`.
+Settings that the library does not use:
+- QoS that it knows by name but does not support in XML: `durabilityService`, `presentation`,
+  `timeBasedFilter`, `destinationOrder`
+- the tags `qos_profile`, `application` and `type` below `profiles`
+- settings of a transport that its type does not read, such as `segment_size` for UDPv4
 
 ## Why it matters on a robot
-The library logs an error at every start and goes on without the setting.
+The setting has no effect. For unsupported QoS and tags the library also logs an error at every start.
 
 ## Bad
 ```xml
@@ -19,6 +21,9 @@ The library logs an error at every start and goes on without the setting.
 ```xml
 <!-- set it in the program -->
 ```
+
+## When to ignore it
+If the file is shared with a DDS tool that does read the setting.
 
 ## References
 - Fast DDS 2.14.5, tried with the real library

@@ -1,12 +1,12 @@
-"""Fast DDS peers that do not replace multicast.
+"""Fast DDS peers do not replace multicast.
 
 ## What it finds
-A default participant with `initialPeersList`, without `metatrafficUnicastLocatorList` (an empty
-`<locator/>` is enough) and without `avoid_builtin_multicast`. For information: peers beside multicast
-may be meant.
+A default participant with `initialPeersList`, but without `metatrafficUnicastLocatorList` (an empty
+`<locator/>` is enough), without `avoid_builtin_multicast` and without a multicast address among the peers.
+The finding is information, because you may want peers in addition to multicast.
 
 ## Why it matters on a robot
-The peers are only added: the robot still announces itself by multicast to the whole network.
+The library only adds the peers: the robot still announces itself by multicast to the whole network.
 
 ## Bad
 ```xml
@@ -20,6 +20,9 @@ The peers are only added: the robot still announces itself by multicast to the w
 </metatrafficUnicastLocatorList>
 <initialPeersList>...</initialPeersList>
 ```
+
+## When to ignore it
+If you want both: multicast on the local network, and peers beyond it.
 
 ## References
 - Fast DDS documentation, "Disabling all Multicast Traffic"
@@ -44,6 +47,6 @@ def initial_peers_no_metatraffic(robot: Robot) -> Iterator[Finding]:
                 if element.find("metatrafficUnicastLocatorList") is None and not robot.dds.multicast_peers(peers):
                     yield finding(
                         peers.name,
-                        "Peers are only added: multicast discovery stays on",
+                        "The peers are added to multicast discovery, which stays on",
                         advice="add a metatrafficUnicastLocatorList with an empty <locator/>",
                     )

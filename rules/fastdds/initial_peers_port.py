@@ -1,11 +1,15 @@
 """A Fast DDS peer without a port reaches only the first participants of a host.
 
 ## What it finds
-A default participant that lists this machine (127.0.0.1 or localhost) without a port among its `initialPeersList`,
-switches multicast discovery off, sets no `maxInitialPeersRange`, and that more than four processes of the robot use.
+A default participant that more than four processes of the robot use, and for which all of the following is
+true:
+- Its `initialPeersList` has this machine (127.0.0.1 or localhost) without a port.
+- It switches multicast discovery off.
+- Nothing in the file sets `maxInitialPeersRange`.
 
 ## Why it matters on a robot
-A peer without a port stands for the participants 0 to 3 of that host: later nodes do not find each other.
+A peer without a port covers only the participants 0 to 3 of that host: nodes that start later do not discover
+each other.
 
 ## Bad
 ```xml
@@ -18,6 +22,9 @@ A peer without a port stands for the participants 0 to 3 of that host: later nod
   <transport_id>lan</transport_id><type>UDPv4</type><maxInitialPeersRange>30</maxInitialPeersRange>
 </transport_descriptor>
 ```
+
+## When to ignore it
+If no more than four of the processes run at the same time.
 
 ## References
 - Fast DDS documentation, "Initial peers"
@@ -48,7 +55,7 @@ def initial_peers_port(robot: Robot) -> Iterator[Finding]:
                 if peers.local == "initialPeersList" and quiet and here:
                     yield finding(
                         here[0],
-                        f"A peer without a port stands for {RANGE} participants, and {count} processes use the profile",
+                        f"A peer without a port covers {RANGE} participants, but {count} processes use the profile",
                         advice=f"set maxInitialPeersRange to {count + 10} in a UDPv4 transport, and use that transport",
                         related=[note(process.where, "reads the profile") for process, _ in readers[:3]],
                     )

@@ -1,13 +1,13 @@
-"""The DDS address may not be there when ROS starts.
+"""The DDS address may not exist yet when ROS starts.
 
 ## What it finds
-An `interfaceWhiteList` address of an interface that the robot's netplan marks `optional: true`: the boot does not wait
-for it, and no unit that reads the profile waits for the interface itself. A list with another address outside of the
-loopback network is left alone.
+An `interfaceWhiteList` address of an interface that the robot's netplan marks `optional: true`, so the boot
+does not wait for it. No unit that reads the profile waits for the interface itself. A list with another
+address outside the loopback network is not reported.
 
 ## Why it matters on a robot
-The interface has no address yet when the nodes start: all of the list is filtered out, and their readers fail. By hand,
-minutes later, everything works.
+The interface has no address yet when the nodes start: the library filters out the whole list, and the readers
+fail. Started by hand minutes later, everything works.
 
 ## Bad
 ```xml
@@ -24,6 +24,9 @@ minutes later, everything works.
   <address>192.168.20.5</address>
 </interfaceWhiteList>
 ```
+
+## When to ignore it
+If the service restarts until the interface has its address and that delay is acceptable.
 
 ## References
 - Fast DDS documentation, "Interface whitelist"
@@ -57,8 +60,8 @@ def interface_not_waited_for(robot: Robot) -> Iterator[Finding]:
                 continue
             yield finding(
                 text,
-                f"The boot does not wait for {interface.device}, which has {address}: started before it, readers fail",
+                f"The boot does not wait for {interface.device} ({address}): if ROS starts first, readers fail",
                 advice="delete optional, and start ROS after network-online.target",
-                chain=robot.provenance.chain_to(text, f"only {address} is let through"),
+                chain=robot.provenance.chain_to(text, f"DDS uses only {address}"),
                 related=[note(interface.optional.where, "netplan does not wait for it")],
             )

@@ -1,11 +1,11 @@
-"""A value that Fast DDS does not take.
+"""Fast DDS does not accept a value.
 
 ## What it finds
-Octets, GUID prefixes and the like in a form that the library refuses.
+Octets, GUID prefixes and similar values in a form that the library refuses.
 
 ## Why it matters on a robot
-The library ignores the whole file and goes on with its defaults, exit status 0: multicast discovery, no
-peers, no limits. Only a line on the terminal tells.
+The library ignores the whole file and uses its defaults: multicast discovery, no peers, no limits. The exit
+status is 0, and only a line on the terminal reports the error.
 
 ## Bad
 ```xml
@@ -16,6 +16,9 @@ peers, no limits. Only a line on the terminal tells.
 ```xml
 <prefix>44.53.00.5f.45.50.52.4f.53.49.4d.41</prefix>
 ```
+
+## When to ignore it
+Never: the library ignores the whole file.
 
 ## References
 - Fast DDS 2.14.5, tried with the real library

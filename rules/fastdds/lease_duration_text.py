@@ -1,12 +1,12 @@
-"""A Fast DDS duration as plain text.
+"""A Fast DDS duration is plain text.
 
 ## What it finds
-A duration element with text other than `DURATION_INFINITY`. Durations take `sec` and `nanosec`
-elements.
+A duration element with text other than `DURATION_INFINITY`. A duration is written with the elements `sec` and
+`nanosec`.
 
 ## Why it matters on a robot
-The library ignores the whole file and goes on with its defaults, exit status 0: multicast discovery, no
-peers, no limits. Only a line on the terminal tells.
+The library ignores the whole file and uses its defaults: multicast discovery, no peers, no limits. The exit
+status is 0, and only a line on the terminal reports the error.
 
 ## Bad
 ```xml
@@ -19,6 +19,9 @@ peers, no limits. Only a line on the terminal tells.
   <sec>10</sec>
 </leaseDuration>
 ```
+
+## When to ignore it
+Never: the library ignores the whole file.
 
 ## References
 - Fast DDS 2.14.5, tried with the real library

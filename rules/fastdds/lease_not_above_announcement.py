@@ -1,12 +1,12 @@
-"""A Fast DDS lease that ends before it is renewed.
+"""A Fast DDS lease expires before it is renewed.
 
 ## What it finds
-A default participant whose `leaseDuration` (20 s when it is not given) is not longer than
-`leaseAnnouncement` (3 s when it is not given).
+A default participant whose `leaseDuration` (20 s by default) is not longer than its `leaseAnnouncement` (3 s
+by default).
 
 ## Why it matters on a robot
-The library refuses to create the participant: no ROS node starts. A short lease for quick detection of
-lost robots is the usual cause.
+The library refuses to create the participant: no ROS node starts. The usual cause is a short lease that
+should detect lost robots quickly.
 
 ## Bad
 ```xml
@@ -24,6 +24,9 @@ lost robots is the usual cause.
   <nanosec>500000000</nanosec>
 </leaseAnnouncement>
 ```
+
+## When to ignore it
+Never: the library refuses to create the participant.
 
 ## References
 - Fast DDS 2.14.5, tried with the real library: exit status 1

@@ -1,11 +1,11 @@
-"""The older namespace of Fast DDS profiles.
+"""A Fast DDS file uses the older namespace.
 
 ## What it finds
-The namespace `http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles`. The library ignores namespaces, so
-the file works.
+The namespace `http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles`. The library ignores namespaces, so the
+file works.
 
 ## Why it matters on a robot
-Editors and checkers that know the schema refuse the file, and real mistakes drown in that.
+Editors and checkers that use the schema reject the file, and real mistakes are lost among their messages.
 
 ## Bad
 ```xml
@@ -16,6 +16,9 @@ Editors and checkers that know the schema refuse the file, and real mistakes dro
 ```xml
 <profiles xmlns="http://www.eprosima.com">
 ```
+
+## When to ignore it
+If you do not use an editor or checker with the schema.
 
 ## References
 - Fast DDS 2.14.5, tried with the real library
@@ -39,7 +42,7 @@ def legacy_namespace(robot: Robot) -> Iterator[Finding]:
             if value == legacy:
                 yield finding(
                     value,
-                    "The older namespace works, but editors that know the schema refuse the file",
+                    "The older namespace works, but editors that use the schema report the whole file as wrong",
                     advice="write http://www.eprosima.com",
                     fix=fix("write the newer namespace", (value, "http://www.eprosima.com")),
                 )

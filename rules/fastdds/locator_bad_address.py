@@ -1,13 +1,17 @@
-"""A Fast DDS locator that is no address.
+"""A Fast DDS locator is not an address.
 
 ## What it finds
-An address with a number above 255, with a port or prefix behind it, or an IPv4 address in an IPv6
-locator; and, as a warning, a UDP port above 65535, which the library takes silently. Host names are
-fine when they can be resolved.
+A locator that cannot be used:
+- **error**: an address with a number above 255, an address followed by a port or prefix, or an IPv4 address
+  in an IPv6 locator.
+- **warning**: a UDP port above 65535, which the library accepts without a message.
+
+Host names are valid if they can be resolved.
 
 ## Why it matters on a robot
-The library ignores the whole file and goes on with its defaults, exit status 0: multicast discovery, no
-peers, no limits. Only a line on the terminal tells.
+For an error the library ignores the whole file and uses its defaults: multicast discovery, no peers, no
+limits. The exit status is 0, and only a line on the terminal reports it. With a wrong port, the other machine
+is never reached.
 
 ## Bad
 ```xml
@@ -18,6 +22,9 @@ peers, no limits. Only a line on the terminal tells.
 ```xml
 <address>10.0.0.30</address>
 ```
+
+## When to ignore it
+Never: the library does not use such a locator.
 
 ## References
 - Fast DDS 2.14.5, tried with the real library
@@ -37,11 +44,11 @@ def locator_bad_address(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.dds.fastdds_remarks(Code.ADDRESS):
         yield finding(
             remark.where,
-            f"'{remark.where}' is no address ({remark.detail}): the whole file is ignored, the robot runs "
+            f"'{remark.where}' is not a valid address ({remark.detail}): the whole file is ignored, the robot runs "
             "with defaults",
-            advice="write one plain address, with the port in an element of its own",
+            advice="write one plain address, with the port in its own element",
         )
     for port in robot.dds.locator_ports():
         if port.isdigit() and int(port[:9]) > 65535:
-            message = f"Port {port} does not exist: the locator is taken, and nothing ever arrives there"
+            message = f"Port {port} does not exist: the library accepts the locator, but nothing ever arrives there"
             yield finding(port, message, advice="write a port from 1 to 65535", severity="warning")

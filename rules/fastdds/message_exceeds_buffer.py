@@ -1,12 +1,13 @@
-"""A Fast DDS message size that does not fit its buffers.
+"""A Fast DDS message does not fit into its buffers.
 
 ## What it finds
-A transport of a default participant whose `maxMessageSize` (65500 when it is not given) is larger than
-its `sendBufferSize` or `receiveBufferSize` (0 means the kernel's own), larger than 65500 for UDP, or
-larger than `segment_size` (524288 when it is not given) for shared memory.
+A transport of a default participant whose `maxMessageSize` (65500 by default) is larger than one of these:
+- `sendBufferSize` or `receiveBufferSize`, unless it is 0, which means the default of the kernel
+- 65500, for UDP
+- `segment_size` (524288 by default), for shared memory
 
 ## Why it matters on a robot
-The transport cannot be registered and the participant cannot be created: no ROS node starts.
+The library cannot register the transport and creates no participant: no ROS node starts.
 
 ## Bad
 ```xml
@@ -20,6 +21,9 @@ The transport cannot be registered and the participant cannot be created: no ROS
 <sendBufferSize>32768</sendBufferSize>
 <maxMessageSize>8192</maxMessageSize>
 ```
+
+## When to ignore it
+Never: the library cannot create the participant.
 
 ## References
 - Fast DDS 2.14.5, tried with the real library: exit status 1

@@ -1,12 +1,12 @@
-"""A Fast DDS element without what it must hold.
+"""A Fast DDS element lacks a required part.
 
 ## What it finds
-An element that is empty, or lacks a part that the library requires: `durability` without `kind`, a
+An element that is empty or does not have a part that the library requires: `durability` without `kind`, a
 transport without `type` or `transport_id`, a discovery server without `prefix`.
 
 ## Why it matters on a robot
-The library ignores the whole file and goes on with its defaults, exit status 0: multicast discovery, no
-peers, no limits. Only a line on the terminal tells.
+The library ignores the whole file and uses its defaults: multicast discovery, no peers, no limits. The exit
+status is 0, and only a line on the terminal reports the error.
 
 ## Bad
 ```xml
@@ -19,6 +19,9 @@ peers, no limits. Only a line on the terminal tells.
   <kind>VOLATILE</kind>
 </durability>
 ```
+
+## When to ignore it
+Never: the library ignores the whole file.
 
 ## References
 - Fast DDS 2.14.5, tried with the real library
@@ -44,6 +47,6 @@ from bringup_lint.api.schema import Code
 )
 def missing_element(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.dds.fastdds_remarks(Code.MISSING, Code.EMPTY):
-        lacks = f"{remark.where} lacks {remark.detail}" if remark.code == Code.MISSING else f"{remark.where} is empty"
+        lacks = f"{remark.where} has no {remark.detail}" if remark.code == Code.MISSING else f"{remark.where} is empty"
         advice = f"add {remark.detail}" if remark.code == Code.MISSING else "give it a value, or delete it"
         yield finding(remark.where, f"{lacks}: the whole file is ignored, the robot runs with defaults", advice=advice)

@@ -1,11 +1,11 @@
-"""A Fast DDS profile without a name.
+"""A Fast DDS profile has no name.
 
 ## What it finds
 A participant, writer, reader, topic or other profile without `profile_name`, or with an empty one.
 
 ## Why it matters on a robot
-The library says `no name found` and does not load this profile; when no other is left, nothing of the
-file counts.
+The library reports `no name found` and does not load this profile. If the file has no other profile, nothing
+in it applies.
 
 ## Bad
 ```xml
@@ -16,6 +16,9 @@ file counts.
 ```xml
 <participant profile_name="robot" is_default_profile="true">
 ```
+
+## When to ignore it
+Never: the library does not load the profile.
 
 ## References
 - Fast DDS 2.14.5, tried with the real library

@@ -2,11 +2,11 @@
 
 ## What it finds
 A default participant profile with neither `avoid_builtin_multicast` nor metatraffic locators, discovery
-servers, security or a loopback whitelist. The finding is for information: multicast is what every ROS 2
-robot does by default.
+servers, security or a loopback whitelist. The finding is information, because multicast is the default of
+every ROS 2 robot.
 
 ## Why it matters on a robot
-Every machine on the network sees every topic, and may publish on it.
+Every machine on the network sees every topic and can publish on it.
 
 ## Bad
 ```xml
@@ -22,6 +22,9 @@ Every machine on the network sees every topic, and may publish on it.
   <initialPeersList>...</initialPeersList>
 </builtin>
 ```
+
+## When to ignore it
+If the robot's network is closed: only its own machines are connected, or a firewall or VLAN separates it.
 
 ## References
 - Fast DDS documentation, "Disabling all Multicast Traffic"

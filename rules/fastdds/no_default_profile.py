@@ -2,12 +2,12 @@
 
 ## What it finds
 A file with participant profiles of which none has `is_default_profile="true"`, in exactly this spelling
-(`True`, `1` and `yes` select nothing). In a tree that does not mention ROS 2 the finding is for
-information: programs may choose a profile by its name.
+(`True`, `1` and `yes` have no effect). In a tree that does not mention ROS 2 the finding is information,
+because programs may select a profile by its name.
 
 ## Why it matters on a robot
-ROS 2 loads the default profile only. The file is read without any error, and nothing of its
-participants counts.
+ROS 2 loads only the default profile. The library reads the file without an error, but none of its participant
+profiles applies.
 
 ## Bad
 ```xml
@@ -18,6 +18,9 @@ participants counts.
 ```xml
 <participant profile_name="robot" is_default_profile="true">
 ```
+
+## When to ignore it
+If a program of your own loads the profile by its name, and the file is not meant for ROS 2 nodes.
 
 ## References
 - Fast DDS 2.14.5, tried with the real library: silently accepted
@@ -49,7 +52,7 @@ def no_default_profile(robot: Robot) -> Iterator[Finding]:
                 change = fix("make it the default", (first.default, "true"))
         yield finding(
             first.default if first.default is not None else first.element.name,
-            "No participant profile is the default: ROS 2 ignores them all, without a word",
+            "No participant profile is the default: ROS 2 ignores them all without a message",
             advice='write is_default_profile="true" in one of them',
             severity=None if robot.target.ros else "info",
             fix=change,

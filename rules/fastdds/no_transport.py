@@ -1,10 +1,11 @@
-"""A Fast DDS participant without any transport.
+"""A Fast DDS participant has no transport.
 
 ## What it finds
-`useBuiltinTransports` is `false` and no `userTransports` and no `builtinTransports` are given.
+A default participant with `useBuiltinTransports` `false` and neither `userTransports` nor
+`builtinTransports`.
 
 ## Why it matters on a robot
-The default participant cannot be created: no ROS node starts.
+The library cannot create the default participant: no ROS node starts.
 
 ## Bad
 ```xml
@@ -18,6 +19,9 @@ The default participant cannot be created: no ROS node starts.
   <transport_id>lan</transport_id>
 </userTransports>
 ```
+
+## When to ignore it
+Never: the library cannot create the participant.
 
 ## References
 - Fast DDS 2.14.5, tried with the real library: exit status 1

@@ -1,12 +1,12 @@
-"""A Fast DDS number with something behind it.
+"""A Fast DDS number is followed by other text.
 
 ## What it finds
-A number element with text behind the digits, which is cut off without a word, or one that does not
-begin with a number or is out of range.
+A number element with text after the digits, which the library ignores without a message. A number that is out
+of range, or text that does not start with a number.
 
 ## Why it matters on a robot
-`4MB` is read as 4 bytes: the participant cannot be created, or every message is cut into pieces. A text
-that is no number drops the whole file.
+The library reads `4MB` as 4 bytes: the participant cannot be created, or every message is split into pieces.
+If the text is not a number, the library ignores the whole file.
 
 ## Bad
 ```xml
@@ -17,6 +17,9 @@ that is no number drops the whole file.
 ```xml
 <receiveBufferSize>4194304</receiveBufferSize>
 ```
+
+## When to ignore it
+Never: the library does not know units.
 
 ## References
 - Fast DDS 2.14.5, tried with the real library
@@ -48,7 +51,7 @@ def number_with_unit(robot: Robot) -> Iterator[Finding]:
         name = remark.path.rpartition("/")[2]
         if remark.fatal:
             why = f" ({remark.detail})" if remark.detail else ""
-            message = f"{name} '{text}' is not a number that Fast DDS takes{why}: the whole file is ignored"
+            message = f"{name} '{text}' is not a number that Fast DDS accepts{why}: the whole file is ignored"
             yield finding(text, message, advice="write a plain number")
             continue
         digits = text[: len(text) - len(remark.detail)].strip()
@@ -56,7 +59,7 @@ def number_with_unit(robot: Robot) -> Iterator[Finding]:
         value = str(int(digits) * factor) if factor and digits.isdigit() else None
         yield finding(
             text,
-            f"{name} '{text}' is read as {digits}: the rest is cut off",
+            f"{name} '{text}' is read as {digits}: the library ignores the rest",
             advice=f"write {value}" if value else "write a plain number",
             fix=fix(f"write {value}", (text, value), safe=False) if value else None,
         )

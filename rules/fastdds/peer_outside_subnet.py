@@ -1,12 +1,13 @@
-"""A peer that the robot's network cannot reach.
+"""The robot's network cannot reach a peer.
 
 ## What it finds
-An address in `initialPeersList` that lies in no subnet of the robot's netplan and that no route covers. Only files of
-the same root are joined, and only profiles that a process of the tree reads, where it is known which it does.
-Interfaces with DHCP, default routes and other routes make every address reachable, and are left alone.
+An address in `initialPeersList` that is in no subnet of the robot's netplan and that no route covers. Files
+are compared only below the same root, and only for profiles that a process of the tree is known to read.
+Nothing is reported if an interface uses DHCP or a default route exists, because then every address may be
+reachable.
 
 ## Why it matters on a robot
-Packets to that machine never leave the robot: it is not discovered, and nothing says why.
+Packets to that machine never leave the robot: it is not discovered, and no message says why.
 
 ## Bad
 ```xml
@@ -22,6 +23,9 @@ Packets to that machine never leave the robot: it is not discovered, and nothing
   <locator><udpv4><address>192.168.10.7</address></udpv4></locator>
 </initialPeersList>
 ```
+
+## When to ignore it
+If the address is reached through an interface that netplan does not configure, such as a VPN.
 
 ## References
 - Fast DDS documentation, "Initial peers"
@@ -48,8 +52,8 @@ def peer_outside_subnet(robot: Robot) -> Iterator[Finding]:
                 continue
             yield finding(
                 element.text,
-                f"Peer {address} lies in no subnet of this robot and no route covers it: it will not be discovered",
+                f"Peer {address} is in no subnet of this robot and no route covers it: it is not discovered",
                 advice="correct the address, or add a route",
-                chain=robot.provenance.chain_to(element.text, f"{address} is to be contacted"),
+                chain=robot.provenance.chain_to(element.text, f"DDS contacts {address}"),
                 related=[note(each.name, f"has {network}") for each, network in subnets[:3]],
             )

@@ -1,12 +1,13 @@
-"""Fast DDS QoS that ROS 2 overwrites.
+"""ROS 2 overwrites the QoS of a Fast DDS file.
 
 ## What it finds
-A profiles file that sets reliability, durability, history or publish mode of writers or readers, read
-by a process whose whole environment is known and does not set `RMW_FASTRTPS_USE_QOS_FROM_XML=1`.
+A profiles file that sets reliability, durability, history or publish mode of writers or readers, and that a
+process reads without `RMW_FASTRTPS_USE_QOS_FROM_XML=1`. The environment of the process has to be completely
+known.
 
 ## Why it matters on a robot
-Without the variable the RMW overwrites these settings with those of the program: what the file says
-about them has no effect, and nothing tells.
+Without the variable the RMW overwrites these settings with those of the program. What the file sets has no
+effect, and no message reports it.
 
 ## Bad
 ```xml
@@ -23,6 +24,9 @@ about them has no effect, and nothing tells.
 # RMW_FASTRTPS_USE_QOS_FROM_XML=1
 <data_writer profile_name="/odom">...</data_writer>
 ```
+
+## When to ignore it
+If the file is shared with processes that set the variable, and this one should use the QoS of the program.
 
 ## References
 - rmw_fastrtps, README, "Full QoS configuration"

@@ -1,13 +1,13 @@
-"""ROS processes of different users over shared memory.
+"""ROS processes of different users communicate over shared memory.
 
 ## What it finds
-Services of ROS 2 that start at boot together with Fast DDS under different users, where nothing
-switches shared memory off: their environments are known and name no profiles file and no
+Services of ROS 2 that start together at boot, use Fast DDS and run as different users, while nothing switches
+shared memory off: their environments are known and set neither a profiles file nor
 `FASTDDS_BUILTIN_TRANSPORTS`, and none has a private IPC namespace.
 
 ## Why it matters on a robot
-Shared-memory segments belong to the user who made them. Discovery goes over UDP, so all topics are
-listed, and no data arrives; a tool that root starts can even break nodes that run.
+A shared-memory segment belongs to the user who created it. Discovery uses UDP, so all topics are listed, but
+no data arrives. A tool that root starts can even break running nodes.
 
 ## Bad
 ```xml
@@ -21,6 +21,9 @@ User=robot
 [Service]
 User=robot            # in all of them
 ```
+
+## When to ignore it
+If the two services do not exchange topics with each other.
 
 ## References
 - https://github.com/eProsima/Fast-DDS/issues/5258
@@ -51,7 +54,7 @@ def shm_across_users(robot: Robot) -> Iterator[Finding]:
             for user, (unit, where) in others:
                 yield finding(
                     where,
-                    f"{unit.name} runs as {user}, {one.name} as {first}: their topics are listed, and data never "
+                    f"{unit.name} runs as {user}, {one.name} as {first}: their topics are listed, but data never "
                     "arrives",
                     advice="run both as one user, or give both a UDP-only profile",
                     related=[note(place, f"{one.name} runs as {first}")],

@@ -1,13 +1,13 @@
-"""Containers on the host's network that cannot reach each other's shared memory.
+"""Containers on the host's network cannot access each other's shared memory.
 
 ## What it finds
-ROS services of one compose file with `network_mode: host`, the same domain and Fast DDS with its default transports,
-that do not share their IPC namespace: neither `ipc: host` for all, nor `shareable` and `service:...`, nor one
-`/dev/shm`.
+ROS services of one compose file with `network_mode: host`, the same domain and Fast DDS with its default
+transports, that do not share an IPC namespace. They share one with `ipc: host` in all of them, with
+`shareable` and `service:...`, or with a common `/dev/shm`.
 
 ## Why it matters on a robot
-By the host's network they take each other for processes of one machine and send data through shared memory, which each
-container has for itself: topics are listed, and no data arrives.
+On the host's network they take each other for processes of the same machine and send data through shared
+memory. But each container has its own: topics are listed, and no data arrives.
 
 ## Bad
 ```yaml
@@ -20,6 +20,10 @@ camera: {image: lawn, network_mode: host}
 base:   {image: lawn, network_mode: host, ipc: host}
 camera: {image: lawn, network_mode: host, ipc: host}
 ```
+
+## When to ignore it
+If the services do not exchange topics, or each image sets a UDP-only profile that is not visible in the
+compose file.
 
 ## References
 - https://github.com/eProsima/Fast-DDS/issues/2956
@@ -57,10 +61,10 @@ def shm_docker(robot: Robot) -> Iterator[Finding]:
                 first, *others = sorted(spaces.values(), key=lambda service: service.name.span.start)
                 yield finding(
                     others[0].name,
-                    f"{others[0].name} and {first.name} are on one network, each with shared memory of its own: topics "
-                    "are listed, and no data arrives",
+                    f"{others[0].name} and {first.name} are on one network, but do not share memory: topics "
+                    "are listed, but no data arrives",
                     advice="add ipc: host to both, or give both a UDP-only profile",
-                    related=[note(each.name, "a namespace of its own") for each in (first, *others[1:])],
+                    related=[note(each.name, "has its own IPC namespace") for each in (first, *others[1:])],
                 )
 
 

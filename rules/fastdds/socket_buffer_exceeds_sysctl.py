@@ -1,11 +1,11 @@
-"""A Fast DDS buffer that the kernel does not grant.
+"""Fast DDS requests a larger socket buffer than the kernel grants.
 
 ## What it finds
-`sendSocketBufferSize`, `listenSocketBufferSize`, `sendBufferSize` or `receiveBufferSize` above
-`net.core.wmem_max` or `rmem_max` as the tree's sysctl files set it.
+`sendSocketBufferSize`, `listenSocketBufferSize`, `sendBufferSize` or `receiveBufferSize` above the value of
+`net.core.wmem_max` or `rmem_max` in the tree's sysctl files.
 
 ## Why it matters on a robot
-The library lowers the value without a word: large messages such as point clouds are still dropped.
+The library lowers the value without a message: large messages such as point clouds are still dropped.
 
 ## Bad
 ```xml
@@ -18,6 +18,9 @@ The library lowers the value without a word: large messages such as point clouds
 # net.core.rmem_max = 10485760
 <listenSocketBufferSize>10485760</listenSocketBufferSize>
 ```
+
+## When to ignore it
+If a provisioning script outside the tree raises the limit on the robot.
 
 ## References
 - Fast DDS 2.14.5, tried with the real library: 100 MB accepted with a limit of 4 MiB
@@ -50,5 +53,5 @@ def socket_buffer_exceeds_sysctl(robot: Robot) -> Iterator[Finding]:
                     f"The kernel grants {limit} bytes ({name}), not {element.text}: large messages are still dropped",
                     advice=f"set {name} = {element.text} in /etc/sysctl.d",
                     related=[note(robot.sysctl.get(name).value, "the limit")],
-                    chain=robot.provenance.chain_to(element.text, f"{element.text} bytes are asked for"),
+                    chain=robot.provenance.chain_to(element.text, f"DDS requests {element.text} bytes"),
                 )

@@ -1,10 +1,10 @@
-"""Two Fast DDS profiles claim to be the default.
+"""Two Fast DDS profiles are marked as the default.
 
 ## What it finds
 More than one participant, writer, reader or topic profile of one file with `is_default_profile="true"`.
 
 ## Why it matters on a robot
-Only one of them is used, and no message tells which.
+The library uses only one of them, and no message says which.
 
 ## Bad
 ```xml
@@ -17,6 +17,9 @@ Only one of them is used, and no message tells which.
 <participant profile_name="a" is_default_profile="true"/>
 <participant profile_name="b"/>
 ```
+
+## When to ignore it
+Never: which profile applies is not documented. Keep the mark on the one that you want.
 
 ## References
 - Fast DDS 2.14.5, tried with the real library: accepted silently
@@ -39,7 +42,7 @@ def two_default_profiles(robot: Robot) -> Iterator[Finding]:
             for profile in others:
                 yield finding(
                     profile.default,
-                    f"Two {kind} profiles are the default: only one is used, and no message tells which",
+                    f"Two {kind} profiles are the default: only one is used, and no message says which",
                     advice="keep one",
                     related=[note(first.default, "the first one")],
                 )

@@ -1,12 +1,12 @@
-"""A Fast DDS transport that is used before it is defined.
+"""A Fast DDS transport is used before it is defined.
 
 ## What it finds
-A `transport_id` in `userTransports` that no `transport_descriptor` above the participant defines. The
-order counts: `transport_descriptors` must come first.
+A `transport_id` in `userTransports` that no `transport_descriptor` before the participant defines. The order
+matters: `transport_descriptors` must come first.
 
 ## Why it matters on a robot
-The library ignores the whole file and goes on with its defaults, exit status 0: multicast discovery, no
-peers, no limits. Only a line on the terminal tells.
+The library ignores the whole file and uses its defaults: multicast discovery, no peers, no limits. The exit
+status is 0, and only a line on the terminal reports the error.
 
 ## Bad
 ```xml
@@ -21,6 +21,9 @@ peers, no limits. Only a line on the terminal tells.
 <transport_descriptors>...</transport_descriptors>
 <participant ...>...</participant>
 ```
+
+## When to ignore it
+Never: the library ignores the whole file.
 
 ## References
 - Fast DDS 2.14.5, tried with the real library
@@ -44,8 +47,8 @@ def undefined_transport(robot: Robot) -> Iterator[Finding]:
         advice = "define it in transport_descriptors"
         if later is not None:
             message, advice = (
-                f"Transport '{remark.where}' is defined below its use",
-                "move transport_descriptors to the front",
+                f"Transport '{remark.where}' is defined after its use",
+                "move transport_descriptors before the participant",
             )
         yield finding(
             remark.where,

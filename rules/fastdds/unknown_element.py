@@ -1,13 +1,13 @@
-"""An element that Fast DDS does not expect.
+"""Fast DDS does not expect an element.
 
 ## What it finds
-An element that the target version does not take at this place: misspelt, in the wrong case, in the
-wrong parent, or of another version. When the tree does not tell the ROS distribution, elements of other
-versions are reported for information.
+An element that the target version does not accept at this place:
+- **error**: it is misspelled, in the wrong case, in the wrong parent, or of another version.
+- **info**: it is of another version, and the tree does not show the ROS distribution.
 
 ## Why it matters on a robot
-The library ignores the whole file and goes on with its defaults, exit status 0: multicast discovery, no
-peers, no limits. Only a line on the terminal tells.
+The library ignores the whole file and uses its defaults: multicast discovery, no peers, no limits. The exit
+status is 0, and only a line on the terminal reports the error.
 
 ## Bad
 ```xml
@@ -24,6 +24,9 @@ peers, no limits. Only a line on the terminal tells.
   </builtin>
 </rtps>
 ```
+
+## When to ignore it
+If the robot has another version of Fast DDS than its distribution, and that version accepts the element.
 
 ## References
 - Fast DDS 2.14.5, tried with the real library
@@ -54,11 +57,11 @@ def unknown_element(robot: Robot) -> Iterator[Finding]:
         severity = None
         if others:
             message = (
-                f"{library} does not take '{name}' in {parent}, only {', '.join(others)} does: the whole "
+                f"{library} does not accept '{name}' in {parent} (accepted by {', '.join(others)}): the whole "
                 "file is ignored"
             )
             severity = None if library.known else "info"
-            advice = f"write what {library.version} knows, or set target-ros"
+            advice = f"use an element that {library.version} supports, or set target-ros"
         elif near:
             advice = f"write {near}"
         elif places:

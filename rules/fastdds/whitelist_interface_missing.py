@@ -1,11 +1,11 @@
-"""A Fast DDS whitelist address that the robot does not have.
+"""The robot does not have a whitelisted Fast DDS address.
 
 ## What it finds
-An `interfaceWhiteList` address that no interface of the robot's netplan has. Only files below the same
-root are joined, and only when no interface gets its address by DHCP.
+An `interfaceWhiteList` address that no interface of the robot's netplan has. Files are compared only below
+the same root, and only if no interface gets its address by DHCP.
 
 ## Why it matters on a robot
-All whitelist interfaces are filtered out: the node is created, and its readers fail.
+The library filters out all whitelisted interfaces: it creates the node, but the readers of the node fail.
 
 ## Bad
 ```xml
@@ -20,6 +20,9 @@ All whitelist interfaces are filtered out: the node is created, and its readers 
   <address>10.0.0.10</address>
 </interfaceWhiteList>
 ```
+
+## When to ignore it
+If something other than netplan assigns the address on the robot, such as a VPN client or a script.
 
 ## References
 - Fast DDS 2.14.5, tried with the real library
@@ -47,6 +50,6 @@ def whitelist_interface_missing(robot: Robot) -> Iterator[Finding]:
                     element.text,
                     f"No interface of this robot has {address}: it is filtered out, and readers fail",
                     advice=f"use one of {', '.join(sorted(own))}",
-                    chain=robot.provenance.chain_to(element.text, f"only {address} is let through"),
+                    chain=robot.provenance.chain_to(element.text, f"DDS uses only {address}"),
                     related=[note(each, "the robot's own address") for each in robot.dds.own_places(profiles)[:3]],
                 )

@@ -1,12 +1,12 @@
 """The root element of a Fast DDS file is not dds or profiles.
 
 ## What it finds
-A root other than `dds`, `profiles`, `types`, `log` or `library_settings`, in exactly this case. The
-namespace does not matter.
+A root element other than `dds`, `profiles`, `types`, `log` or `library_settings`. Names are case-sensitive.
+The namespace does not matter.
 
 ## Why it matters on a robot
-The library ignores the whole file and goes on with its defaults, exit status 0: multicast discovery, no
-peers, no limits. Only a line on the terminal tells.
+The library ignores the whole file and uses its defaults: multicast discovery, no peers, no limits. The exit
+status is 0, and only a line on the terminal reports the error.
 
 ## Bad
 ```xml
@@ -21,6 +21,9 @@ peers, no limits. Only a line on the terminal tells.
   <profiles/>
 </dds>
 ```
+
+## When to ignore it
+Never: the library ignores the whole file.
 
 ## References
 - Fast DDS 2.14.5, tried with the real library
@@ -43,7 +46,7 @@ def wrong_root(robot: Robot) -> Iterator[Finding]:
         right = root.name.lower() if root.name.lower() in ("dds", "profiles") else None
         yield finding(
             root.name,
-            f"The root element '{root.name}' is unknown to Fast DDS: the whole file is ignored",
+            f"Fast DDS does not know the root element '{root.name}': the whole file is ignored",
             advice=f"write {right}" if right else "make dds the outermost element, with profiles inside",
             fix=fix(f"rename to {right}", *robot.dds.renamed(root.name, right)) if right else None,
         )

@@ -1,13 +1,13 @@
 """Fast DDS cannot parse the XML.
 
 ## What it finds
-XML that TinyXML-2, the library's reader, refuses: end tags that do not match, an empty file, a comment
-before the XML declaration, a processing instruction inside the document. A DOCTYPE is reported too:
-entities are never expanded.
+XML that TinyXML-2, the library's parser, refuses: end tags that do not match, an empty file, a comment before
+the XML declaration, a processing instruction inside the document. A DOCTYPE that the library skips is a
+warning: it never expands entities.
 
 ## Why it matters on a robot
-The library ignores the whole file and goes on with its defaults, exit status 0: multicast discovery, no
-peers, no limits. Only a line on the terminal tells.
+The library ignores the whole file and uses its defaults: multicast discovery, no peers, no limits. The exit
+status is 0, and only a line on the terminal reports the error.
 
 ## Bad
 ```xml
@@ -22,6 +22,9 @@ peers, no limits. Only a line on the terminal tells.
 <!-- my robot -->
 <dds/>
 ```
+
+## When to ignore it
+Never for an error: the library ignores the whole file. A DOCTYPE is harmless if an editor needs it.
 
 ## References
 - Fast DDS 2.14.5, tried with the real library
@@ -43,7 +46,7 @@ def xml_not_wellformed(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.dds.fastdds_remarks(Code.XML, Code.INSTRUCTION):
         problem, _, detail = remark.detail.partition(": ")
         if not remark.fatal:
-            message = "Fast DDS steps over the DOCTYPE: what it declares has no effect"
+            message = "Fast DDS skips the DOCTYPE: its declarations have no effect"
             yield finding(remark.where, message, advice="delete the DOCTYPE", severity="warning")
             continue
         words = problem.replace("-", " ") or "processing instruction"
