@@ -57,7 +57,8 @@ def key_too_new(robot: Robot) -> Iterator[Finding]:
         return
     release, first, updated = RELEASES[robot.target.systemd]
     for file in robot.netplan.files:
-        for _, where, since in file.newer:
+        for newer in file.newer:
+            where, since = newer.where, newer.detail
             if _number(since) <= _number(first):
                 continue
             after = _number(since) <= _number(updated)
