@@ -59,7 +59,8 @@ class _Reader:
         self.file.uncertain = any(problem.code in LIMITS for problem in tree.problems)
         for problem in tree.problems:
             if problem.code not in LIMITS:
-                self.problem(*self.starred(problem))
+                found = self.starred(problem)
+                self.problem(found.code, found.where, found.detail)
         version = _VERSION.search(self.source.text) if "%YAML" in self.source.text else None
         if version:
             where = self.source.span(version.start(), version.end())
