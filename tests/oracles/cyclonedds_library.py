@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib.metadata
 import importlib.util
 import json
 import re
@@ -31,6 +32,11 @@ for number, configuration in json.load(open(sys.argv[1])):
 
 def is_installed() -> bool:
     return importlib.util.find_spec("cyclonedds") is not None
+
+
+def tool() -> str:
+    """Such as ``cyclonedds 11.0.1``; without the number where it is not installed."""
+    return f"cyclonedds {importlib.metadata.version('cyclonedds')}" if is_installed() else "cyclonedds"
 
 
 class Verdict(NamedTuple):

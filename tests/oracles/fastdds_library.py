@@ -55,6 +55,11 @@ def library() -> Path | None:
     return found if found.exists() else None
 
 
+def tool() -> str:
+    """Such as ``fastdds 2.14``; without the number where it is not installed."""
+    return f"fastdds {VERSION}" if library() else "fastdds"
+
+
 def ask(texts: list[str], folder: Path) -> list[Verdict]:
     """The library's verdict on files, in order."""
     verdicts: dict[int, Verdict] = {}

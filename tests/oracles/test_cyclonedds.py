@@ -17,14 +17,14 @@ from bringup_lint.parsers.cyclonedds import parse
 from bringup_lint.parsers.cyclonedds_uri import split_uri
 from bringup_lint.source import Source
 from bringup_lint.toml import read_toml
+from tests.oracles.answers import Oracle
 from tests.oracles.cyclonedds_library import FEATURES
 from tests.oracles.cyclonedds_library import VERSION
 from tests.oracles.cyclonedds_library import Verdict
 from tests.oracles.cyclonedds_library import ask
 from tests.oracles.cyclonedds_library import is_installed
+from tests.oracles.cyclonedds_library import tool
 from tests.oracles.xml_mutations import mutants
-
-pytestmark = pytest.mark.skipif(not is_installed(), reason="needs pip install cyclonedds")
 
 FOLDER = Path(__file__).parent
 DIFFERENCES = read_toml((FOLDER / "differences" / "cyclonedds.toml").read_text("utf-8"))["difference"]
@@ -123,22 +123,19 @@ def explained(verdict: Verdict) -> bool:
     return any(re.search(each["message"], verdict.message) for each in DIFFERENCES if "message" in each)
 
 
-def compare(texts: list[str], verdicts: list[Verdict], inline: bool) -> None:
-    """They agree; what does not stands in the table of differences."""
-    ours = [refusals(text, inline) for text in texts]
-    differing = [
-        (text, verdict, codes)
-        for text, verdict, codes in zip(texts, verdicts, ours, strict=True)
-        if verdict.accepted == bool(codes)
-    ]
+def compare(pairs: list[tuple[str, list]], inline: bool) -> None:
+    """They agree, but for what is in the table of differences."""
+    verdicts = [Verdict(*verdict) for _, verdict in pairs]
+    judged = ((text, verdict, refusals(text, inline)) for (text, _), verdict in zip(pairs, verdicts))
+    differing = [each for each in judged if each[1].accepted == bool(each[2])]
     wrong = [each for each in differing if not (explained(each[1]) and not each[2])]
     refused = sum(not verdict.accepted for verdict in verdicts)
-    print(f"{len(texts)} configurations, {refused} refused, {len(differing)} differ")
+    print(f"{len(pairs)} configurations, {refused} refused, {len(differing)} differ")
     for text, verdict, codes in wrong[:10]:
         print(f"--- {codes} / {verdict}\n{text[:600]}")
     assert not [each for each in wrong if each[2]], "refused by us alone"
     assert not wrong
-    assert len(differing) <= max(len(texts) * (1 - AGREEMENT), 2)
+    assert len(differing) <= max(len(pairs) * (1 - AGREEMENT), 2)
 
 
 def setting(path: str, value: str) -> str:
@@ -156,30 +153,33 @@ def setting(path: str, value: str) -> str:
     return text
 
 
-def test_every_setting(tmp_path: Path) -> None:
+def test_every_setting(answers: Oracle, tmp_path: Path) -> None:
     texts = [
         setting(row["path"], value)
         for row in table("dds/cyclonedds")
         if row["type"] != "ignored" and not row["path"].endswith(FILES_ARE_WRITTEN)
         for value in (VALUES if row["type"] not in ("group", "moved", "string") else ["x", "", "1"])
     ]
-    compare(texts, ask(texts, tmp_path), inline=True)
+    compare(answers.of("cyclonedds/settings", tool(), texts, lambda texts: ask(texts, tmp_path)).pairs, inline=True)
 
 
 @pytest.mark.parametrize("name", ["cyclonedds.xml", "cyclonedds_old.xml"])
-def test_slips_in_files(name: str, tmp_path: Path) -> None:
+def test_slips_in_files(name: str, answers: Oracle, tmp_path: Path) -> None:
     seed = (FOLDER / "dds" / name).read_text("utf-8")
     texts = [seed, *mutants(seed, VALUES, MUTANTS, seed=7)]
-    compare(texts, ask(_files(texts, tmp_path), tmp_path), inline=False)
+    record = f"cyclonedds/{name.removesuffix('.xml')}"
+    compare(answers.of(record, tool(), texts, lambda texts: ask_files(texts, tmp_path)).pairs, inline=False)
 
 
-def test_slips_inline(tmp_path: Path) -> None:
+def test_slips_inline(answers: Oracle, tmp_path: Path) -> None:
     seed = (FOLDER / "dds/cyclonedds.xml").read_text("utf-8").partition("-->\n")[2]
     texts = [text for text in mutants(seed, VALUES, MUTANTS, seed=8) if text.startswith("<") and "</>" not in text]
-    compare(texts, ask(texts, tmp_path), inline=True)
+    compare(answers.of("cyclonedds/inline", tool(), texts, lambda texts: ask(texts, tmp_path)).pairs, inline=True)
 
 
+@pytest.mark.slow
 @pytest.mark.corpus
+@pytest.mark.skipif(not is_installed(), reason="needs pip install cyclonedds")
 def test_corpus(corpus: Path, tmp_path: Path) -> None:
     texts = []
     for path in sorted(corpus.rglob("*.xml")):
@@ -187,11 +187,15 @@ def test_corpus(corpus: Path, tmp_path: Path) -> None:
         if kind_of(str(path), lambda text=text: text[:8192]) == "cyclonedds":
             texts.append(text)
     assert texts
-    compare(texts, ask(_files(texts, tmp_path), tmp_path), inline=False)
+    compare(list(zip(texts, ask_files(texts, tmp_path), strict=True)), inline=False)
 
 
-def _files(texts: list[str], folder: Path) -> list[str]:
+def ask_files(texts: list[str], folder: Path) -> list[Verdict]:
     paths = [folder / f"{number}.xml" for number in range(len(texts))]
     for path, text in zip(paths, texts, strict=True):
         path.write_text(text, "utf-8")
-    return [f"file://{path}" for path in paths]
+    verdicts = ask([f"file://{path}" for path in paths], folder)
+    return [
+        Verdict(verdict.accepted, verdict.message.replace(str(path), "FILE"))
+        for path, verdict in zip(paths, verdicts, strict=True)
+    ]

@@ -15,6 +15,7 @@ from bringup_lint.parsers.fastdds import parse
 from bringup_lint.parsers.fastdds_schema import schema
 from bringup_lint.source import Source
 from bringup_lint.toml import read_toml
+from tests.oracles.answers import Oracle
 from tests.oracles.fastdds_library import DROPPED
 from tests.oracles.fastdds_library import LOADED
 from tests.oracles.fastdds_library import PARTLY
@@ -23,9 +24,10 @@ from tests.oracles.fastdds_library import Verdict
 from tests.oracles.fastdds_library import ask
 from tests.oracles.fastdds_library import library
 from tests.oracles.fastdds_library import start_node
+from tests.oracles.fastdds_library import tool
 from tests.oracles.xml_mutations import mutants
 
-pytestmark = pytest.mark.skipif(library() is None, reason="needs pip install 'ros-jazzy-rclpy[fastrtps]'")
+needs_library = pytest.mark.skipif(library() is None, reason="needs pip install 'ros-jazzy-rclpy[fastrtps]'")
 
 FOLDER = Path(__file__).parent
 DIFFERENCES = read_toml((FOLDER / "differences" / "fastdds.toml").read_text("utf-8"))["difference"]
@@ -94,22 +96,23 @@ def verdict_of(text: str) -> int:
     return PARTLY if profiles.transports or any(profile.name for profile in profiles.profiles) else DROPPED
 
 
-def compare(texts: list[str], verdicts: list[Verdict]) -> None:
-    """They agree; what does not stands in the table of differences."""
+def compare(pairs: list[tuple[str, list]]) -> None:
+    """They agree, but for what is in the table of differences."""
     wrong = []
-    differing = 0
-    for text, verdict in zip(texts, verdicts, strict=True):
+    differing = dropped = 0
+    for text, answer in pairs:
+        verdict = Verdict(*answer)
+        dropped += verdict.result == DROPPED
         ours = verdict_of(text)
         if (ours == DROPPED) != (verdict.result == DROPPED):
             differing += 1
             if ours == DROPPED or not any(re.search(each["message"], verdict.message) for each in DIFFERENCES):
                 wrong.append((text, verdict, ours))
-    dropped = sum(verdict.result == DROPPED for verdict in verdicts)
-    print(f"{len(texts)} files, {dropped} dropped, {differing} differ, {len(wrong)} without a reason")
+    print(f"{len(pairs)} files, {dropped} dropped, {differing} differ, {len(wrong)} without a reason")
     for text, verdict, ours in wrong[:10]:
         print(f"--- ours {ours} / {verdict}\n{text[:500]}")
     assert not wrong
-    assert differing <= len(texts) * (1 - AGREEMENT)
+    assert differing <= len(pairs) * (1 - AGREEMENT)
 
 
 def needed(item: Item, skip: str = "") -> str:
@@ -181,7 +184,7 @@ def document_below(path: str, inner: str, root: str, base: str) -> str:
     return document(base.rpartition("/")[0], f"<{head.name}>{inner}</{head.name}>")
 
 
-def test_every_element(tmp_path: Path) -> None:
+def test_every_element(answers: Oracle, tmp_path: Path) -> None:
     texts = []
     for path, item in schema(VERSION).items.items():
         parent = path.rpartition("/")[0]
@@ -194,24 +197,26 @@ def test_every_element(tmp_path: Path) -> None:
         texts.append(document(parent, element(item) + element(item)))
         texts.append(document(parent, element(item, extra=' bogus="1"')))
     assert len(texts) > 5000
-    compare(texts, ask(texts, tmp_path))
+    compare(answers.of("fastdds/elements", tool(), texts, lambda texts: ask(texts, tmp_path)).pairs)
 
 
-def test_elements_of_other_versions_are_dropped(tmp_path: Path) -> None:
+def test_elements_of_other_versions_are_dropped(answers: Oracle, tmp_path: Path) -> None:
     known = schema(VERSION).items
     rows = [row for row in table("dds/fastdds") if row[VERSION] == "no" and "@" not in row["path"]]
     parents = [(row["path"].rpartition("/")[0], row["path"].rpartition("/")[2]) for row in rows]
     texts = [document(parent, f"<{name}/>") for parent, name in parents if parent in known]
     assert len(texts) > 10
-    compare(texts, ask(texts, tmp_path))
+    compare(answers.of("fastdds/versions", tool(), texts, lambda texts: ask(texts, tmp_path)).pairs)
 
 
-def test_slips(tmp_path: Path) -> None:
+def test_slips(answers: Oracle, tmp_path: Path) -> None:
     texts = [SEED, *mutants(SEED, VALUES, MUTANTS, seed=5)]
-    compare(texts, ask(texts, tmp_path))
+    compare(answers.of("fastdds/slips", tool(), texts, lambda texts: ask(texts, tmp_path)).pairs)
 
 
+@pytest.mark.slow
 @pytest.mark.corpus
+@needs_library
 def test_corpus(corpus: Path, tmp_path: Path) -> None:
     texts = []
     for path in sorted(corpus.rglob("*.xml")):
@@ -219,9 +224,11 @@ def test_corpus(corpus: Path, tmp_path: Path) -> None:
         if kind_of(str(path), lambda text=text: text[:8192]) == "fastdds":
             texts.append(text)
     assert texts
-    compare(texts, ask(texts, tmp_path))
+    compare(list(zip(texts, ask(texts, tmp_path), strict=True)))
 
 
+@pytest.mark.slow
+@needs_library
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
@@ -246,6 +253,8 @@ def test_a_node_says_so_and_starts_all_the_same(old: str, new: str, message: str
     assert parse(Source("a.xml", file.read_text("utf-8")), VERSION).dropped == bool(message)
 
 
+@pytest.mark.slow
+@needs_library
 def test_no_transport_stops_the_node(tmp_path: Path) -> None:
     file = tmp_path / "fastdds.xml"
     file.write_text(

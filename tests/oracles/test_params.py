@@ -1,11 +1,12 @@
 """rcl's own parser: the same files accepted, the same names, types and values, for every case.
 
-Needs ``pip install 'ros-jazzy-rclpy[fastrtps]'``. The first test starts real nodes with ``--params-file``; the second
-asks the parser's library for its whole table, which is quick enough for thousands of bred files.
+The real one needs ``pip install 'ros-jazzy-rclpy[fastrtps]'``. Its library gives its whole table, which is quick enough
+for thousands of files; some of them are also given to real nodes with ``--params-file``.
 """
 
 from __future__ import annotations
 
+import importlib.metadata
 import importlib.util
 import json
 import os
@@ -23,6 +24,7 @@ from bringup_lint.model.params import Value
 from bringup_lint.parsers.params import parse
 from bringup_lint.source import Source
 from bringup_lint.toml import read_toml
+from tests.oracles.answers import Oracle
 
 FOLDER = Path(__file__).parent
 WORDS = read_toml((FOLDER / "params.toml").read_text("utf-8"))
@@ -37,7 +39,12 @@ STARTED = 120
 OWN = ("use_sim_time", "start_type_description_service")
 """Parameters that every rclpy node declares for itself."""
 
-pytestmark = pytest.mark.skipif(importlib.util.find_spec("rclpy") is None, reason="needs rclpy")
+
+def tool() -> str:
+    """Such as ``rclpy 7.1.1``; without the number where it is not installed."""
+    if importlib.util.find_spec("rclpy") is None:
+        return "rclpy"
+    return f"rclpy {importlib.metadata.version('ros-jazzy-rclpy')}"
 
 
 def ask(cases: list[dict]) -> list:
@@ -140,41 +147,55 @@ def keys() -> list[str]:
 
 
 def real_files() -> list[str]:
-    if not CORPUS:
-        return []
     files = sorted({*Path(CORPUS).rglob("*.yaml"), *Path(CORPUS).rglob("*.yml")})
     texts = (path.read_text("utf-8", "replace") for path in files if path.is_file())
     return [text for text in texts if "ros__parameters" in text and "\0" not in text]
 
 
-def test_every_bred_and_real_file_gives_the_same_table() -> None:
-    cases = [*WORDS["files"], *scalars(), *keys(), *real_files(), *bred()]
-    answers = ask([{"text": text} for text in cases])
-    wrong = [
-        (text, real)
-        for text, real in zip(cases, answers, strict=True)
-        if (table(text) != real) is not (text in DIFFERENCES)
-    ]
+def judge_tables(pairs: list[tuple[str, dict | None]]) -> None:
+    wrong = [(text, real) for text, real in pairs if (table(text) != real) is not (text in DIFFERENCES)]
     assert not wrong, (
-        f"{len(wrong)} of {len(cases)}, the first:\n{wrong[0][0]}\nreal: {wrong[0][1]}\nours: {table(wrong[0][0])}"
+        f"{len(wrong)} of {len(pairs)}, the first:\n{wrong[0][0]}\nreal: {wrong[0][1]}\nours: {table(wrong[0][0])}"
     )
-    assert sum(answer is not None for answer in answers) > len(cases) // 5
 
 
-def test_real_nodes_get_what_we_say() -> None:
+def tables(texts: list[str]) -> list:
+    return ask([{"text": text} for text in texts])
+
+
+def test_every_file_gives_the_same_table(answers: Oracle) -> None:
+    texts = [*WORDS["files"], *scalars(), *keys(), *bred()]
+    given = answers.of("rcl/tables", tool(), texts, tables)
+    judge_tables(given.pairs)
+    assert sum(answer is not None for _, answer in given.pairs) > len(given.pairs) // 5
+
+
+@pytest.mark.slow
+@pytest.mark.corpus
+@pytest.mark.skipif(tool() == "rclpy", reason="needs rclpy")
+@pytest.mark.skipif(not CORPUS, reason="BRINGUP_LINT_CORPUS names no folder")
+def test_real_files_give_the_same_table() -> None:
+    texts = real_files()
+    judge_tables(list(zip(texts, tables(texts), strict=True)))
+
+
+def arrived(cases: list[list[str]]) -> list[dict | str]:
+    """Text, name and namespace to the parameters that a real node gets, without those that it declares for itself."""
+    return [_own(found) for found in ask([{"text": text, "node": [name, space]} for text, name, space in cases])]
+
+
+def test_real_nodes_get_what_we_say(answers: Oracle) -> None:
     chance = random.Random(11)
     names = [("n", "/"), ("n", "/x"), ("m", "/x/y")]
     files = [*WORDS["files"], *keys(), *scalars(), *(text for text in bred() if table(text))][: 330 + STARTED]
-    cases = [(text, *chance.choice(names)) for text in files]
-    answers = ask([{"text": text, "node": [name, space]} for text, name, space in cases])
-    assert len(cases) >= 400
-    pairs = zip(cases, answers, strict=True)
-    wrong = [(case, real) for case, real in pairs if case[0] not in DIFFERENCES and _own(node(*case)) != _own(real)]
+    cases = [[text, *chance.choice(names)] for text in files]
+    pairs = answers.of("rcl/nodes", tool(), cases, arrived).pairs
+    assert len(pairs) >= 400
+    wrong = [(case, real) for case, real in pairs if case[0] not in DIFFERENCES and _own(node(*case)) != real]
     assert not wrong, (
         f"{len(wrong)} of {len(cases)}, the first:\n{wrong[0][0]}\nreal: {wrong[0][1]}\nours: {node(*wrong[0][0])}"
     )
 
 
 def _own(found: dict | str) -> dict | str:
-    """Without what the node declares for itself."""
     return {key: value for key, value in found.items() if key not in OWN} if isinstance(found, dict) else found

@@ -28,6 +28,14 @@ def udevadm() -> tuple[str, ...] | None:
     return None
 
 
+def tool() -> str:
+    """Such as ``udevadm 257``; without the number where there is none that can verify."""
+    command = udevadm()
+    if command is None:
+        return "udevadm"
+    return f"udevadm {subprocess.run([*command, '--version'], capture_output=True, text=True).stdout.split()[0]}"
+
+
 def _unpacked() -> tuple[str, ...] | None:
     root = Path(FOLDER)
     if not FOLDER or not (root / "usr/bin/udevadm").is_file():
