@@ -1,4 +1,4 @@
-"""Lines of journald.conf without [Journal] above them are ignored.
+"""Settings outside of a section in journald.conf: journald ignores them.
 
 ## What it finds
 Settings in journald.conf or a drop-in before any section header.

@@ -1,4 +1,4 @@
-"""A key that journald does not know: the line is ignored.
+"""A key that journald does not know: it ignores the line.
 
 ## What it finds
 A key in [Journal] of journald.conf or a drop-in that journald ignores:

@@ -1,4 +1,4 @@
-"""Lines of logind.conf without [Login] above them are ignored.
+"""Settings outside of a section in logind.conf: logind ignores them.
 
 ## What it finds
 Settings in logind.conf or a drop-in before any section header.

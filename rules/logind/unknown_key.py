@@ -1,4 +1,4 @@
-"""A key that logind does not know: the line is ignored.
+"""A key that logind does not know: it ignores the line.
 
 ## What it finds
 A key in [Login] of logind.conf or a drop-in that logind ignores:

@@ -1,4 +1,4 @@
-"""A script logs in as a user or on a port that sshd refuses.
+"""A script logs in as a user, or on a port, that sshd rejects.
 
 ## What it finds
 A script in the tree runs `ssh user@host`, scp or rsync in one of these ways:

@@ -1,4 +1,4 @@
-"""A line that was meant for everyone belongs to the Match block above it.
+"""A line for all users belongs to the Match block above it.
 
 ## What it finds
 A line that is not indented, after a Match block whose own lines are indented.

@@ -12,7 +12,7 @@ sshd uses the first value of a keyword. Debian and Ubuntu include sshd_config.d 
 ```
 # sshd_config.d/50-cloud-init.conf
 PasswordAuthentication yes
-# sshd_config, behind its Include
+# sshd_config, after its Include
 PasswordAuthentication no
 ```
 

@@ -1,4 +1,4 @@
-"""Lines of system.conf without [Manager] above them are ignored.
+"""Settings outside of a section in system.conf: systemd ignores them.
 
 ## What it finds
 Settings in system.conf or a drop-in before any section header.

@@ -1,4 +1,4 @@
-"""A key that systemd does not know: the line is ignored.
+"""A key that systemd does not know: it ignores the line.
 
 ## What it finds
 A key in [Manager] of system.conf or a drop-in that systemd ignores:

@@ -63,7 +63,7 @@ def _refused(unit):
 
 
 def _misplaced(unit):
-    """Whether an Exec line stands where systemd does not read it, which is reported there."""
+    """Whether an Exec line is where systemd does not read it, which another rule reports."""
     known = directives.sections()
     for file in unit.files:
         if any(section.name not in known for section in file.sections) or file.problems:

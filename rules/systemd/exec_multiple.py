@@ -1,4 +1,4 @@
-"""More than one ExecStart= in a service that is not oneshot.
+"""More than one ExecStart= in a service that is not oneshot: systemd refuses the unit.
 
 ## What it finds
 Two or more commands in ExecStart=, after all drop-ins, in a service that is not Type=oneshot: several lines,

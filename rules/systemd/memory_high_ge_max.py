@@ -1,4 +1,4 @@
-"""MemoryHigh= is not below MemoryMax=.
+"""MemoryHigh= is not below MemoryMax=: the kernel kills the service without throttling it first.
 
 ## What it finds
 MemoryHigh= that is equal to or larger than MemoryMax=.

@@ -139,7 +139,7 @@ def _verdict(unit, robot, box, log):
 
 
 def _foreign(unit, path):
-    """Whether the directory lies where only root may create one."""
+    """Whether the directory is where only root may create one."""
     return unit.get("User") not in (None, "root", "0") and path.startswith(OF_ROOT)
 
 

@@ -1,4 +1,4 @@
-"""Less than a second between restarts.
+"""The service restarts in less than a second.
 
 ## What it finds
 A service with Restart= that restarts in less than a second: RestartSec= is shorter, or not set (the default

@@ -64,7 +64,7 @@ def rt_restrict_conflict(robot: Robot) -> Iterator[Finding]:
         elif policy in ("fifo", "rr"):
             yield finding(
                 policy,
-                f"{unit.name} starts with {policy} scheduling, but RestrictRealtime= forbids it to set "
+                f"{unit.name} starts with {policy} scheduling, but RestrictRealtime= prevents it from setting "
                 "a real-time policy for its threads",
                 advice="remove RestrictRealtime=",
                 related=[note(restricted.at, "forbids real-time scheduling")],

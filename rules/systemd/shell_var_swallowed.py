@@ -63,7 +63,7 @@ def shell_var_swallowed(robot: Robot) -> Iterator[Finding]:
 
 
 def _shell_text(command):
-    """The text behind ``sh -c``."""
+    """The text after ``sh -c``."""
     names = [word.rpartition("/")[2] for word in command.argv]
     shell = next((at for at, name in enumerate(names) if name in _SHELLS), None)
     if shell is None:

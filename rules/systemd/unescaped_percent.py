@@ -62,5 +62,5 @@ def unescaped_percent(robot: Robot) -> Iterator[Finding]:
 
 
 def _plain(line):
-    """Whether every % of the value stands in the file as systemd reads it."""
+    """Whether every % of the value is in the file as systemd reads it."""
     return "%%" not in line.value

@@ -1,4 +1,4 @@
-"""User= or Group= in a user unit.
+"""User= or Group= in a user unit: the service does not start.
 
 ## What it finds
 `User=`, `Group=` or `SupplementaryGroups=` in a service of the user manager.
