@@ -55,7 +55,7 @@ def shell_background_job(robot: Robot) -> Iterator[Finding]:
                     f"Nothing keeps the shell running after this background job: {unit.name} exits at "
                     "once, and systemd kills the job"
                     if ends and not step.command.depth
-                    else f"When this background job dies, {unit.name} still counts as running: systemd does not restart it",
+                    else f"When this background job dies, {unit.name} keeps running: systemd does not restart it",
                     advice="run it in the foreground with exec, and each process in a unit of its own",
                     related=[note(process.program, "the main process")],
                     severity="error" if ends and not step.command.depth else "warning",
