@@ -1,12 +1,12 @@
-"""A path argument is empty unless somebody passes it.
+"""A path argument is empty unless a value is passed.
 
 ## What it finds
-Arguments with the default `''` that are used as a parameter file or as the file of an include, or passed on as
-`params_file`, without a condition that looks at them.
+Arguments with the default `''` that are used as a parameter file or as the file of an include, or that are passed
+on as `params_file`. Uses whose condition tests the argument are not reported.
 
 ## Why it matters on a robot
-Started without the argument, the node comes up with the defaults of its code instead of the robot's parameters, or the
-include fails.
+If the launch file is started without the argument, the node uses the defaults of its code instead of the robot's
+parameters, or the include fails.
 
 ## Bad
 ```python
@@ -19,6 +19,10 @@ Node(package='demo', executable='planner', parameters=[LaunchConfiguration('para
 DeclareLaunchArgument('params_file', default_value=PathJoinSubstitution([share, 'config', 'planner.yaml'])),
 Node(package='demo', executable='planner', parameters=[LaunchConfiguration('params_file')]),
 ```
+
+## When to ignore it
+When every caller passes the argument and the callers are outside this tree, for example a launch file of another
+repository. Removing the default is still better: launch then reports the missing argument.
 
 ## References
 - launch_ros, `Node`: "Parameter file path is not a file"
@@ -53,7 +57,7 @@ def arg_empty_default_path(robot: Robot) -> Iterator[Finding]:
                 yield finding(
                     empty[name].default.span,
                     f"The path '{name}' is empty unless it is passed: {what}",
-                    advice="give the argument a real default, or none, so that launch asks for it",
+                    advice="give the argument a real default, or remove the default, so that launch requires a value",
                     related=[note(value.span, "used as a path here")],
                 )
 
@@ -64,7 +68,7 @@ def paths(action):
         if isinstance(source, launch.ParameterFile):
             source = source.file
         if isinstance(source, launch.DerivedFile):
-            yield source.base, "the parameter file cannot be opened and the launch aborts"
+            yield source.base, "the parameter file cannot be opened and launch aborts"
         else:
             yield source, "the node starts without its parameter file"
     if isinstance(action, launch.Include):

@@ -1,12 +1,12 @@
 """An argument of one include leaks into the next.
 
 ## What it finds
-Two includes that stand side by side and declare the same argument with different defaults, where the second is not
-passed a value.
+Two includes in the same scope whose files declare the same argument with different defaults. The second include
+does not pass a value.
 
 ## Why it matters on a robot
-launch has one scope for all included files. The default of the first stays bound, and the second never uses its own: it
-loads the wrong parameters, without a word.
+launch has one scope for all included files. The default of the first file stays bound, and the second file never
+uses its own: it silently loads the wrong parameters.
 
 ## Bad
 ```xml
@@ -19,6 +19,10 @@ loads the wrong parameters, without a word.
 <group><include file="$(dirname)/lidar.launch.xml"/></group>
 <group><include file="$(dirname)/camera.launch.xml"/></group>
 ```
+
+## When to ignore it
+When the second file is meant to inherit the value of the first. Passing the argument explicitly says so and also
+removes the finding.
 
 ## References
 - launch, `GroupAction(scoped=True)`
@@ -50,7 +54,7 @@ def arg_leak(robot: Robot) -> Iterator[Finding]:
                 continue
             yield finding(
                 declared.chain[0],
-                f"'{declared.name}' of {other.basename} leaks into this include: it gets '{leaked}' and never its "
+                f"'{declared.name}' of {other.basename} leaks into this include: it gets '{leaked}', never its "
                 f"default '{own}'",
                 advice="pass the argument, or put each include into a scoped group",
                 related=[

@@ -1,10 +1,11 @@
 """A launch configuration is used before it is declared.
 
 ## What it finds
-Reads of a launch configuration that stand in the description before the `DeclareLaunchArgument` (`<arg>`) of it.
+A launch configuration that is read in the description before its `DeclareLaunchArgument` (`<arg>`). A read under a
+condition is a warning.
 
 ## Why it matters on a robot
-launch visits the description in order: at that point the configuration does not exist, and the launch aborts.
+launch visits the description in order. At the time of the read the configuration does not exist, and launch aborts.
 
 ## Bad
 ```python
@@ -21,6 +22,10 @@ LaunchDescription([
     Node(package='demo', executable='talker', namespace=LaunchConfiguration('robot_name')),
 ])
 ```
+
+## When to ignore it
+When every caller sets the argument before it includes this file, or passes it on the command line. Moving the
+declaration up costs nothing and is the better choice.
 
 ## References
 - launch, `LaunchConfiguration.perform` and `DeclareLaunchArgument.execute`
@@ -46,7 +51,7 @@ def arg_used_before_declare(robot: Robot) -> Iterator[Finding]:
             yield finding(
                 used.argument.name,
                 f"'{later.name}' is used before it is declared: launch aborts",
-                advice="put the declarations first in the description",
+                advice="move the declarations to the start of the description",
                 related=[note(later.action.span, "declared here, later in the description")],
                 severity="warning" if used.conditions else None,
             )

@@ -1,10 +1,10 @@
-"""A launch file swallows its errors.
+"""A launch file hides its errors.
 
 ## What it finds
-`except:` without an exception type that does not raise again.
+`except:` without an exception type, when the block does not raise again.
 
 ## Why it matters on a robot
-A missing file or package ends in a launch description that silently starts less than it should.
+After a missing file or package, the launch description silently starts less than it should.
 
 ## Bad
 ```python
@@ -21,6 +21,10 @@ try:
 except PackageNotFoundError:
     share = ''
 ```
+
+## When to ignore it
+When the block around it is optional on every robot, such as a developer's visualisation, and a log message says
+that it was skipped.
 
 ## References
 - PEP 8, "Programming Recommendations"
@@ -40,6 +44,6 @@ def bare_except(robot: Robot) -> Iterator[Finding]:
         for span in file.bare_excepts:
             yield finding(
                 span.source.span(span.start, min(span.end, span.start + len("except:"))),
-                "Every error of this block is swallowed: less starts than should, without a word",
-                advice="name the exception that is expected",
+                "Every error in this block is hidden: launch silently starts less than it should",
+                advice="name the expected exception",
             )

@@ -1,12 +1,12 @@
-"""A check runs and nobody looks at its result.
+"""Nothing reads the result of a check.
 
 ## What it finds
-Processes that test something (`test -e /dev/lidar`, a script called check, verify or preflight) without an exit
-action or an `OnProcessExit` handler.
+A process that tests something, without an exit action or an `OnProcessExit` handler. A direct `test` or `[` command
+is an error. A script that is called check, verify or preflight is a warning.
 
 ## Why it matters on a robot
-A process that fails stops nothing in launch. The device is missing, the check says so to nobody, and the robot
-starts; a message such as "hardware checks passed" after a timer is even printed.
+In launch, a failing process does not stop anything. The device is missing, nothing reports it, and the robot
+starts. A timer may even print a message such as "hardware checks passed".
 
 ## Bad
 ```python
@@ -20,6 +20,10 @@ check = ExecuteProcess(cmd=['test', '-e', '/dev/lidar'])
 RegisterEventHandler(OnProcessExit(target_action=check, on_exit=lambda event, context:
     [] if event.returncode == 0 else [EmitEvent(event=Shutdown(reason='no lidar'))]))
 ```
+
+## When to ignore it
+When the script only reports, or when it stops the robot by other means, such as a service call or `systemctl stop`.
+The linter sees only the exit handlers of the launch file.
 
 ## References
 - launch, `ExecuteProcess` and `OnProcessExit`
@@ -45,7 +49,7 @@ def check_ignored(robot: Robot) -> Iterator[Finding]:
             direct = check.startswith(("test ", "[ "))
             yield finding(
                 node.span,
-                f"The check '{check}' may fail and the launch goes on: nothing waits for its result",
-                advice="register an OnProcessExit handler that shuts down when it fails",
+                f"If the check '{check}' fails, the launch continues: nothing waits for its result",
+                advice="register an OnProcessExit handler that shuts the launch down when the check fails",
                 severity=None if direct else "warning",
             )

@@ -4,7 +4,8 @@
 `DeclareLaunchArgument(..., choices=[...])` (`<choice>`) with a literal default that is not in the list.
 
 ## Why it matters on a robot
-launch refuses the declaration: the file cannot be launched without passing the argument, or not be loaded at all.
+launch rejects the declaration. The file cannot be launched without passing the argument, or cannot be loaded at
+all.
 
 ## Bad
 ```python
@@ -15,6 +16,9 @@ DeclareLaunchArgument('lidar', default_value='a1', choices=['a2', 'a3'])
 ```python
 DeclareLaunchArgument('lidar', default_value='a2', choices=['a2', 'a3'])
 ```
+
+## When to ignore it
+Never: launch rejects such a declaration in every distribution.
 
 ## References
 - launch, `DeclareLaunchArgument`
@@ -41,5 +45,5 @@ def choices_default(robot: Robot) -> Iterator[Finding]:
         yield finding(
             default,
             f"The default '{default}' is not one of the choices ({', '.join(choices)}): the file cannot be loaded",
-            advice=f"write '{near[0]}'" if near else "take one of the choices as the default",
+            advice=f"write '{near[0]}'" if near else "use one of the choices as the default",
         )

@@ -1,11 +1,11 @@
 """A condition is neither true nor false.
 
 ## What it finds
-`IfCondition` and `UnlessCondition` (`if=`, `unless=`) on a literal, or on an argument whose default is a literal,
-that is not one of `true`, `false`, `1`, `0`.
+`IfCondition` and `UnlessCondition` (`if=`, `unless=`) on a literal that is not one of `true`, `false`, `1` and `0`.
+The same holds for an argument whose default is such a literal.
 
 ## Why it matters on a robot
-launch accepts only these four words, in any case. `yes`, `on` or an empty text abort the launch.
+launch accepts only these four words, in upper or lower case. `yes`, `on` or an empty string aborts the launch.
 
 ## Bad
 ```xml
@@ -16,6 +16,9 @@ launch accepts only these four words, in any case. `yes`, `on` or an empty text 
 ```xml
 <node pkg="demo" exec="talker" if="true"/>
 ```
+
+## When to ignore it
+Only for the default of an argument that every caller passes. A literal in the condition itself always aborts.
 
 ## References
 - launch, `evaluate_condition_expression`

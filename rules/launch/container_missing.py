@@ -1,10 +1,11 @@
-"""Components are loaded into a container that nobody starts.
+"""Components are loaded into a container that does not exist.
 
 ## What it finds
-`LoadComposableNodes` whose target is no container of the launch graph.
+`LoadComposableNodes` whose target is not a container of the launch graph. Silent where part of the launch graph is
+unknown, and where no container is started at all. An action with a condition is a warning.
 
 ## Why it matters on a robot
-launch waits for the container's service without end: the components never load and nothing says why.
+launch waits forever for the container's service. The components never load, and no message says why.
 
 ## Bad
 ```python
@@ -15,6 +16,10 @@ LoadComposableNodes(target_container='perception', composable_node_descriptions=
 ```python
 LoadComposableNodes(target_container='vision', composable_node_descriptions=[...])
 ```
+
+## When to ignore it
+When another launch file, which this one does not include, starts the container under exactly this name before the
+components are loaded.
 
 ## References
 - launch_ros, `LoadComposableNodes`
@@ -57,7 +62,7 @@ def container_missing(robot: Robot) -> Iterator[Finding]:
             near = nearest(text.rpartition("/")[2], containers, 3) or sorted(containers)[:1]
             yield finding(
                 text,
-                f"Container '{text}' is started nowhere: launch waits for ever and the components never load",
+                f"Nothing starts the container '{text}': launch waits forever and the components never load",
                 advice=f"load them into '{near[0]}'",
                 related=[note(containers[near[0]].span, f"container '{near[0]}'")],
                 severity="warning" if action.conditions else None,

@@ -1,12 +1,12 @@
-"""Nobody notices when a driver dies.
+"""Nothing reacts when a driver dies.
 
 ## What it finds
-Nodes that drive hardware with neither `respawn` nor an exit action nor an `OnProcessExit` handler, in launch files
-that start more than the driver.
+Nodes that drive hardware with neither `respawn` nor an exit action nor an `OnProcessExit` handler. Reported for
+launch files that also start other nodes, or that a unit launches.
 
 ## Why it matters on a robot
-If the driver ends, launch goes on and the service stays "active (running)": the robot is blind until somebody looks.
-`ros2 launch` even ends with status 0, so `Restart=on-failure` of a unit never fires.
+If the driver ends, the launch continues and the service stays "active (running)": the robot is blind until somebody
+looks. `ros2 launch` even exits with status 0, so `Restart=on-failure` of a unit never triggers.
 
 ## Bad
 ```python
@@ -17,6 +17,10 @@ Node(package='sllidar_ros2', executable='sllidar_node', name='lidar')
 ```python
 Node(package='sllidar_ros2', executable='sllidar_node', name='lidar', on_exit=Shutdown())
 ```
+
+## When to ignore it
+When a watchdog outside of launch monitors the driver and acts, for example a diagnostics node that stops the robot
+when its topic falls silent, or a device the robot can drive safely without.
 
 ## References
 - https://github.com/ros2/launch/issues/174
@@ -56,9 +60,9 @@ def critical_no_required(robot: Robot) -> Iterator[Finding]:
                 continue
             yield finding(
                 node.span,
-                f"If {node.label()} dies, launch goes on and nothing notices: a service around it stays active "
+                f"If {node.label()} dies, the launch continues and nothing reacts: a service around it stays active "
                 f"without its {role}",
-                advice="set on_exit=Shutdown() and let the unit restart with Restart=always, or set respawn",
+                advice="set on_exit=Shutdown() and let the unit restart it with Restart=always, or set respawn",
                 related=starts(robot, entry),
                 chain=robot.provenance.chain_to_node(node),
             )

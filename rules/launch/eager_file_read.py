@@ -1,11 +1,12 @@
 """A file is read while the launch description is built.
 
 ## What it finds
-`open()`, `yaml.safe_load()` and xacro calls in the entry function, outside of functions that launch calls later.
+`open()` and xacro calls (`xacro.process_file`, `xacro.process`) in the entry function, outside functions that
+launch calls later.
 
 ## Why it matters on a robot
-The file must be there before any argument is known: `ros2 launch --show-args` fails without it, and an argument
-cannot choose another one.
+The file must exist before any argument is known. Without it even `ros2 launch --show-args` fails, and an argument
+cannot select another file.
 
 ## Bad
 ```python
@@ -17,6 +18,10 @@ with open(urdf_path) as file:
 ```python
 description = ParameterValue(Command(['xacro ', urdf_path]), value_type=str)
 ```
+
+## When to ignore it
+When the file is in the package's own share folder, is always installed with the launch file, and no argument
+selects it.
 
 ## References
 - launch, `Command` and `OpaqueFunction`

@@ -1,11 +1,11 @@
-"""An environment variable is set after the nodes that should have it.
+"""An environment variable is set after the nodes that need it.
 
 ## What it finds
-`SetEnvironmentVariable` (`<set_env>`) of a ROS or DDS variable behind the first node of the description.
+`SetEnvironmentVariable` (`<set_env>`) of a ROS or DDS variable after the first node of the description.
 
 ## Why it matters on a robot
-A process has the environment of the moment in which it starts. Nodes before the line run without the variable: another
-middleware, another domain, and the two halves of the robot do not see each other.
+A process gets the environment of the moment in which it starts. Nodes before the line run without the variable.
+They use another middleware or domain, and the two halves of the robot do not see each other.
 
 ## Bad
 ```python
@@ -22,6 +22,10 @@ LaunchDescription([
     Node(package='demo', executable='driver'),
 ])
 ```
+
+## When to ignore it
+When the earlier nodes are meant to run without the variable, for example a bridge that stays in the default domain.
+A scoped group shows that intention better.
 
 ## References
 - launch, `SetEnvironmentVariable`

@@ -2,10 +2,11 @@
 
 ## What it finds
 Executables of workspace packages that neither setup.py (`console_scripts`) nor CMakeLists.txt (`install`, component
-registration) provides, and some of public packages that are often guessed wrong.
+registration) provides. For gazebo_ros: every executable except `spawn_entity.py`. A node that does not start by
+default is a warning.
 
 ## Why it matters on a robot
-launch aborts with "executable 'x' not found on the libexec directory": no node of the whole launch file comes up.
+launch aborts with "executable 'x' not found on the libexec directory": no node of the whole launch file starts.
 
 ## Bad
 ```python
@@ -16,6 +17,10 @@ Node(package='my_robot', executable='controler_node')   # setup.py: 'controller_
 ```python
 Node(package='my_robot', executable='controller_node')
 ```
+
+## When to ignore it
+When the build installs the executable by a means that CMakeLists.txt does not show, such as a script that an
+external project generates.
 
 ## References
 - launch_ros, `ExecutableInPackage`
@@ -33,7 +38,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.spelling import nearest
 
 PUBLIC = {"gazebo_ros": ("spawn_entity.py",)}
-"""All executables of public packages whose programs people guess."""
+"""All executables of public packages whose names are often guessed wrong."""
 
 
 @rule("error", fix="unsafe", symptoms=["not found on the libexec directory"])
@@ -46,7 +51,7 @@ def executable_missing(robot: Robot) -> Iterator[Finding]:
             yield finding(
                 executable,
                 f"{launch.literal_text(node.package)} has no executable '{executable}': launch aborts",
-                advice="include a launch file of the package instead",
+                advice="include one of the package's launch files instead",
                 severity="warning" if node.by_default is not True else None,
             )
         if package is None or executable is None or not package.executables_known or executable in package.executables:

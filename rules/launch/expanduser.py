@@ -1,11 +1,11 @@
-"""A launch file looks into somebody's home folder.
+"""A launch file uses the home folder of the current user.
 
 ## What it finds
-`os.path.expanduser()` and `Path.home()` in launch files.
+`os.path.expanduser()` in launch files that are not for simulation.
 
 ## Why it matters on a robot
-Under systemd the home folder is that of `User=`, or none at all: another file than the one that was tested in the
-shell.
+Under systemd the home folder is that of `User=`, or there is none. The path then names another file than the one
+that was tested in the shell.
 
 ## Bad
 ```python
@@ -16,6 +16,9 @@ config = os.path.expanduser('~/robot.yaml')
 ```python
 config = LaunchConfiguration('config')   # passed by the unit, below /etc or the package's share folder
 ```
+
+## When to ignore it
+When the launch file is started only by a person on a workstation, never by a service.
 
 ## References
 - systemd.exec(5), "User=" and `$HOME`
@@ -38,6 +41,6 @@ def expanduser(robot: Robot) -> Iterator[Finding]:
             if call.name == "os.path.expanduser":
                 yield finding(
                     call.span,
-                    "Under systemd the home folder is that of User=: another path than in your shell",
+                    "Under systemd the home folder is that of User=: the path differs from the one in your shell",
                     advice="use an absolute path or an argument",
                 )

@@ -1,11 +1,13 @@
-"""A file is used through the package's share folder but never installed.
+"""A file in the package's share folder is used but never installed.
 
 ## What it finds
-Launch, parameter, URDF and other files of a workspace package that a launch file names through the package's share
-folder (or by its own folder), and that exist in the source but in no `data_files` or `install()` rule.
+Launch, parameter, URDF and other files of a workspace package that a launch file references through the package's
+share folder or relative to itself. They exist in the source, but no `data_files` entry or `install()` rule covers
+them.
 
 ## Why it matters on a robot
-It works in a workspace built with symbolic links and fails on the robot, where only the installed tree exists.
+The launch file works in a workspace that is built with `--symlink-install`, and fails on the robot, where only the
+installed tree exists.
 
 ## Bad
 ```cmake
@@ -16,6 +18,10 @@ install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})
 ```cmake
 install(DIRECTORY launch config DESTINATION share/${PROJECT_NAME})
 ```
+
+## When to ignore it
+When the robot runs from a source workspace, or when a packaging step outside of setup.py and CMakeLists.txt copies
+the file.
 
 ## References
 - https://github.com/RobotecAI/ROSCon2023Demo/issues/116
@@ -43,7 +49,7 @@ def file_not_installed(robot: Robot) -> Iterator[Finding]:
             path = os.path.relpath(found.file, package.folder)
             yield finding(
                 reference.span,
-                f"{path} of {package.name} is not installed: it is found from source and missing on the robot",
+                f"{path} of {package.name} is not installed: it exists in the source and is missing on the robot",
                 advice=f"install the folder '{path.partition('/')[0]}' in {package.builds[0].source.basename}"
                 if "/" in path
                 else f"install it in {package.builds[0].source.basename}",

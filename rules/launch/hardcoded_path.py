@@ -5,8 +5,8 @@ Literal paths below `/home`, `/root` or `/opt/ros/<distribution>` in parameters,
 defaults.
 
 ## Why it matters on a robot
-The path is right on the developer's machine. On the robot the user or the distribution is another one, and the file is
-missing.
+The path is right on the developer's machine. The robot has another user or distribution, and the file is missing
+there.
 
 ## Bad
 ```python
@@ -17,6 +17,10 @@ parameters=['/home/alice/ws/src/my_robot/config/motors.yaml']
 ```python
 parameters=[PathJoinSubstitution([FindPackageShare('my_robot'), 'config', 'motors.yaml'])]
 ```
+
+## When to ignore it
+When all robots are built from one image with this user and distribution. An upgrade of the distribution still
+breaks a path below `/opt/ros`.
 
 ## References
 - launch_ros, `FindPackageShare`

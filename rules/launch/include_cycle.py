@@ -1,10 +1,10 @@
-"""Launch files include each other in a circle.
+"""Launch files include each other in a cycle.
 
 ## What it finds
-A launch file that, through its includes, comes back to itself.
+A launch file that includes itself, directly or through other files. An include under a condition is a warning.
 
 ## Why it matters on a robot
-launch follows the includes for ever: it hangs, uses a whole core and starts nothing.
+launch follows the includes forever. It hangs, uses a whole core and starts nothing.
 
 ## Bad
 ```xml
@@ -21,6 +21,9 @@ launch follows the includes for ever: it hangs, uses a whole core and starts not
 <!-- sensors.launch.xml -->
 <launch><node pkg="demo" exec="lidar"/></launch>
 ```
+
+## When to ignore it
+Only when a condition is guaranteed to end the recursion, for example a counter that is passed as an argument.
 
 ## References
 - launch, `IncludeLaunchDescription.execute`
@@ -48,9 +51,9 @@ def include_cycle(robot: Robot) -> Iterator[Finding]:
             files = ", ".join(dict.fromkeys(span.path for span in include.chain))
             yield finding(
                 include.action.file.span,
-                f"This include comes back to {include.target.source.name}: launch hangs and starts nothing",
-                advice="break the circle",
-                chain=[note(span, "is included here") for span in steps],
-                related=[note(include.chain[0], f"the circle: {files}")] if len(include.chain) > 1 else [],
+                f"This include leads back to {include.target.source.name}: launch hangs and starts nothing",
+                advice="break the cycle",
+                chain=[note(span, "included here") for span in steps],
+                related=[note(include.chain[0], f"the cycle: {files}")] if len(include.chain) > 1 else [],
                 severity="warning" if include.conditions else None,
             )

@@ -1,8 +1,9 @@
-"""An included launch file needs an argument that is not passed.
+"""A required argument of a launch file is not passed.
 
 ## What it finds
-Includes of files that declare an argument without a default, where the include does not pass it and nothing before
-has set it; and units, and compose services that are built from the tree, that launch such a file without it.
+Includes of a file that declares an argument without a default, where the include does not pass it and nothing
+before has set it. An include under a condition is a warning. Units, and compose services that are built from this
+tree, are checked in the same way when they launch such a file.
 
 ## Why it matters on a robot
 launch checks the arguments when it reaches the include, and aborts.
@@ -18,6 +19,9 @@ launch checks the arguments when it reaches the include, and aborts.
   <arg name="map" value="$(find-pkg-share my_robot)/maps/lab.yaml"/>
 </include>
 ```
+
+## When to ignore it
+Only for an include that is never reached without the argument, because a caller outside this tree always sets it.
 
 ## References
 - launch, `IncludeLaunchDescription.execute`

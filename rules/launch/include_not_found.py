@@ -1,11 +1,12 @@
 """An included launch file does not exist.
 
 ## What it finds
-Includes of a file in a package of this workspace, or beside the launch file, that is not there; and `ros2 launch`
-commands of units, and of compose services that are built from the tree, that name such a file.
+Includes of a file that does not exist in a package of this workspace or next to the launch file. An optional
+include is a warning. `ros2 launch` commands in units, and in compose services that are built from this tree, are
+checked in the same way.
 
 ## Why it matters on a robot
-launch aborts when it reaches the include; nothing after it starts.
+launch aborts when it reaches the include. Nothing after it starts.
 
 ## Bad
 ```python
@@ -16,6 +17,9 @@ IncludeLaunchDescription(PathJoinSubstitution([FindPackageShare('my_robot'), 'la
 ```python
 IncludeLaunchDescription(PathJoinSubstitution([FindPackageShare('my_robot'), 'launch', 'sensors.launch.py']))
 ```
+
+## When to ignore it
+When the build generates the file in a way that the linter does not see.
 
 ## References
 - launch, `IncludeLaunchDescription`

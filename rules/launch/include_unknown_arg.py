@@ -1,13 +1,13 @@
-"""An argument is passed to a launch file that does not have it.
+"""A launch file receives an argument that it does not declare.
 
 ## What it finds
-Keys in `launch_arguments` (`<arg>` inside `<include>`), and `name:=value` of `ros2 launch` commands in units and in
-compose services that are built from the tree, that the launched file and everything it includes neither declares nor
-reads.
+Keys in `launch_arguments` (`<arg>` inside `<include>`) that the launched file and everything it includes neither
+declare nor read. `name:=value` in the `ros2 launch` commands of units, and of compose services that are built from
+this tree, is checked in the same way.
 
 ## Why it matters on a robot
-launch accepts any name. The value is ignored without a word, and the included part runs with its default: in
-simulated time, with the wrong map, in the wrong namespace.
+launch accepts any name. It ignores the value silently, and the included part runs with its default: with simulated
+time, with the wrong map, or in the wrong namespace.
 
 ## Bad
 ```python
@@ -18,6 +18,9 @@ IncludeLaunchDescription(slam, launch_arguments={'use_sim': 'true'}.items())   #
 ```python
 IncludeLaunchDescription(slam, launch_arguments={'use_sim_time': 'true'}.items())
 ```
+
+## When to ignore it
+When one call serves several versions of the included file, and only some of them declare the argument.
 
 ## References
 - launch, `IncludeLaunchDescription`

@@ -1,10 +1,11 @@
 """Images are copied although their nodes share a process.
 
 ## What it finds
-Containers with several components, images among them, of which none sets `use_intra_process_comms`.
+Containers with several components, at least one of them from an image package, where no component sets
+`use_intra_process_comms`.
 
 ## Why it matters on a robot
-Composition alone is not zero-copy: every image still goes through the middleware, with its load on CPU and memory.
+Composition alone is not zero-copy: every image still goes through the middleware and costs CPU time and memory.
 
 ## Bad
 ```python
@@ -16,6 +17,10 @@ ComposableNode(package='image_proc', plugin='image_proc::RectifyNode', name='rec
 ComposableNode(package='image_proc', plugin='image_proc::RectifyNode', name='rectify',
                extra_arguments=[{'use_intra_process_comms': True}])
 ```
+
+## When to ignore it
+When the images are small or rare, or when a publisher needs a QoS that intra-process communication does not
+support, such as transient local on older distributions.
 
 ## References
 - rclcpp, intra-process communication
@@ -53,6 +58,6 @@ def intra_process_unset(robot: Robot) -> Iterator[Finding]:
         if images and len(node.components) > 1 and not set_ and not any(one.open for one in node.components):
             yield finding(
                 node.span,
-                f"{len(node.components)} components share a process and still copy every image",
+                f"{len(node.components)} components share a process but still copy every image",
                 advice="give them extra_arguments=[{'use_intra_process_comms': True}]",
             )

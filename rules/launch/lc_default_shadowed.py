@@ -4,8 +4,8 @@
 `LaunchConfiguration('x', default=D)` in a file that also declares `x` with another default.
 
 ## Why it matters on a robot
-The declaration runs first and binds `x`, even to an empty text. The default that is written where the value is used
-looks like a fallback and never is one: nav2 gets `params_file:=''` instead of the file that stands there.
+The declaration runs first and binds `x`, even to an empty string. The default at the place of use looks like a
+fallback but never applies: nav2 gets `params_file:=''` instead of the file that is written there.
 
 ## Bad
 ```python
@@ -21,6 +21,9 @@ LaunchDescription([
     Node(parameters=[params], ...),
 ])
 ```
+
+## When to ignore it
+Never: launch does not use the second default. Delete it, or move it into the declaration.
 
 ## References
 - launch, `LaunchConfiguration.perform` and `DeclareLaunchArgument.execute`

@@ -1,11 +1,12 @@
 """A lifecycle manager does not start its nodes.
 
 ## What it finds
-Lifecycle managers of nav2 whose `autostart` is false or not set (false is the default).
+Lifecycle managers of nav2 whose `autostart` is false or not set (false is the default). If an argument passes the
+value, the finding is info.
 
 ## Why it matters on a robot
-All managed nodes stay unconfigured until somebody calls the manager's service by hand. After a boot without an operator
-nothing navigates.
+All managed nodes stay unconfigured until somebody calls the manager's service by hand. After a boot without an
+operator, nothing navigates.
 
 ## Bad
 ```python
@@ -16,6 +17,9 @@ parameters=[{'node_names': ['map_server', 'amcl']}]
 ```python
 parameters=[{'autostart': True, 'node_names': ['map_server', 'amcl']}]
 ```
+
+## When to ignore it
+When an operator or a node outside this tree activates the nodes on purpose, for example after a safety check.
 
 ## References
 - nav2, lifecycle manager parameters

@@ -1,12 +1,15 @@
-"""A lifecycle manager does not notice that a node dies, or waits for a bond that never comes.
+"""A lifecycle manager cannot monitor its nodes with a bond.
 
 ## What it finds
-`bond_timeout: 0` on a lifecycle manager of nav2, managed nodes of other packages that open no bond while
-`bond_timeout` is above 0, and comments that take it for the time of a transition.
+Three mistakes with the `bond_timeout` of a nav2 lifecycle manager:
+
+- It is 0, so the manager does not monitor its nodes.
+- It is above 0, and a managed node of a package outside nav2 opens no bond.
+- A comment calls it the time of a transition.
 
 ## Why it matters on a robot
-Without a bond a dead node goes unnoticed: the rest of navigation drives on without its map or its controller. With a
-bond that a node does not open, the activation fails after the timeout.
+Without a bond a dead node goes unnoticed: the rest of navigation continues without its map or its controller. If
+the manager waits for a bond that a node does not open, the activation fails after the timeout.
 
 ## Bad
 ```python
@@ -17,6 +20,10 @@ parameters=[{'autostart': True, 'bond_timeout': 0.0, 'node_names': ['controller_
 ```python
 parameters=[{'autostart': True, 'bond_timeout': 4.0, 'node_names': ['controller_server']}]
 ```
+
+## When to ignore it
+When your own node opens a bond to the manager (the linter knows only the packages of nav2, opennav and
+slam_toolbox), or when you switch the bond off only for debugging.
 
 ## References
 - nav2, lifecycle manager parameters
@@ -46,8 +53,8 @@ def lifecycle_bond(robot: Robot) -> Iterator[Finding]:
             if comment.startswith("#") and "transition" in comment.lower():
                 yield finding(
                     name,
-                    "bond_timeout is no time for a transition: after this silence a node counts as dead",
-                    advice="correct the comment, and keep 4.0 for nodes of nav2",
+                    "bond_timeout does not limit a transition: a node without a heartbeat for this long counts as dead",
+                    advice="correct the comment, and keep 4.0 for the nodes of nav2",
                 )
             nodes = [(managed, started[managed.fqn]) for managed in manager.managed or () if managed.fqn in started]
             foreign = [
@@ -58,13 +65,13 @@ def lifecycle_bond(robot: Robot) -> Iterator[Finding]:
             if manager.watches is False and not foreign:
                 yield finding(
                     manager.bond_timeout.name,
-                    "bond_timeout is 0: a managed node that dies is not noticed",
+                    "bond_timeout is 0: the manager does not notice when a managed node dies",
                     advice="set bond_timeout to 4.0",
                 )
             for managed, node in foreign if manager.watches else ():
                 yield finding(
                     managed.name,
                     f"{launch.literal_text(node.package)} opens no bond: its activation fails after the bond_timeout",
-                    advice="put it under a manager of its own with bond_timeout 0",
+                    advice="give it a separate manager with bond_timeout 0",
                     related=[note(node.span, "the node is started here")],
                 )

@@ -1,11 +1,11 @@
-"""A lifecycle node is started and nobody configures it.
+"""A lifecycle node is started but never configured.
 
 ## What it finds
-`LifecycleNode`s and nodes that are known to be lifecycle nodes (the servers of nav2, slam_toolbox from Jazzy) that
-are in no lifecycle manager's `node_names`, get no `ChangeState` event, and do not start themselves.
+`LifecycleNode`s, and nodes that are known to have a lifecycle (the servers of nav2, slam_toolbox from Jazzy on).
+They are in no lifecycle manager's `node_names`, get no `ChangeState` event and do not configure themselves.
 
 ## Why it matters on a robot
-The process runs, looks healthy in every process list, and does nothing: it stays unconfigured and publishes nothing.
+The process runs and looks healthy in every process list. The node stays unconfigured and publishes nothing.
 
 ## Bad
 ```python
@@ -18,6 +18,9 @@ Node(package='nav2_planner', executable='planner_server', name='planner_server')
 Node(package='nav2_lifecycle_manager', executable='lifecycle_manager', name='lifecycle_manager_navigation',
      parameters=[{'autostart': True, 'node_names': ['planner_server']}])
 ```
+
+## When to ignore it
+When something outside this tree drives the transitions, such as a supervisor of your own or an operator's tool.
 
 ## References
 - ROS 2 design, "Managed nodes"
@@ -53,7 +56,7 @@ def lifecycle_node_unmanaged(robot: Robot) -> Iterator[Finding]:
                 continue
             yield finding(
                 node.span,
-                f"{name} is never configured: the node runs and does nothing",
+                f"{name} is never configured: the node runs but does nothing",
                 advice="add it to the node_names of a lifecycle manager, or emit ChangeState events for it",
                 chain=robot.provenance.chain_to_node(node),
                 related=[note(manager.node.span, "this manager does not list it") for manager in managers[:3]],

@@ -1,10 +1,10 @@
 """A lifecycle manager lists a node that has no lifecycle.
 
 ## What it finds
-Entries of `node_names` that name a node which is known to be a plain one, such as `usb_cam` or `sllidar_ros2`.
+Entries of `node_names` that name a node without a lifecycle, such as `usb_cam` or `sllidar_ros2`.
 
 ## Why it matters on a robot
-The node's `change_state` service never appears. The manager waits for it and the bring-up stops there.
+The node's `change_state` service never appears. The manager waits for it, and the bring-up stops there.
 
 ## Bad
 ```python
@@ -18,6 +18,9 @@ Node(package='nav2_lifecycle_manager', executable='lifecycle_manager', name='man
 Node(package='nav2_lifecycle_manager', executable='lifecycle_manager', name='manager',
      parameters=[{'autostart': True, 'node_names': ['map_server']}]),
 ```
+
+## When to ignore it
+When you run a fork of the driver that implements the lifecycle under the same package and executable name.
 
 ## References
 - ROS 2 design, "Managed nodes"
@@ -45,7 +48,7 @@ def lifecycle_non_lifecycle_node(robot: Robot) -> Iterator[Finding]:
                 if robot.launch.role(node).managed is False:
                     yield finding(
                         managed.name,
-                        f"{launch.literal_text(node.package)} is no lifecycle node: the manager waits for"
+                        f"{launch.literal_text(node.package)} is not a lifecycle node: the manager waits for"
                         f" {managed.fqn}/change_state and the bring-up stops",
                         advice="remove it from node_names",
                         related=[note(node.span, "the node is started here")],

@@ -1,11 +1,12 @@
-"""Lifecycle nodes are brought up in the wrong order.
+"""Lifecycle nodes are activated in the wrong order.
 
 ## What it finds
-A lifecycle manager of nav2 that lists `amcl` before `map_server`, or `bt_navigator` before the servers it calls.
+A lifecycle manager of nav2 that lists `amcl` before `map_server`, or `bt_navigator` before one of the servers that
+it calls.
 
 ## Why it matters on a robot
-Nodes are configured and activated in the order of the list. A node whose partner is not there yet waits, or its
-activation fails and the whole bring-up is aborted.
+The manager configures and activates nodes in the order of the list. A node whose partner is not ready yet waits, or
+its activation fails and the manager aborts the whole bring-up.
 
 ## Bad
 ```python
@@ -16,6 +17,9 @@ activation fails and the whole bring-up is aborted.
 ```python
 'node_names': ['map_server', 'amcl']
 ```
+
+## When to ignore it
+When your behavior tree never calls the server that is listed later.
 
 ## References
 - nav2, lifecycle manager
@@ -51,6 +55,6 @@ def lifecycle_order(robot: Robot) -> Iterator[Finding]:
                     yield finding(
                         name,
                         f"{name} is activated before {late[0]}: {effect}",
-                        advice=f"list it behind {late[-1]}",
+                        advice=f"list it after {late[-1]}",
                         related=[note(other, "listed later") for other in late],
                     )

@@ -1,10 +1,11 @@
 """A lifecycle manager waits for a node that is not started.
 
 ## What it finds
-Entries of `node_names` that are the name of no node of the launch graph, resolved in the manager's namespace.
+Entries of `node_names` that no node of the launch graph has as its name, resolved in the manager's namespace.
 
 ## Why it matters on a robot
-The manager waits for the services of a node that never comes, or aborts the bring-up: none of its nodes is activated.
+The manager waits for the services of a node that never starts, or aborts the bring-up. None of its nodes is
+activated.
 
 ## Bad
 ```python
@@ -19,6 +20,9 @@ Node(package='my_camera', executable='camera', name='camera_front'),
 Node(package='nav2_lifecycle_manager', executable='lifecycle_manager', name='manager',
      parameters=[{'autostart': True, 'node_names': ['camera_front']}]),
 ```
+
+## When to ignore it
+When something outside this tree starts the node, such as a separate service or another computer.
 
 ## References
 - https://github.com/ros-navigation/navigation2/issues/1447
@@ -79,8 +83,8 @@ def described(robot, manager, managed, bare):
     near = [last] if last in bare else nearest(last, bare, 3)
     if last in bare:
         is_called = launch.full_name(bare[last], robot.launch.role(bare[last]))
-        message = f"The manager looks for {managed.fqn}, the node is {is_called}"
-        advice = "put the manager into the namespace of its nodes"
+        message = f"The manager looks for {managed.fqn}, but the node is {is_called}"
+        advice = "start the manager in the namespace of its nodes"
     else:
         message = f"No node {managed.fqn} is started: the manager waits for it and brings nothing up"
         advice = f"list '{near[0]}'" if near else "remove it from node_names, or start the node"

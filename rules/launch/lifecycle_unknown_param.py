@@ -1,10 +1,10 @@
 """A lifecycle manager gets a parameter that it does not have.
 
 ## What it finds
-Misspelt parameter names on a lifecycle manager of nav2.
+Misspelt parameter names on a nav2 lifecycle manager.
 
 ## Why it matters on a robot
-An unknown parameter is ignored. `auto_start: true` leaves every node unconfigured.
+The manager ignores unknown parameters. `auto_start: true` leaves every node unconfigured.
 
 ## Bad
 ```python
@@ -15,6 +15,9 @@ parameters=[{'auto_start': True, 'node_names': ['map_server']}]
 ```python
 parameters=[{'autostart': True, 'node_names': ['map_server']}]
 ```
+
+## When to ignore it
+When your fork of the lifecycle manager declares the parameter.
 
 ## References
 - nav2, lifecycle manager parameters
@@ -54,7 +57,7 @@ def lifecycle_unknown_param(robot: Robot) -> Iterator[Finding]:
                 if near:
                     yield finding(
                         name,
-                        f"'{name}' is no parameter of the lifecycle manager: it is ignored",
+                        f"'{name}' is not a parameter of the lifecycle manager: it is ignored",
                         advice=f"write '{near[0]}'",
                         fix=fix(f"write '{near[0]}'", (name, near[0]), safe=False) if name.span.text == name else None,
                     )

@@ -1,11 +1,11 @@
 """A namespace is not valid.
 
 ## What it finds
-Literal namespaces of nodes and pushed namespaces with a part that starts with a digit, holds other signs than letters,
-digits and underscores, or with repeated slashes.
+Literal node namespaces and pushed namespaces with a part that starts with a digit, with characters other than
+letters, digits and underscores, or with repeated slashes.
 
 ## Why it matters on a robot
-launch refuses the namespace and aborts.
+launch rejects the namespace and aborts.
 
 ## Bad
 ```python
@@ -16,6 +16,9 @@ PushRosNamespace('1st_robot')
 ```python
 PushRosNamespace('robot_1')
 ```
+
+## When to ignore it
+Never: rmw rejects such a namespace in every distribution.
 
 ## References
 - rmw, `rmw_validate_namespace`

@@ -1,10 +1,10 @@
 """A launch file has no entry function.
 
 ## What it finds
-A `*.launch.py` without `generate_launch_description()`.
+A `*.launch.py` file without `generate_launch_description()`.
 
 ## Why it matters on a robot
-`ros2 launch` imports the file, does not find the function and ends with an error; nothing starts.
+`ros2 launch` imports the file, does not find the function and exits with an error. Nothing starts.
 
 ## Bad
 ```python
@@ -17,6 +17,10 @@ def generate_description():
 def generate_launch_description():
     return LaunchDescription([Node(package='demo', executable='talker')])
 ```
+
+## When to ignore it
+When the file holds only functions that other launch files import. A name without `.launch.py` says so, and removes
+the finding.
 
 ## References
 - launch, `get_launch_description_from_python_launch_file`
@@ -38,6 +42,6 @@ def no_entry(robot: Robot) -> Iterator[Finding]:
         if file.source.name.endswith(".launch.py") and file.source.text.strip():
             yield finding(
                 file.source,
-                "There is no generate_launch_description(): ros2 launch refuses the file",
-                advice="define generate_launch_description() and let it return a LaunchDescription",
+                "There is no generate_launch_description(): ros2 launch rejects the file",
+                advice="define generate_launch_description() and return a LaunchDescription from it",
             )

@@ -1,12 +1,12 @@
 """Two nodes have the same name.
 
 ## What it finds
-Nodes and components of one launch graph with the same fully qualified name, when both start by default and their
+Nodes and components of one launch graph with the same fully qualified name. Both start by default, and their
 conditions do not exclude each other.
 
 ## Why it matters on a robot
-ROS 2 lets both run. Parameters and services reach one of them by chance, lifecycle managers and monitors see one
-node, and the only hint is "Publisher already registered for node name" in a log.
+ROS 2 lets both run. Parameters and services reach one of them by chance, and lifecycle managers and monitors see
+one node. The only hint is "Publisher already registered for node name" in a log.
 
 ## Bad
 ```python
@@ -19,6 +19,10 @@ Node(package='usb_cam', executable='usb_cam_node_exe', name='camera'),
 Node(package='usb_cam', executable='usb_cam_node_exe', name='camera_front'),
 Node(package='usb_cam', executable='usb_cam_node_exe', name='camera_rear'),
 ```
+
+## When to ignore it
+When the launch file starts only one of the two at run time, by means the linter does not see, such as a condition
+inside the node's own start script.
 
 ## References
 - https://github.com/ros2/launch_ros/issues/124
@@ -48,8 +52,8 @@ def node_duplicate_name(robot: Robot) -> Iterator[Finding]:
             places = [note(span, "included here") for span in (*other.chain, *node.chain)]
             yield finding(
                 launch.literal_text(node.name),
-                f"Two nodes are called {name}: parameters and services go to either of them",
-                advice="give each node a name or namespace of its own",
+                f"Two nodes are called {name}: parameter and service calls reach either of them by chance",
+                advice="give each node its own name or namespace",
                 related=[note(other.span, "the other node"), *places],
             )
 

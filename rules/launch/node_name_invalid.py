@@ -1,11 +1,11 @@
 """A node name is not valid.
 
 ## What it finds
-Literal node names that are not made of letters, digits and underscores, start with a digit, are empty or longer than
-255.
+Literal node names that are empty, start with a digit, contain characters other than letters, digits and
+underscores, or are longer than 255 characters.
 
 ## Why it matters on a robot
-launch refuses the name, or the process ends at once with an error.
+launch rejects the name, or the process exits at once with an error.
 
 ## Bad
 ```python
@@ -16,6 +16,9 @@ Node(package='demo', executable='talker', name='front-camera')
 ```python
 Node(package='demo', executable='talker', name='front_camera')
 ```
+
+## When to ignore it
+Never: rmw rejects such a name in every distribution.
 
 ## References
 - rmw, `rmw_validate_node_name`

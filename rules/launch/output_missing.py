@@ -1,10 +1,11 @@
-"""What a node prints goes to a file only.
+"""The output of a node goes only to a file.
 
 ## What it finds
-Nodes without `output=`.
+Nodes without `output=`, in files that do not mention `OVERRIDE_LAUNCH_PROCESS_OUTPUT`.
 
 ## Why it matters on a robot
-Its standard output is written to a log file below ROS_LOG_DIR and is not in the journal, where people look first.
+The node's standard output goes to a log file below ROS_LOG_DIR. It does not reach the journal, where people look
+first.
 
 ## Bad
 ```python
@@ -15,6 +16,10 @@ Node(package='demo', executable='talker')
 ```python
 Node(package='demo', executable='talker', output='screen')
 ```
+
+## When to ignore it
+When the node prints too much for the journal, or when the environment of the service sets
+`OVERRIDE_LAUNCH_PROCESS_OUTPUT`.
 
 ## References
 - launch, `OVERRIDE_LAUNCH_PROCESS_OUTPUT`
@@ -54,7 +59,7 @@ def output_missing(robot: Robot) -> Iterator[Finding]:
                 repair = fix("print to the screen", (end.source.span(end.end + 1, end.end + 1), ' output="screen"'))
             yield finding(
                 action.span,
-                "What the node prints goes to a file only, not to the journal",
+                "The node's output goes only to a file, not to the journal",
                 advice="set output='screen'",
                 fix=repair,
             )

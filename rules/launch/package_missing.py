@@ -1,8 +1,9 @@
-"""A launch file starts a node of a package that will not be there.
+"""A launch file starts a node from a package that will be missing.
 
 ## What it finds
-Packages that no package of this workspace is called, but one is nearly called; and packages that the launching package
-does not depend on.
+Two kinds of packages. A name that no package of this workspace has, but that is close to one that exists, is an
+error. A package on which the launching package does not depend is a warning if it is in this workspace, and info
+otherwise.
 
 ## Why it matters on a robot
 launch aborts with "package 'my_robot_drivers' not found". A dependency that is missing in package.xml works on the
@@ -17,6 +18,9 @@ Node(package='my_robot_drivers', executable='motor')   # the package is called m
 ```python
 Node(package='my_robot_driver', executable='motor')
 ```
+
+## When to ignore it
+When the image installs the package by other means than rosdep, for example as a Debian package of the vendor.
 
 ## References
 - REP 149, "exec_depend"
@@ -63,7 +67,7 @@ def package_missing(robot: Robot) -> Iterator[Finding]:
             seen.add((owner.name, str(package)))
             yield finding(
                 package,
-                f"{package} is no exec_depend of {owner.name}: it is missing after rosdep install",
+                f"{package} is not an exec_depend of {owner.name}: it is missing after rosdep install",
                 advice=f"add <exec_depend>{package}</exec_depend> to the package.xml",
                 related=[note(owner.manifest.name, "the package that starts it")],
                 fix=dependency(owner, package),

@@ -1,11 +1,11 @@
 """A component class is loaded that its package does not register.
 
 ## What it finds
-`ComposableNode(plugin=...)` of workspace packages whose CMakeLists.txt registers other classes, or that are pure Python
-packages.
+`ComposableNode(plugin=...)` of a workspace package whose CMakeLists.txt registers other classes, or that is a pure
+Python package.
 
 ## Why it matters on a robot
-The container logs an error and goes on without the component: everything looks started, and one node is missing.
+The container logs an error and continues without the component. Everything looks started, but one node is missing.
 
 ## Bad
 ```python
@@ -16,6 +16,9 @@ ComposableNode(package='my_vision', plugin='my_vision::DetectorNode')   # regist
 ```python
 ComposableNode(package='my_vision', plugin='my_vision::Detector')
 ```
+
+## When to ignore it
+When a macro that the linter cannot read registers the class. A Python package can never provide a component.
 
 ## References
 - rclcpp_components, `rclcpp_components_register_node`
@@ -47,9 +50,9 @@ def plugin_missing(robot: Robot) -> Iterator[Finding]:
             continue
         if package.manifest.build_type == "ament_python":
             message = (
-                f"{package.name} is a Python package, containers load only C++ classes: '{plugin}' is never loaded"
+                f"{package.name} is a Python package, and containers load only C++ classes: '{plugin}' never loads"
             )
-            yield finding(plugin, message, advice="start it as a node of its own")
+            yield finding(plugin, message, advice="start it as a separate node")
             continue
         near = nearest(plugin, package.plugins, 6)
         yield finding(

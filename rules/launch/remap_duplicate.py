@@ -4,7 +4,7 @@
 Two remappings of one node with the same source and different targets.
 
 ## Why it matters on a robot
-The first rule wins and the second never applies: data goes where nobody reads it.
+The first rule applies and the second never does: data goes to a topic that nobody reads.
 
 ## Bad
 ```python
@@ -15,6 +15,9 @@ remappings=[('scan', 'scan_front'), ('scan', '/scan')]
 ```python
 remappings=[('scan', 'scan_front')]
 ```
+
+## When to ignore it
+Never: rcl stops at the first rule that matches, so the second line has no effect.
 
 ## References
 - ROS 2 design, "Topic and Service name mapping", remapping rules are applied in order
@@ -42,7 +45,7 @@ def remap_duplicate(robot: Robot) -> Iterator[Finding]:
             if before[0] is not source and before[1] is not None and target is not None and before[1] != target:
                 yield finding(
                     source,
-                    f"'{source}' is remapped twice: the first rule wins and '{target}' is never used",
+                    f"'{source}' is remapped twice: the first rule applies and '{target}' is never used",
                     advice="keep one of them",
                     related=[note(before[0], "the first rule")],
                 )

@@ -1,12 +1,12 @@
 """A remapping never matches.
 
 ## What it finds
-Remappings from an absolute topic (`/image_raw`) on nodes that are known to use the relative one: a warning when the
-node is in a namespace, for information when it is not yet.
+Remappings of an absolute topic (`/image_raw`) on nodes that are known to use the relative one. A warning when the
+node is in a namespace, info when it is not.
 
 ## Why it matters on a robot
-In the namespace `/front` the driver publishes `/front/image_raw`. A rule for `/image_raw` does not match it: the
-driver goes on under the old name, and the consumer of the new one gets nothing.
+In the namespace `/front` the driver publishes `/front/image_raw`. A rule for `/image_raw` does not match that name:
+the driver keeps its old topic, and the subscriber to the new one gets nothing.
 
 ## Bad
 ```python
@@ -17,6 +17,10 @@ Node(package='usb_cam', executable='usb_cam_node_exe', namespace='front', remapp
 ```python
 Node(package='usb_cam', executable='usb_cam_node_exe', namespace='front', remappings=[('image_raw', 'image')])
 ```
+
+## When to ignore it
+When the node is a modified version that publishes the absolute topic, or, for the info finding, when the node will
+never get a namespace.
 
 ## References
 - ROS 2 design, "Topic and Service name mapping"
@@ -47,7 +51,7 @@ def remap_unused(robot: Robot) -> Iterator[Finding]:
                 source,
                 f"'{source}' matches only at the root: in {own} the node keeps using {own}{source}"
                 if own
-                else f"'{source}' matches only while the node has no namespace: in one it keeps using its own "
+                else f"'{source}' matches only while the node has no namespace: in a namespace it keeps using its own "
                 f"{source[1:]}",
                 severity=None if own else "info",
                 advice=f"remap '{source[1:]}'",

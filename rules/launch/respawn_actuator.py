@@ -1,11 +1,11 @@
-"""A motor driver restarts by itself.
+"""launch restarts a motor driver automatically.
 
 ## What it finds
 `respawn=True` on nodes that are known to be hardware interfaces of motors.
 
 ## Why it matters on a robot
-After a crash the driver is back within seconds, in an unknown state and with whatever command comes next: the robot
-may jump while somebody looks into it.
+After a crash the driver is back within seconds, in an unknown state, and obeys whatever command comes next. The
+robot may jump while somebody has their hands in it.
 
 ## Bad
 ```python
@@ -16,6 +16,9 @@ Node(package='controller_manager', executable='ros2_control_node', respawn=True,
 ```python
 Node(package='controller_manager', executable='ros2_control_node', on_exit=Shutdown())
 ```
+
+## When to ignore it
+When the motor controller itself, or a safety relay, keeps the drives off until somebody resets it.
 
 ## References
 - ISO 12100, prevention of unexpected start-up
@@ -40,6 +43,6 @@ def respawn_actuator(robot: Robot) -> Iterator[Finding]:
         if robot.launch.role(node).role == "hardware":
             yield finding(
                 node.action.options["respawn"].span,
-                f"{node.label()} restarts by itself after a crash, without a safe state",
+                f"{node.label()} restarts automatically after a crash, without a safe state",
                 advice="shut the launch down instead (on_exit=Shutdown()) and restart under supervision",
             )

@@ -1,11 +1,11 @@
-"""A lifecycle node comes back unconfigured.
+"""A lifecycle node is unconfigured after a restart.
 
 ## What it finds
 `respawn=True` on lifecycle nodes that no lifecycle manager with a bond brings up again.
 
 ## Why it matters on a robot
-After a crash the process is back, and its state is not: the node stays unconfigured and silent, while everything looks
-restarted.
+After a crash the process is back, but its state is not. The node stays unconfigured and silent, while everything
+looks restarted.
 
 ## Bad
 ```python
@@ -17,6 +17,9 @@ LifecycleNode(package='my_lidar', executable='lidar', name='lidar', namespace=''
 Node(package='nav2_lifecycle_manager', executable='lifecycle_manager', name='manager',
      parameters=[{'autostart': True, 'bond_timeout': 4.0, 'node_names': ['lidar']}])
 ```
+
+## When to ignore it
+When the node configures and activates itself at start, or when a supervisor outside this tree does it.
 
 ## References
 - nav2, lifecycle manager: `attempt_respawn_reconnection`
@@ -52,7 +55,7 @@ def respawn_lifecycle(robot: Robot) -> Iterator[Finding]:
                 continue
             yield finding(
                 node.action.options["respawn"].span,
-                f"{node.label()} comes back unconfigured after a crash and stays silent",
+                f"{node.label()} is unconfigured after a restart and stays silent",
                 advice="let a lifecycle manager with bond_timeout above 0 bring it up again",
-                related=[note(each.node.span, "this manager keeps no bond") for each in own],
+                related=[note(each.node.span, "this manager does not use a bond") for each in own],
             )

@@ -1,11 +1,12 @@
-"""A process is restarted without a pause.
+"""launch restarts a process without a delay.
 
 ## What it finds
-`respawn=True` without a `respawn_delay`, or with one of 0.
+`respawn=True` without `respawn_delay`, or with a delay of 0. Tools such as rviz, and launch files for simulation,
+are not reported.
 
 ## Why it matters on a robot
-A driver whose device is unplugged crashes and is restarted hundreds of times a minute: a core is lost, the log floods
-the disk, and the device gets no time to come back.
+A driver whose device is unplugged crashes and restarts hundreds of times a minute. It uses up a core, floods the
+disk with logs, and gives the device no time to come back.
 
 ## Bad
 ```python
@@ -16,6 +17,10 @@ Node(package='lidar', executable='lidar_node', respawn=True)
 ```python
 Node(package='lidar', executable='lidar_node', respawn=True, respawn_delay=2.0)
 ```
+
+## When to ignore it
+When the process needs seconds before it can fail, so that its own start-up limits the rate, and every lost second
+matters.
 
 ## References
 - launch, `ExecuteLocal`: `respawn_delay` is 0.0 by default
@@ -46,13 +51,13 @@ def respawn_no_delay(robot: Robot) -> Iterator[Finding]:
         own = span.source is node.file.source and span.start >= node.span.start and span.end <= node.span.end
         repair = None
         if own and delay is None and node.file.format == "python":
-            repair = fix("pause for 2 s", (span.source.span(span.end, span.end), ", respawn_delay=2.0"))
+            repair = fix("wait 2 s", (span.source.span(span.end, span.end), ", respawn_delay=2.0"))
         elif own and delay is None and node.file.format == "xml":
             end = span.end + 1
-            repair = fix("pause for 2 s", (span.source.span(end, end), ' respawn_delay="2.0"'))
+            repair = fix("wait 2 s", (span.source.span(end, end), ' respawn_delay="2.0"'))
         yield finding(
             value.span,
-            f"{node.label()} is restarted without a pause: a crash at start costs a core and floods the log",
+            f"{node.label()} is restarted without a delay: a crash at start uses up a core and floods the log",
             advice="set respawn_delay to 2.0",
             fix=repair,
         )

@@ -1,12 +1,12 @@
-"""A process is restarted without end.
+"""launch restarts a process without a limit.
 
 ## What it finds
-`respawn=True` without `respawn_max_retries` on Jazzy and later, and the argument `respawn_max_retries` on
-distributions that do not have it.
+On Jazzy and later: `respawn=True` without `respawn_max_retries` (info). On Foxy to Iron: the argument
+`respawn_max_retries` in a Python launch file (error). Silent where the distribution is not known.
 
 ## Why it matters on a robot
-Without a limit a broken driver is restarted for ever and nobody escalates. Before Jazzy the keyword is a TypeError: the
-launch file cannot be loaded.
+Without a limit, launch restarts a broken driver forever and nothing escalates the failure. Before Jazzy the keyword
+raises a TypeError: the launch file cannot be loaded.
 
 ## Bad
 ```python
@@ -17,6 +17,10 @@ Node(package='lidar', executable='lidar_node', respawn=True, respawn_delay=2.0)
 ```python
 Node(package='lidar', executable='lidar_node', respawn=True, respawn_delay=2.0, respawn_max_retries=10)
 ```
+
+## When to ignore it
+When endless restarts are what you want, as for a sensor that may be unplugged for hours. Never ignore the error:
+the file cannot be loaded.
 
 ## References
 - launch, `ExecuteLocal`: `respawn_max_retries` is -1 by default
@@ -46,12 +50,12 @@ def respawn_unlimited(robot: Robot) -> Iterator[Finding]:
             yield finding(
                 limit.span,
                 f"respawn_max_retries does not exist on {ros}: the launch file cannot be loaded",
-                advice="remove it, or limit the restarts of the unit",
+                advice="remove it, and limit the restarts of the unit instead",
                 severity="error",
             )
         elif ros not in WITHOUT and limit is None and launch.respawns(node) and not node.action.open:
             yield finding(
                 node.action.options["respawn"].span,
-                f"{node.label()} is restarted without end",
+                f"{node.label()} is restarted without a limit",
                 advice="set respawn_max_retries",
             )

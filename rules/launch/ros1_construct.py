@@ -1,11 +1,11 @@
 """A launch file uses the syntax of ROS 1.
 
 ## What it finds
-`<node type=>`, `ns=`, `required=`, `$(arg x)`, `$(find p)`, `<rosparam>`, `<machine>` and `<arg value=>` in launch
-files of ROS 2 packages.
+`<node type=>`, `ns=`, `required=`, `$(arg x)`, `$(find p)`, `<rosparam>`, `<machine>` and `<arg value=>` in ROS 2
+launch files. A ROS 1 launch file in a ROS 2 package is a warning.
 
 ## Why it matters on a robot
-ROS 2 launch rejects the file; nothing starts.
+ROS 2 launch rejects the file. Nothing starts.
 
 ## Bad
 ```xml
@@ -16,6 +16,9 @@ ROS 2 launch rejects the file; nothing starts.
 ```xml
 <node pkg="demo" exec="talker" name="talker" namespace="$(var robot)"/>
 ```
+
+## When to ignore it
+Only for a ROS 1 file that is kept as a reference during a migration. With `ros1` in its path it is not reported.
 
 ## References
 - "Migrating launch files from ROS 1 to ROS 2"
@@ -46,7 +49,7 @@ def ros1_construct(robot: Robot) -> Iterator[Finding]:
             yield finding(
                 name,
                 f"'{name}' is ROS 1 syntax: ROS 2 launch rejects the file",
-                advice=f"write {better or WORDS.get(name, 'what ROS 2 has for it')}",
+                advice=f"write {better or WORDS.get(name, 'the ROS 2 equivalent')}",
                 fix=fix(f"write {better}", (name, better)) if better and name.span.text == name else None,
             )
     for file in robot.launch.ros1:
@@ -56,7 +59,7 @@ def ros1_construct(robot: Robot) -> Iterator[Finding]:
         if package is not None and not package.manifest.is_ros1 and package.manifest.build_type and file.ros1:
             yield finding(
                 file.ros1[0],
-                f"'{file.ros1[0]}' is ROS 1 syntax in a package of ROS 2: ros2 launch rejects this file",
+                f"'{file.ros1[0]}' is ROS 1 syntax in a ROS 2 package: ros2 launch rejects this file",
                 advice="migrate the file, or remove it",
                 severity="warning",
             )

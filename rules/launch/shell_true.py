@@ -1,11 +1,11 @@
-"""An argument's value is given to a shell.
+"""A shell interprets the value of an argument.
 
 ## What it finds
-`shell=True` on a process whose command holds a launch configuration or an environment variable.
+`shell=True` on a process whose command contains a launch configuration or an environment variable.
 
 ## Why it matters on a robot
-Whatever is passed as the argument is run by the shell: a name with a blank breaks the command, one with a semicolon
-runs another.
+The shell runs whatever is passed as the argument. A name with a space breaks the command, and one with a semicolon
+runs another command.
 
 ## Bad
 ```python
@@ -16,6 +16,10 @@ ExecuteProcess(cmd=['ros2 bag record -o ', LaunchConfiguration('bag')], shell=Tr
 ```python
 ExecuteProcess(cmd=['ros2', 'bag', 'record', '-o', LaunchConfiguration('bag')])
 ```
+
+## When to ignore it
+When the value comes only from your own launch files and can never contain spaces or shell characters, such as a
+number. A command list without a shell avoids the question.
 
 ## References
 - CWE-78
@@ -44,7 +48,7 @@ def shell_true(robot: Robot) -> Iterator[Finding]:
         if open_:
             yield finding(
                 shell.span,
-                f"The value of '{open_[0].name}' is given to a shell: it can run any command",
-                advice="give the command as a list, without shell",
+                f"A shell interprets the value of '{open_[0].name}': it can run any command",
+                advice="pass the command as a list, without a shell",
                 related=[note(open_[0].span, "this value")],
             )

@@ -1,12 +1,12 @@
-"""The simulation switch does not switch the hardware off.
+"""The simulation argument does not switch off the hardware.
 
 ## What it finds
-Launch files that declare `use_sim`, `simulation` or the like and start hardware drivers that neither have a condition
-nor read the argument.
+Launch files that declare `use_sim`, `simulation` or a similar argument and start a hardware driver that neither has
+a condition nor reads the argument.
 
 ## Why it matters on a robot
-`use_sim:=true` on the robot still starts the real motor driver: it moves while everybody believes to be in a
-simulation.
+`use_sim:=true` on the robot still starts the real driver: the hardware moves while everybody believes that only a
+simulation runs.
 
 ## Bad
 ```python
@@ -19,6 +19,9 @@ Node(package='sllidar_ros2', executable='sllidar_node'),
 DeclareLaunchArgument('use_sim', default_value='false'),
 Node(package='sllidar_ros2', executable='sllidar_node', condition=UnlessCondition(LaunchConfiguration('use_sim'))),
 ```
+
+## When to ignore it
+When the sensor is real even in the simulation, as in a hardware-in-the-loop test.
 
 ## References
 - launch, conditions

@@ -1,10 +1,10 @@
 """A launch file cannot be parsed.
 
 ## What it finds
-Python launch files with a syntax error, XML and YAML launch files that are not well-formed.
+Python launch files with a syntax error, and XML and YAML launch files that are not well-formed.
 
 ## Why it matters on a robot
-`ros2 launch` stops before it starts a single node, and a unit around it fails at every boot.
+`ros2 launch` stops before it starts a single node. A unit that runs it fails at every boot.
 
 ## Bad
 ```xml
@@ -19,6 +19,9 @@ Python launch files with a syntax error, XML and YAML launch files that are not 
   <node pkg="demo" exec="talker"/>
 </launch>
 ```
+
+## When to ignore it
+Only for a file that is not launched, such as a test of a parser or a template that a generator fills in.
 
 ## References
 - Launch file architecture of ROS 2, "Static launch description files"
@@ -56,5 +59,5 @@ def syntax(robot: Robot) -> Iterator[Finding]:
                 yield finding(
                     problem.where,
                     f"The launch file has a syntax error{detail}: nothing starts",
-                    advice="repair the line",
+                    advice="correct the line",
                 )

@@ -1,11 +1,12 @@
-"""Some nodes of a namespaced robot use the common tf tree.
+"""Some nodes of a namespaced robot use the global tf tree.
 
 ## What it finds
-Launch files in which some nodes remap `/tf` into their namespace, and others of the same namespace that use tf do not.
+Launch files in which some nodes remap `/tf` into their namespace, while other nodes of the same namespace use tf
+without the remapping.
 
 ## Why it matters on a robot
-`/tf` is an absolute name, so a namespace does not move it. Half of the nodes read and write the frames of this robot,
-half those of all robots: transforms are missing, or come from the neighbour.
+`/tf` is an absolute name, so a namespace does not change it. Half of the nodes use the frames of this robot, and
+half use those of all robots. Transforms are missing, or come from another robot.
 
 ## Bad
 ```python
@@ -20,6 +21,10 @@ remappings = [('/tf', 'tf'), ('/tf_static', 'tf_static')]
 Node(package='nav2_amcl', executable='amcl', namespace='robot1', remappings=remappings),
 Node(package='nav2_planner', executable='planner_server', namespace='robot1', remappings=remappings),
 ```
+
+## When to ignore it
+When the node must see the transforms of all robots, for example a fleet map, and its frame names carry a prefix per
+robot.
 
 ## References
 - https://github.com/ros-navigation/navigation2/issues/4552
@@ -54,8 +59,8 @@ def tf_not_remapped(robot: Robot) -> Iterator[Finding]:
             if robot.launch.role(node).role in USES_TF or program in PUBLISHERS:
                 yield finding(
                     node.span,
-                    f"{node.label()} uses the common /tf, other nodes of {node.namespace} use their own: transforms "
-                    "are missing",
+                    f"{node.label()} uses the global /tf, but other nodes of {node.namespace} use their own: "
+                    "transforms are missing",
                     advice="remap ('/tf', 'tf') and ('/tf_static', 'tf_static') here too",
                     related=[note(other.span, "remaps /tf")],
                 )

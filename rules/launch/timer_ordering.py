@@ -1,11 +1,11 @@
-"""A fixed delay stands in for an order.
+"""A fixed delay is used to order the start.
 
 ## What it finds
-`TimerAction` around nodes or includes, and timers that announce the success of checks that nobody waits for.
+`TimerAction` around nodes or includes. Also a timer that reports success after checks whose result nothing reads.
 
 ## Why it matters on a robot
-On a slow boot, with a full disk or a cold camera, the delay is too short and the consumer starts before the driver;
-on a good day it is wasted. A failed check before the timer does not stop it either.
+On a slow boot, with a full disk or a cold camera, the delay is too short and the consumer starts before the driver.
+On a good day the delay wastes time. A check that failed before the timer does not stop it either.
 
 ## Bad
 ```python
@@ -16,6 +16,9 @@ TimerAction(period=5.0, actions=[Node(package='nav2_planner', executable='planne
 ```python
 RegisterEventHandler(OnStateTransition(target_lifecycle_node=driver, goal_state='active', entities=[planner]))
 ```
+
+## When to ignore it
+When the delay spreads load or inrush current and no start depends on it.
 
 ## References
 - launch, event handlers; nav2 lifecycle manager
@@ -53,9 +56,9 @@ def timer_ordering(robot: Robot) -> Iterator[Finding]:
             what = "This" if period is None else f"A delay of {period} s"
             yield finding(
                 action.span,
-                f"{what} is no ordering: on a slow boot these {len(started)} start before what they wait for"
+                f"{what} does not order the start: on a slow boot these {len(started)} start before what they wait for"
                 if len(started) > 1
-                else f"{what} is no ordering: on a slow boot it starts before what it waits for",
+                else f"{what} does not order the start: on a slow boot it starts before what it waits for",
                 advice="start it from an event handler, or let a lifecycle manager bring it up",
             )
 
@@ -68,7 +71,7 @@ def announced(robot, file, timer):
     if ignored and any(isinstance(inner, launch.Log) for inner in timer.actions):
         yield finding(
             timer.span,
-            "This is said after a fixed delay, whatever the checks before it found",
-            advice="say it in an OnProcessExit handler of the checks",
+            "This message appears after a fixed delay, whatever the checks before it found",
+            advice="log it in an OnProcessExit handler of the checks",
             related=[note(node.span, "nobody waits for this check") for node in ignored[:5]],
         )

@@ -1,12 +1,13 @@
-"""A launch configuration is read that nobody declares.
+"""A launch configuration is read but never declared.
 
 ## What it finds
 `LaunchConfiguration('x')` or `$(var x)` without a default, where neither the file nor a file that includes it
-declares or sets `x`. Files that read more than two such names, or that another launch file names, are taken for parts
-of a larger launch file, and reported as info.
+declares or sets `x`. A certain read in a Python file is an error, other reads are warnings. If the file reads more
+than two such names, or another launch file mentions it, it is probably part of a larger launch file, and the
+finding is info.
 
 ## Why it matters on a robot
-launch stops with "launch configuration 'x' does not exist" unless somebody happens to pass `x:=…` by hand. A unit that
+launch stops with "launch configuration 'x' does not exist" unless somebody passes `x:=…` by hand. A unit that
 starts the file without it fails at every boot.
 
 ## Bad
@@ -23,6 +24,9 @@ LaunchDescription([
     Node(package='demo', executable='talker', namespace=LaunchConfiguration('robot_name')),
 ])
 ```
+
+## When to ignore it
+When the file is only ever included, by a launch file outside this tree that sets the configuration.
 
 ## References
 - launch, `LaunchConfiguration.perform`
@@ -55,7 +59,7 @@ def undeclared_arg(robot: Robot) -> Iterator[Finding]:
             related += [note(declared[other].action.span, f"'{other}' is declared here") for other in near]
             yield finding(
                 used.argument.name,
-                f"launch configuration '{name}' does not exist here: launch aborts unless {name}:= is passed",
+                f"launch configuration '{name}' is not declared: launch aborts unless {name}:= is passed",
                 advice=f"declare '{name}'" + (f", or read '{near[0]}'" if near else ""),
                 severity=None if near else grade(robot, expansion, used, missing),
                 related=related,

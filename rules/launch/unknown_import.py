@@ -1,8 +1,8 @@
 """A launch file imports a name that launch does not have.
 
 ## What it finds
-`from launch… import X` and `from launch_ros… import X` where no ROS distribution has X in that package, or the
-robot's distribution does not have it.
+`from launch… import X` and `from launch_ros… import X` where no ROS distribution, or not the robot's distribution,
+has X in that package. Reported only where exactly one existing name is close to X.
 
 ## Why it matters on a robot
 The import fails, and with it the whole launch file: nothing starts.
@@ -16,6 +16,10 @@ from launch_ros.actions import LoadComposableNode
 ```python
 from launch_ros.actions import LoadComposableNodes
 ```
+
+## When to ignore it
+When the robot runs a patched launch that has the name, or when the import is inside a `try` block for several
+distributions.
 
 ## References
 - launch and launch_ros, public names of each distribution

@@ -1,11 +1,11 @@
-"""A launch argument is declared and nothing reads it.
+"""A launch argument is declared but never read.
 
 ## What it finds
 Declared arguments that neither the file nor any file that it includes reads.
 
 ## Why it matters on a robot
-Setting the argument has no effect, and launch does not say so: the robot runs with another configuration than the
-operator believes.
+Setting the argument has no effect, and launch does not say so. The robot runs with another configuration than the
+operator expects.
 
 ## Bad
 ```python
@@ -22,6 +22,10 @@ LaunchDescription([
     Node(package='camera', executable='camera_node', parameters=[LaunchConfiguration('camera_config')]),
 ])
 ```
+
+## When to ignore it
+When the argument is part of an interface that several launch files share, and this file deliberately accepts but
+does not use it.
 
 ## References
 - launch, scope of launch configurations

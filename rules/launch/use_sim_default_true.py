@@ -1,11 +1,12 @@
 """A launch file of a real robot uses simulated time by default.
 
 ## What it finds
-Arguments such as `use_sim_time`, `use_sim` or `simulation` with the default true, in launch files that are not for a
-simulator.
+Arguments such as `use_sim_time`, `use_sim` or `simulation` with the default true, in launch files that are not for
+a simulator. An error in a bringup package, in a file that a unit launches, and in a file that starts drivers. A
+warning elsewhere.
 
 ## Why it matters on a robot
-Started without arguments, as a unit does, the nodes wait for a clock that nobody publishes: nothing moves, and
+Started without arguments, as a unit does it, the nodes wait for a clock that nobody publishes. Nothing moves, and
 nothing is logged.
 
 ## Bad
@@ -17,6 +18,9 @@ DeclareLaunchArgument('use_sim_time', default_value='true')
 ```python
 DeclareLaunchArgument('use_sim_time', default_value='false')
 ```
+
+## When to ignore it
+When the package is for simulation only, and neither its name nor its launch files show that.
 
 ## References
 - ROS 2 design, "Clock and Time"
@@ -52,8 +56,8 @@ def use_sim_default_true(robot: Robot) -> Iterator[Finding]:
             yield finding(
                 where,
                 f"{name} is true by default: started without arguments, the nodes wait for a simulated clock",
-                advice="make false the default and pass true in the simulation",
-                chain=robot.provenance.chain_to(where, f"{name} is true unless somebody says otherwise"),
-                fix=fix("make false the default", (where, false), safe=False),
+                advice="make the default false and pass true in the simulation",
+                chain=robot.provenance.chain_to(where, f"{name} is true unless a caller passes false"),
+                fix=fix("make the default false", (where, false), safe=False),
                 severity=None if bringup or robot.launch.drives(file) else "warning",
             )

@@ -1,11 +1,11 @@
 """Some nodes use the simulated clock and others do not.
 
 ## What it finds
-Launch files that give the argument `use_sim_time` to some of their nodes, while nodes that work with time
-(localisation, mapping, planning, control) get neither it nor a parameter file.
+Launch files that give the argument `use_sim_time` to some of their nodes. Other nodes that depend on time
+(localisation, mapping, planning, control, robot state) get neither the argument nor a parameter file.
 
 ## Why it matters on a robot
-In a simulation, or when a recording is replayed, half of the nodes live in another time: transforms are too old or in
+In a simulation, or when a recording is replayed, half of the nodes use another time. Transforms are too old or in
 the future, and every message is dropped.
 
 ## Bad
@@ -20,6 +20,9 @@ SetParameter(name='use_sim_time', value=use_sim_time),
 Node(package='robot_localization', executable='ekf_node'),
 Node(package='slam_toolbox', executable='async_slam_toolbox_node'),
 ```
+
+## When to ignore it
+When the node must keep the wall clock, for example because it talks to real hardware during a replay.
 
 ## References
 - ROS 2 design, "Clock and Time"
