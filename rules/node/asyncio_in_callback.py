@@ -1,11 +1,12 @@
-"""asyncio in a callback of rclpy.
+"""A callback of rclpy awaits asyncio.
 
 ## What it finds
-`await asyncio.sleep(...)`, `gather`, `wait`, `wait_for` in a callback, in a file that runs no event loop of asyncio.
+`await asyncio.sleep(...)`, `gather`, `wait` or `wait_for` in a callback, in a file that does not run an asyncio
+event loop.
 
 ## Why it matters on a robot
-rclpy's executors run coroutines themselves; there is no loop of asyncio. The await raises "no running event loop":
-the action aborts, or the node dies with the traceback of its callback.
+rclpy's executors run coroutines themselves, without an asyncio event loop. The await raises "no running event
+loop": the action aborts, or the node exits with a traceback.
 
 ## Bad
 ```python
@@ -18,6 +19,9 @@ async def execute(self, goal):
 async def execute(self, goal):
     await self.arrived  # an rclpy Future that a timer or a subscription sets
 ```
+
+## When to ignore it
+When another module of your package runs the executor inside an asyncio event loop.
 
 ## References
 - tried with rclpy 7.1 (Jazzy)
@@ -40,7 +44,7 @@ def asyncio_in_callback(robot: Robot) -> Iterator[Finding]:
         for callback, name, call, function in nodes.awaits_asyncio(robot.nodes.ending(file), node):
             yield finding(
                 file.span_of(call),
-                f"'RuntimeError: no running event loop': rclpy's executor runs {name}() without asyncio, "
+                f"'RuntimeError: no running event loop': rclpy's executor runs {name}() without asyncio, and "
                 f"{function} raises",
                 advice="await an rclpy Future that a timer completes, or use a Rate in another callback group",
                 related=[note(callback.span, f"{name} is the callback of {_article(callback.role)}")],

@@ -1,15 +1,17 @@
 """A callback that blocks stops the whole node.
 
 ## What it finds
-Calls in a callback (also in the methods that it calls) that give nothing back to the executor: `time.sleep` of 0.1 s
-and more, `requests.*`, `subprocess.run` and its kin, `input()`, reads of a serial port without a time-out, `while
-True`, and those that wait for the executor itself: `client.call()`, `Rate.sleep()`,
-`rclpy.spin_until_future_complete(self, ...)`.
+Calls in a callback, or in the methods that it calls, that keep the executor busy:
+
+- `time.sleep` of 0.1 s or more, `requests.*`, `subprocess.run` and similar functions, `input()`, reads of a serial
+  port without a timeout, and `while True`.
+- Calls that wait for the executor itself: `client.call()`, `Rate.sleep()`, `rclpy.spin_until_future_complete(self,
+  ...)`.
 
 ## Why it matters on a robot
-An executor runs one callback after the other. While one blocks, no timer fires and no message is taken: the watchdog
-of cmd_vel does not run, stop commands wait in the queue. What waits for an answer that only the same executor can
-take waits for ever.
+A single-threaded executor runs one callback after the other. While one blocks, no timer fires and no message is
+processed: the watchdog of cmd_vel does not run, and stop commands wait in the queue. A call that waits for an
+answer that only the same executor can process waits forever.
 
 ## Bad
 ```python
@@ -23,6 +25,10 @@ def on_goal(self, message):
 def on_goal(self, message):
     self.later = self.create_timer(2.0, self.halt)
 ```
+
+## When to ignore it
+When the node has nothing urgent to do in the meantime, for example a tool that sets up a device once, or when the
+callback runs in a thread that the linter does not see.
 
 ## References
 - https://docs.ros.org/en/jazzy/How-To-Guides/Sync-Vs-Async.html
@@ -59,14 +65,14 @@ def blocking_in_callback(robot: Robot) -> Iterator[Finding]:
             where = f"{found.name}()" if callback.function is None else found.name
             message = f"{found.what} in {where} stops the node's {others} {found.how_long}"
             if not found.how_long:
-                message = f"{found.what} in {where} waits for ever: only the executor that it blocks could end it"
+                message = f"{found.what} in {where} waits forever: only the executor that it blocks could end the wait"
             yield finding(
-                file.span_of(found.call) if found.how_long != "for ever" else file.span_of(found.call.test),
+                file.span_of(found.call) if found.how_long != "forever" else file.span_of(found.call.test),
                 message,
-                advice="use a timer, call_async with add_done_callback, or a thread of its own",
+                advice="use a timer, call_async with add_done_callback, or a separate thread",
                 related=[
                     note(callback.span, f"{found.name} is the callback of a {callback.role}"),
-                    *(note(each.span, "does not run meanwhile") for each in shared[:3]),
+                    *(note(each.span, "does not run in the meantime") for each in shared[:3]),
                 ],
                 severity=nodes.lowered(robot.nodes.purpose(file.source), "warning"),
                 confidence="high" if threads == "one" else "medium",

@@ -1,14 +1,14 @@
-"""Several nodes that command the same wheels.
+"""Several nodes publish the velocity command.
 
 ## What it finds
-Two or more nodes that run together and publish one velocity topic (`cmd_vel`, `base_cmd_vel`, ...), under its full name
-and with nothing between them that chooses: no multiplexer, gate, smoother or collision monitor is among the publishers.
-Where a node of the tree limits velocities, also those who publish past it. Nodes that an argument has to switch on, or
-that exclude each other, do not count, and the servers of Nav2, which take turns, count as one.
+Two or more nodes that run together and publish the same velocity topic (`cmd_vel`, `base_cmd_vel`, ...), when no
+multiplexer, gate, smoother or collision monitor is among them. If a node of this tree limits velocities, publishers
+that bypass it are also reported. Nodes that an argument must enable, or that exclude each other, do not count. The
+servers of Nav2 take turns and count as one.
 
 ## Why it matters on a robot
-The base obeys whatever arrived last. A stop from one node is followed by the next command of the other, some
-milliseconds later.
+The base obeys the message that arrived last. A stop from one node is followed milliseconds later by the next
+command of the other.
 
 ## Bad
 ```python
@@ -22,6 +22,10 @@ Node(package="mower", executable="follow_wire", remappings=[("cmd_vel", "cmd_vel
 Node(package="teleop_twist_joy", executable="teleop_node", remappings=[("cmd_vel", "cmd_vel_joy")]),
 Node(package="twist_mux", executable="twist_mux", remappings=[("cmd_vel_out", "cmd_vel")], parameters=[inputs]),
 ```
+
+## When to ignore it
+When the nodes coordinate themselves so that only one publishes at a time, for example through a service or a
+lifecycle state.
 
 ## References
 - twist_mux
@@ -52,9 +56,9 @@ def cmd_vel_multiple_publishers(robot: Robot) -> Iterator[Finding]:
             names = ", ".join(use.node.label() for use in (*others, own))
             yield finding(
                 own.where,
-                f"{names} publish {own.topic} and nothing chooses between them: a stop of one is followed by a go "
-                "of another",
-                advice="give each source a topic of its own, and let twist_mux or another gate publish the command",
+                f"{names} publish {own.topic} and nothing selects one of them: a stop of one is followed by a go of "
+                "another",
+                advice="give each source its own topic, and let twist_mux or another gate publish the command",
                 related=[
                     *(note(use.where, f"{use.node.label()} publishes it too") for use in others),
                     *(note(use.node.started.span, f"{use.node.label()} is started here") for use in rivals),

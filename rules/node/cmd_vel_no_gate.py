@@ -1,12 +1,12 @@
-"""Nothing between the planner and the wheels.
+"""Nothing limits the velocity between the planner and the motors.
 
 ## What it finds
-A node other than a teleoperation that publishes the velocity which another one subscribes directly, in a launch
-file none of whose nodes limits or chooses velocities: no collision monitor, smoother, multiplexer, or node called gate
-or safety.
+A node that is not a teleoperation publishes a velocity to which another node subscribes directly. Reported when no
+node of the launch file limits or selects velocities: no collision monitor, smoother, multiplexer, or node with gate
+or safety in its name.
 
 ## Why it matters on a robot
-A jump in the plan, a wrong unit or a node that hangs reaches the motors as it is.
+A jump in the plan, a wrong unit or a node that hangs reaches the motors unchanged.
 
 ## Bad
 ```python
@@ -20,6 +20,9 @@ Node(package="mower", executable="planner", remappings=[("cmd_vel", "cmd_vel_raw
 Node(package="nav2_collision_monitor", executable="collision_monitor", parameters=[zones]),
 Node(package="mower", executable="base"),
 ```
+
+## When to ignore it
+When the motor controller limits velocity and acceleration itself and stops when commands stop.
 
 ## References
 - Nav2, collision monitor and velocity smoother
@@ -46,8 +49,8 @@ def cmd_vel_no_gate(robot: Robot) -> Iterator[Finding]:
                 seen.add(publisher.where)
                 yield finding(
                     publisher.where,
-                    f"{publisher.topic} goes from {publisher.node.label()} to {subscription.node.label()} as it is: "
-                    "nothing limits it or stops it",
+                    f"{publisher.topic} goes from {publisher.node.label()} to {subscription.node.label()} unchanged: "
+                    "nothing limits or stops it",
                     advice="put a gate with limits and a timeout between them",
                     related=[note(subscription.where, f"{subscription.node.label()} obeys it here")],
                 )

@@ -1,13 +1,12 @@
-"""An emergency stop that is only a topic.
+"""The emergency stop is only a topic.
 
 ## What it finds
-A topic for an emergency stop (`e_stop`, `emergency_stop`, ...) in the nodes of a tree that shows no sign of hardware
-behind it: no GPIO library, no safety controller or PLC. What is wired cannot be seen in files; this is a question, not
-a verdict.
+A topic for an emergency stop (`e_stop`, `emergency_stop`, ...) in a tree that shows no sign of stop hardware: no
+GPIO library, no safety controller, no PLC. Wiring is not visible in files, so this is a question, not a verdict.
 
 ## Why it matters on a robot
 A topic fails together with the network, the computer and the node: exactly when it is needed. Standards for mobile
-robots ask for a circuit that cuts the power of the drives without any software.
+robots require a circuit that cuts the power of the drives without any software.
 
 ## Bad
 ```python
@@ -19,6 +18,9 @@ self.create_subscription(Bool, "emergency_stop", self.on_stop, 1)   # and nothin
 # bringup-lint.toml: the button cuts the drive power, see the wiring plan
 ignore = ["node/estop-software-only"]
 ```
+
+## When to ignore it
+When a wired circuit cuts the drive power, as in the example above. Name the wiring plan in the reason.
 
 ## References
 - ISO 13850, emergency stop function
@@ -40,7 +42,7 @@ def estop_software_only(robot: Robot) -> Iterator[Finding]:
     if stops and not topics.has_stop_hardware(robot):
         yield finding(
             stops[0].name,
-            f"The only emergency stop to be seen is the topic {stops[0].name}: it fails together with the network, the "
+            f"The only visible emergency stop is the topic {stops[0].name}: it fails together with the network, the "
             "computer or the node",
-            advice="let a wired circuit cut the drive power; when there is one, ignore this rule in the configuration",
+            advice="let a wired circuit cut the drive power; if there is one, ignore this rule in the configuration",
         )

@@ -1,13 +1,14 @@
-"""A watchdog that waits for a node that does not exist.
+"""A watchdog monitors a node that does not exist.
 
 ## What it finds
-Names in a list of watched nodes (`monitored_nodes`, `required_nodes`, `nodes_to_watch`, ...), in Python sources and
-parameter files, and names that a script looks for with `ros2 node list | grep`, that no node has which the tree starts.
-Only where all launch files and all their nodes are known by name.
+Names in a list of monitored nodes (`monitored_nodes`, `required_nodes`, `nodes_to_watch`, ...) in Python sources
+and parameter files, and names that a script looks for with `ros2 node list | grep`, when no node that the tree
+starts has that name. Reported only where all launch files and all their nodes are known by name.
 
 ## Why it matters on a robot
-A watchdog that misses a node stops the robot forever, or is switched off by the first annoyed operator. One that looks
-for the wrong name never notices that the right one died. A script that waits for it ends in its timeout at every boot.
+A watchdog that misses a node stops the robot forever, or an annoyed operator switches it off. A watchdog with the
+wrong name never notices that the right node died. A script that waits for the name runs into its timeout at every
+boot.
 
 ## Bad
 ```yaml
@@ -18,6 +19,9 @@ monitored_nodes: [lidar_driver, base]   # the node is called lidar
 ```yaml
 monitored_nodes: [lidar, base]
 ```
+
+## When to ignore it
+When the node runs on another computer, or is started by hand.
 
 ## References
 - ROS 2 documentation, "Understanding nodes", remapping of node names
@@ -41,10 +45,10 @@ def heartbeat_unknown_node(robot: Robot) -> Iterator[Finding]:
         what = f"the node is '{meant}'" if meant else "nothing in the tree starts it"
         yield finding(
             name,
-            f"No node is called '{name}', {what}: what waits for it never sees it",
+            f"No node is called '{name}', {what}: a watchdog or script that waits for it never sees it",
             advice=f"write '{meant}'" if meant else "name a node that is started, as `ros2 node list` shows it",
             related=[
-                *([note(watched.where, "it is watched by this list")] if watched.where is not name else []),
+                *([note(watched.where, "this list monitors it")] if watched.where is not name else []),
                 *([note(node.started.span, f"{node.label()} is started here")] if node else []),
             ],
             fix=fix(f"write '{meant}'", (name, meant), safe=False) if meant and "/" not in name else None,

@@ -1,12 +1,12 @@
 """A lifecycle node deactivates its publisher before it publishes the stop command.
 
 ## What it finds
-In `on_deactivate`, `on_shutdown`, `on_cleanup` or `on_error`: `super().on_deactivate()`, or `on_deactivate()` of a
-lifecycle publisher, and a message on that publisher after it.
+In `on_deactivate`, `on_shutdown`, `on_cleanup` or `on_error`: a call of `super().on_deactivate()`, or of
+`on_deactivate()` of a lifecycle publisher, and after it a message on that publisher.
 
 ## Why it matters on a robot
-A lifecycle publisher that is not active drops its messages without a word. The code shows a stop command, and the
-motors keep their last velocity.
+A lifecycle publisher that is not active silently drops its messages. The code shows a stop command, but the motors
+keep their last velocity.
 
 ## Bad
 ```python
@@ -22,6 +22,9 @@ def on_deactivate(self, state):
     self.pub.publish(Twist())
     return super().on_deactivate(state)
 ```
+
+## When to ignore it
+Never for a command: the message is dropped. Delete the line if the message is not needed.
 
 ## References
 - tried with rclpy 7.1 (Jazzy)
@@ -46,7 +49,7 @@ def lifecycle_publish_after_deactivate(robot: Robot) -> Iterator[Finding]:
             moving = nodes.moves(found.endpoint)
             yield finding(
                 place,
-                "The message is dropped silently, its publisher is not active any more"
+                "The message is silently dropped, because its publisher is no longer active"
                 + (": the motors keep moving" if moving else ""),
                 advice="publish first, then deactivate",
                 related=[

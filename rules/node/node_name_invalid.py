@@ -1,11 +1,11 @@
 """The name that a node gives itself is not valid.
 
 ## What it finds
-A literal name in the constructor of a node that rcl refuses: a `-`, a dot, a blank or another sign than letters,
-digits and underscores, a digit at the beginning, an empty name, or more than 255 signs.
+A literal name in the constructor of a node that rcl rejects: a hyphen, a dot, a space or any other character than
+letters, digits and underscores, a digit at the beginning, an empty name, or more than 255 characters.
 
 ## Why it matters on a robot
-The node ends when it is made, whatever name a launch file gives it.
+The constructor raises an exception, whatever name a launch file gives the node.
 
 ## Bad
 ```python
@@ -16,6 +16,9 @@ super().__init__('front-lidar')
 ```python
 super().__init__('front_lidar')
 ```
+
+## When to ignore it
+Never: rcl rejects such a name in every distribution.
 
 ## References
 - rclpy.validate_node_name; rmw, validate_node_name.c

@@ -1,11 +1,11 @@
-"""A dictionary where a parameter wants a range.
+"""A parameter range is a dictionary instead of a message.
 
 ## What it finds
 `floating_point_range=[{...}]` or `integer_range=[{...}]` in a `ParameterDescriptor`.
 
 ## Why it matters on a robot
-The descriptor takes the dictionary, and `declare_parameter` then raises "'dict' object has no attribute
-'from_value'": the node ends while it starts.
+The descriptor accepts the dictionary, but `declare_parameter` raises "'dict' object has no attribute 'from_value'".
+The node exits while it starts.
 
 ## Bad
 ```python
@@ -16,6 +16,9 @@ ParameterDescriptor(floating_point_range=[{'from_value': 0.0, 'to_value': 1.5, '
 ```python
 ParameterDescriptor(floating_point_range=[FloatingPointRange(from_value=0.0, to_value=1.5, step=0.1)])
 ```
+
+## When to ignore it
+Never: `declare_parameter` accepts only the messages.
 
 ## References
 - tried with rclpy 7.1 (Jazzy)
@@ -44,7 +47,7 @@ def param_range_dict(robot: Robot) -> Iterator[Finding]:
                 change = fix(f"write {found.type}", (place, better), *edits)
             yield finding(
                 place,
-                f"A dict is no {found.type}: declare_parameter raises AttributeError and the node does not start",
+                f"A dict is not a {found.type}: declare_parameter raises AttributeError and the node does not start",
                 advice=f"write {better or f'{found.type}(from_value=..., to_value=..., step=...)'}",
                 fix=change,
                 severity=nodes.lowered(robot.nodes.purpose(file.source), "error"),

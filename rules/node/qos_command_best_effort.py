@@ -1,13 +1,17 @@
-"""Commands to stop or to move that may be lost, or that come from a long queue.
+"""Stop or velocity commands can be lost or arrive late.
 
 ## What it finds
-In Python nodes: an emergency stop topic published or subscribed best effort; a velocity command published best effort
-by a node without a timer that repeats it, or subscribed best effort by one without a timer that would notice silence;
-and a subscription of either that queues more than ten messages.
+Three mistakes in Python nodes:
+
+- An emergency stop topic is published or subscribed with best effort.
+- A velocity command is published or subscribed with best effort by a node without a timer. A timer could repeat the
+  command, or notice that none arrives.
+- A subscription of either kind queues more than ten messages.
 
 ## Why it matters on a robot
-Best effort sends a message once. On a busy network the one stop command is the one that is lost. And a node that falls
-behind works through its queue: with 100 queued commands at 20 Hz the robot does what was wanted five seconds ago.
+Best effort sends a message once. On a busy network the one stop command is the one that is lost. A node that falls
+behind works through its queue: with 100 queued commands at 20 Hz, the robot does what was requested five seconds
+ago.
 
 ## Bad
 ```python
@@ -20,6 +24,9 @@ self.create_subscription(Twist, "cmd_vel", self.drive, 100)
 self.stop = self.create_publisher(Bool, "emergency_stop", 1)
 self.create_subscription(Twist, "cmd_vel", self.drive, 1)
 ```
+
+## When to ignore it
+When another channel, such as a safety controller, stops the robot, and the topic only displays the state.
 
 ## References
 - ROS 2 documentation, "Quality of Service settings"
@@ -59,7 +66,7 @@ def qos_command_best_effort(robot: Robot) -> Iterator[Finding]:
                 yield finding(
                     endpoint.qos.span,
                     f"{endpoint.name} queues {endpoint.qos.depth} commands: a node that falls behind does what "
-                    f"was wanted {endpoint.qos.depth} messages ago",
-                    advice="use depth 1, so that only the newest command counts",
+                    f"was requested {endpoint.qos.depth} messages ago",
+                    advice="use depth 1, so that only the newest command applies",
                     related=related,
                 )

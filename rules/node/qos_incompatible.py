@@ -1,16 +1,18 @@
-"""A publisher and a subscription of one topic whose quality of service never matches.
+"""The quality of service of a publisher and a subscription does not match.
 
 ## What it finds
-Two nodes that one launch file starts, of which one publishes and the other subscribes the same topic, under its full
-name after namespaces, parameters and remappings. The publisher offers less than the subscription asks for: best
-effort against reliable, volatile against transient local, a longer deadline or lease duration, or automatic against
-manual liveliness. Profiles come from Python and C++ sources, from `qos_overrides` in parameters, from RViz
-configurations (a warning: only a person sees nothing), and from a table of common drivers; where any part is not known,
-nothing is said.
+Two nodes that one launch file starts. One publishes and the other subscribes to the same topic, by its full name
+after namespaces, parameters and remappings. The publisher offers less than the subscription requests: best effort
+instead of reliable, volatile instead of transient local, a longer deadline or lease duration, or automatic instead
+of manual liveliness.
+
+The profiles come from Python and C++ sources, `qos_overrides` in parameters, RViz configurations and a table of
+common drivers. A subscription of RViz is a warning, because only a person misses the data. Silent where any part is
+not known.
 
 ## Why it matters on a robot
-The two find each other and are never connected. No message arrives and nothing fails: the only sign is one warning
-at startup.
+The two discover each other but never connect. No message arrives and nothing fails: the only sign is one warning at
+startup.
 
 ## Bad
 ```python
@@ -22,6 +24,9 @@ self.create_subscription(LaserScan, "scan", self.on_scan, 10)         # in the s
 ```python
 self.create_subscription(LaserScan, "scan", self.on_scan, qos_profile_sensor_data)
 ```
+
+## When to ignore it
+When the subscription is optional and another publisher of the topic matches it.
 
 ## References
 - ROS 2 documentation, "Quality of Service settings", compatibilities
@@ -52,16 +57,14 @@ def qos_incompatible(robot: Robot) -> Iterator[Finding]:
         if conflict is None or robot.topics.types_differ(publisher, subscription):
             continue
         own, other = (publisher, subscription) if subscription.of_table else (subscription, publisher)
-        words = {id(publisher): "offers", id(subscription): "asks for"}
+        words = {id(publisher): "offers", id(subscription): "requests"}
         yield finding(
             own.qos_place,
             f"{publisher.node.label()} publishes {publisher.topic} with {conflict.policy} '{conflict.offered}', "
-            f"{subscription.node.label()} asks for '{conflict.asked}': none of its messages ever arrives",
+            f"but {subscription.node.label()} requests '{conflict.asked}': no message ever arrives",
             severity="warning" if subscription.shown else None,
-            advice=f"give both sides the same {conflict.policy}, or let the subscription ask for less",
-            chain=robot.provenance.chain_to_node(
-                own.node.started, note(own.qos_place, f"{own.node.label()} {words[id(own)]} it")
-            ),
+            advice=f"give both sides the same {conflict.policy}, or let the subscription request less",
+            chain=robot.provenance.chain_to_node(own.node.started, note(own.qos_place, f"{own.node.label()} {words[id(own)]} it")),
             related=[
                 note(other.qos_place, f"{other.node.label()} {words[id(other)]} it here"),
                 note(own.node.started.span, f"{own.node.label()} is started here"),

@@ -1,12 +1,12 @@
-"""A map or description that is published once, and only to those who already listen.
+"""A map or description does not reach subscribers that start later.
 
 ## What it finds
 A Python node that publishes a map (`OccupancyGrid` on `map`), `robot_description` or `tf_static` with durability
-volatile, and only while it starts: in its constructor, or in a function that is called only from there.
+volatile, and only at start: in its constructor, or in a function that only the constructor calls.
 
 ## Why it matters on a robot
-Nodes start in no fixed order. Whoever subscribes a moment later never gets the map, and waits for it forever: it works
-on the desk and fails on every third boot.
+Nodes start in no fixed order. A node that subscribes a moment later never gets the map and waits for it forever. It
+works on the desk and fails on every third boot.
 
 ## Bad
 ```python
@@ -20,6 +20,10 @@ latched = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 self.map = self.create_publisher(OccupancyGrid, "map", latched)
 self.map.publish(self.load(path))
 ```
+
+## When to ignore it
+When another node republishes the data, or when all subscribers are in the same process and exist before the message
+is published.
 
 ## References
 - ROS 2 documentation, "Quality of Service settings", durability
@@ -54,7 +58,7 @@ def qos_latched_volatile(robot: Robot) -> Iterator[Finding]:
             if published:
                 yield finding(
                     endpoint.qos.span,
-                    f"{endpoint.name} is published once, durability volatile: a node that starts later never gets it",
+                    f"{endpoint.name} is published once and volatile: a node that starts later never gets it",
                     advice="use a profile with durability transient local and depth 1",
                     related=[note(span, "published here, while the node starts") for span in published],
                 )

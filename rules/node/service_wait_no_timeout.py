@@ -1,11 +1,11 @@
-"""The node waits for a service without end and without a word.
+"""The node silently waits for a service without a timeout.
 
 ## What it finds
-`wait_for_service()` or `wait_for_server()` without a time-out in the constructor of a node or in a callback.
+`wait_for_service()` or `wait_for_server()` without a timeout in the constructor of a node or in a callback.
 
 ## Why it matters on a robot
-When the other node does not come up, or has another name or domain, this one hangs: its process is there, `ros2 node
-list` shows it, no log line says what it waits for, and no timer or stop command of it runs.
+If the other node does not start, or has another name or domain, this node hangs. Its process exists and `ros2 node
+list` shows it, but no log line says what it waits for, and none of its timers or stop commands run.
 
 ## Bad
 ```python
@@ -18,6 +18,9 @@ self.dock.wait_for_service()
 while not self.dock.wait_for_service(timeout_sec=2.0):
     self.get_logger().warning('waiting for the service dock')
 ```
+
+## When to ignore it
+When the wait is in a tool that a person starts and watches, or when the node logs the wait in another thread.
 
 ## References
 - https://docs.ros.org/en/jazzy/p/rclpy/, rclpy.client.Client.wait_for_service

@@ -1,13 +1,13 @@
-"""rclpy.shutdown() after a signal finds the context shut down already.
+"""rclpy.shutdown() is called after a signal has shut the context down.
 
 ## What it finds
-`rclpy.shutdown()` in a `finally`, in an `except KeyboardInterrupt`, or behind such a `try`, where rclpy handles the
-signals itself and neither `rclpy.ok()` nor another `try` stands before it.
+`rclpy.shutdown()` in a `finally`, in an `except KeyboardInterrupt`, or after such a `try`, when rclpy handles the
+signals itself and neither `rclpy.ok()` nor another `try` guards the call.
 
 ## Why it matters on a robot
-On SIGINT and SIGTERM rclpy shuts the context down before the `finally` runs. The second shutdown raises, so every
-Ctrl-C and every stop by systemd ends in a traceback and status 1: the unit is "failed", and real crashes drown in the
-noise.
+On SIGINT and SIGTERM rclpy shuts the context down before the `finally` runs. The second shutdown raises an
+exception, so every Ctrl-C and every stop by systemd ends with a traceback and status 1. The unit is "failed", and
+real crashes are lost in the noise.
 
 ## Bad
 ```python
@@ -28,6 +28,9 @@ except (KeyboardInterrupt, ExternalShutdownException):
 finally:
     rclpy.try_shutdown()
 ```
+
+## When to ignore it
+When the program is only ever started by hand and a traceback at its end does not matter.
 
 ## References
 - tried with rclpy 7.1 (Jazzy)
@@ -53,8 +56,8 @@ def shutdown_double(robot: Robot) -> Iterator[Finding]:
             change = fix("call rclpy.try_shutdown()", (name, f"{name.text[: -len('shutdown')]}try_shutdown"))
             yield finding(
                 file.span_of(call),
-                "'rcl_shutdown already called': Ctrl-C and systemd's stop end in this exception and status 1, "
-                "because the signal has shut the context down before",
+                "'rcl_shutdown already called': Ctrl-C and a stop by systemd end in this exception and status 1, "
+                "because the signal has already shut the context down",
                 advice="call rclpy.try_shutdown()",
                 related=[note(file.span_of(spin.call), "the signal ends this spin")],
                 fix=change if name.text.endswith(".shutdown") else None,

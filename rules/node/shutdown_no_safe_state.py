@@ -1,15 +1,15 @@
-"""A node that moves the robot ends without a stop command.
+"""A node that moves the robot exits without a stop command.
 
 ## What it finds
-A program with a node that publishes velocities or efforts (`cmd_vel`, `*_command`, ...) and that does nothing when it
-ends: no `finally` or `except` that publishes, no signal handler, no `on_deactivate` or `on_shutdown` that publishes.
-Also one that leaves SIGTERM to the operating system (`SignalHandlerOptions.NO` without a handler). Where a mux,
-smoother or controller with a time-out of its own is in the tree, or the node only passes on commands, it is a remark
-(info).
+A program whose node publishes velocities or efforts (`cmd_vel`, `*_command`, ...) and does nothing when it exits:
+no `finally` or `except` that publishes, no signal handler, no `on_deactivate` or `on_shutdown` that publishes. A
+program that leaves SIGTERM to the operating system (`SignalHandlerOptions.NO` without a handler) is also reported.
+The finding is info when the tree has a mux, smoother or controller with its own timeout, when the node only relays
+commands, and when it is a lifecycle node.
 
 ## Why it matters on a robot
 A motor controller that gets no message keeps the last one. When the unit is stopped or the node crashes, the robot
-drives on with its last velocity, until something stops it.
+continues at its last velocity until something stops it.
 
 ## Bad
 ```python
@@ -31,6 +31,10 @@ finally:
     node.destroy_node()
     rclpy.try_shutdown()
 ```
+
+## When to ignore it
+When the motor controller outside this tree stops the drives after a timeout, for example `cmd_vel_timeout` of
+diff_drive_controller, and you have tested it.
 
 ## References
 - tried with rclpy 7.1 (Jazzy)
@@ -67,16 +71,16 @@ def shutdown_no_safe_state(robot: Robot) -> Iterator[Finding]:
             continue
         command = nodes.commands(made[0])[0]
         place = file.span_of(init) if init is not None else command.span
-        message = "The node ends without a stop command: what it drives keeps its last velocity"
+        message = "The node exits without a stop command: the robot keeps its last velocity"
         if init is not None:
-            message = "SIGTERM ends the node at once, no finally runs: what it drives keeps its last velocity"
+            message = "SIGTERM ends the node at once and no finally runs: the robot keeps its last velocity"
         calm = robot.nodes.gate is not None or all(nodes.relays(node) for node in made) or made[0].is_lifecycle
         yield finding(
             place,
             message,
             advice=ADVICE,
             related=[
-                note(file.span_of(ending.spins[0].call), "behind this spin nothing stops it"),
+                note(file.span_of(ending.spins[0].call), "after this spin nothing stops it"),
                 *([note(command.span, f"publishes {command.name}")] if init is not None else []),
                 *(note(unit.where, f"{unit.name} stops it") for unit in robot.nodes.units(file)),
             ],

@@ -1,13 +1,13 @@
-"""Only Ctrl-C ends the node cleanly, systemd's SIGTERM does not.
+"""Only Ctrl-C ends the node cleanly; SIGTERM from systemd does not.
 
 ## What it finds
-`except KeyboardInterrupt` around a spin, where rclpy handles the signals itself and nothing takes
-`ExternalShutdownException`.
+`except KeyboardInterrupt` around a spin, when rclpy handles the signals itself and nothing catches
+`ExternalShutdownException`. Info in examples and in programs that are started by hand.
 
 ## Why it matters on a robot
-SIGTERM, by which systemd, Docker and the second step of ros2 launch stop a node, makes the spin raise
-`rclpy.executors.ExternalShutdownException`. The node ends with a traceback and status 1, the code behind the `try`
-does not run, and `Restart=on-failure` takes the stop for a crash.
+systemd, Docker and the second step of ros2 launch stop a node with SIGTERM. The spin then raises
+`rclpy.executors.ExternalShutdownException`. The node exits with a traceback and status 1, the code after the `try`
+does not run, and `Restart=on-failure` treats the stop as a crash.
 
 ## Bad
 ```python
@@ -24,6 +24,10 @@ try:
 except (KeyboardInterrupt, ExternalShutdownException):
     pass
 ```
+
+## When to ignore it
+When the program is only started in a terminal, or when its unit stops it with `KillSignal=SIGINT` in a place
+outside this tree.
 
 ## References
 - tried with rclpy 7.1 (Jazzy)
@@ -53,7 +57,7 @@ def shutdown_only_keyboardinterrupt(robot: Robot) -> Iterator[Finding]:
             edit = (place, f"({both})" if alone else both)
             yield finding(
                 place,
-                "SIGTERM raises ExternalShutdownException: stopped by systemd or Docker, the node ends with a "
+                "SIGTERM raises ExternalShutdownException: stopped by systemd or Docker, the node exits with a "
                 "traceback and status 1",
                 advice="catch (KeyboardInterrupt, ExternalShutdownException)",
                 related=[

@@ -1,13 +1,14 @@
-"""The stop command is published when the context is gone.
+"""The stop command is published after the context was shut down.
 
 ## What it finds
-A message that is published in the `finally` or `except` of a spin (directly, or through a method such as `stop()` or
-an own `destroy_node()`), where rclpy handles the signals itself; and one in a callback of `context.on_shutdown` or
-`atexit`.
+A message that is published in the `finally` or `except` of a spin, directly or through a method such as `stop()` or
+an overridden `destroy_node()`, when rclpy handles the signals itself. Also a message that is published in a
+callback of `context.on_shutdown` or `atexit`.
 
 ## Why it matters on a robot
-SIGINT and SIGTERM invalidate the context before any `finally` runs. `publish` then raises, or `rclpy.ok()` is false
-and the command is skipped: the stop command that the code shows is never sent, and the robot keeps its last velocity.
+SIGINT and SIGTERM invalidate the context before any `finally` runs. `publish` then raises an exception, or
+`rclpy.ok()` is false and the command is skipped. The stop command in the code is never sent, and the robot keeps
+its last velocity.
 
 ## Bad
 ```python
@@ -36,6 +37,9 @@ finally:
     rclpy.try_shutdown()
 ```
 
+## When to ignore it
+When the message is not a command and losing it does not matter, for example a last status.
+
 ## References
 - tried with rclpy 7.1 (Jazzy)
 """
@@ -51,9 +55,9 @@ from bringup_lint.api import rule
 
 WHY = {
     "raises": 'the signal has invalidated the context: publish raises "publisher\'s context is invalid"',
-    "caught": "the signal has invalidated the context: publish fails, and the exception is swallowed",
+    "caught": "the signal has invalidated the context: publish fails, and the exception is hidden",
     "skipped": "the signal has shut the context down: rclpy.ok() is false",
-    "on-shutdown": "the callback does not run when a signal comes, and on rclpy.shutdown() the context is invalid",
+    "on-shutdown": "the callback does not run after a signal, and on rclpy.shutdown() the context is invalid",
     "at-exit": "the signal has invalidated the context long before the process exits",
 }
 

@@ -1,13 +1,14 @@
-"""A signal handler of Python that never runs.
+"""A Python signal handler never runs.
 
 ## What it finds
-`signal.signal(SIGTERM or SIGINT, ...)` set after `rclpy.init()`, or `SignalHandlerOptions.NO`, in a program whose
-nodes have no timer and that waits in `rclpy.spin`.
+`signal.signal(SIGTERM or SIGINT, ...)` after `rclpy.init()`, or `SignalHandlerOptions.NO`, in a program whose nodes
+have no timer and that waits in `rclpy.spin`. A warning when a message or call can wake the spin, an error when
+nothing can.
 
 ## Why it matters on a robot
-Python runs signal handlers only when the interpreter has control, and a spin that nothing wakes waits in C. Since
-rclpy's own handler is gone, nothing happens at all: the node ignores the stop until systemd or launch kills it,
-without its safe state. With subscriptions it notices the signal when the next message comes.
+Python runs signal handlers only when the interpreter has control, and a spin that nothing wakes waits in C. rclpy's
+own handler is disabled, so nothing happens at all: the node ignores the stop until systemd or launch kills it,
+without its safe state. With subscriptions it notices the signal when the next message arrives.
 
 ## Bad
 ```python
@@ -23,6 +24,9 @@ class Gripper(Node):
         super().__init__('gripper')
         self.create_timer(0.2, lambda: None)  # lets signal handlers run
 ```
+
+## When to ignore it
+When messages arrive at a high rate for as long as the robot runs, so that the spin wakes within the stop timeout.
 
 ## References
 - tried with rclpy 7.1 (Jazzy)
@@ -50,12 +54,12 @@ def shutdown_signal_handler_starved(robot: Robot) -> Iterator[Finding]:
             )
             if found.wakers:
                 message = (
-                    f"The node notices {signals} only when the next message or call comes: no timer wakes the spin"
+                    f"The node notices {signals} only when the next message or call arrives: no timer wakes the spin"
                 )
             yield finding(
                 file.span_of(found.place),
                 message,
-                advice="give the node a periodic timer (0.2 s), or spin_once with a time-out in an own loop",
+                advice="give the node a periodic timer (0.2 s), or call spin_once with a timeout in your own loop",
                 related=[
                     note(file.span_of(found.spin.call), "this spin waits in C"),
                     *(note(node.name or node.span, "this node has no timer") for node in waiting[:3]),

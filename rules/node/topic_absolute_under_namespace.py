@@ -1,13 +1,13 @@
-"""An absolute topic name in a node that is launched in a namespace.
+"""A node in a namespace uses an absolute topic name.
 
 ## What it finds
-Nodes that one launch file starts in two or more namespaces, and whose sources name one topic absolutely (`/cmd_vel`)
-without a remapping, so that they all share it. `/tf`, `/tf_static`, `/clock`, `/diagnostics` and `/rosout` are meant to
-be shared.
+Nodes that one launch file starts in two or more namespaces, and whose source names the same topic absolutely
+(`/cmd_vel`) without a remapping, so that they all share it. `/tf`, `/tf_static`, `/clock`, `/diagnostics` and
+`/rosout` are meant to be shared and are not reported.
 
 ## Why it matters on a robot
-The namespace keeps the robots, or the arms of one robot, apart. A name with a slash in front leaves it: the command for
-one moves all.
+The namespace separates the robots, or the arms of one robot. A name with a leading slash ignores it: a command for
+one moves all of them.
 
 ## Bad
 ```python
@@ -18,6 +18,9 @@ self.create_subscription(Twist, "/cmd_vel", self.drive, 1)   # started in /left 
 ```python
 self.create_subscription(Twist, "cmd_vel", self.drive, 1)
 ```
+
+## When to ignore it
+When the topic is meant for all of them, for example a common stop or a common map.
 
 ## References
 - https://github.com/ros-navigation/navigation2/issues/3182
@@ -43,9 +46,9 @@ def topic_absolute_under_namespace(robot: Robot) -> Iterator[Finding]:
             spaces = " and ".join(sorted({use.node.namespace for use in uses}))
             yield finding(
                 first.written,
-                f"'{first.written}' ignores the namespace: the same program in {spaces} shares one topic, and what is "
-                "meant for one reaches all",
-                advice=f"write '{first.written.lstrip('/')}', so that the namespace counts",
+                f"'{first.written}' ignores the namespace: the same program in {spaces} shares one topic, "
+                "and a message for one reaches all",
+                advice=f"write '{first.written.lstrip('/')}', so that the namespace applies",
                 related=[note(use.node.started.span, f"{use.node.label()} is started here") for use in uses],
                 fix=fix("make the name relative", (first.written, first.written.lstrip("/")), safe=False),
             )

@@ -1,14 +1,20 @@
-"""A topic name that rcl refuses.
+"""rcl rejects the name of a topic or service.
 
 ## What it finds
-The literal name of a publisher, subscription, service or client in a Python or C++ node that is no valid topic name:
-a character other than letters, digits, `_` and `/`, a part that begins with a digit, a `/` at its end, `//`, a `~`
-that is not at the beginning, or a substitution other than `{node}`, `{ns}` and `{namespace}`. Names may have 247
-characters once they are expanded. Also such names in parameters that give a topic its name, and in the remappings of
-launch files, which may hold neither `__` nor a substitution.
+The literal name of a publisher, subscription, service or client in a Python or C++ node that is not a valid topic
+name:
+
+- a character other than letters, digits, `_` and `/`
+- a part that begins with a digit, a `/` at the end, or `//`
+- a `~` that is not at the beginning
+- a substitution other than `{node}`, `{ns}` and `{namespace}`
+- more than 247 characters after expansion
+
+Parameters that set the name of a topic are checked too, and so are the remappings of launch files, which may
+contain neither `__` nor a substitution.
 
 ## Why it matters on a robot
-The call raises an exception, in the constructor as a rule: the node never starts.
+The call raises an exception, usually in the constructor: the node never starts.
 
 ## Bad
 ```python
@@ -19,6 +25,9 @@ self.create_publisher(Image, "camera-1/image", 10)
 ```python
 self.create_publisher(Image, "camera_1/image", 10)
 ```
+
+## When to ignore it
+Never: rcl rejects such a name in every distribution.
 
 ## References
 - `rcl_validate_topic_name`, `rmw_validate_full_topic_name` (tried with rclpy of Jazzy)
@@ -57,7 +66,7 @@ def topic_name_invalid(robot: Robot) -> Iterator[Finding]:
             good = better and topics.refusal(better) is None
             yield finding(
                 endpoint.name,
-                f"'{endpoint.name}' is no valid {ROLES[endpoint.role]} name, {reason}: the node exits when it "
+                f"'{endpoint.name}' is not a valid {ROLES[endpoint.role]} name, {reason}: the node exits when it "
                 f"creates the {endpoint.role}",
                 advice=f"write '{better}'"
                 if good
@@ -67,7 +76,7 @@ def topic_name_invalid(robot: Robot) -> Iterator[Finding]:
     for node, where, name, when in robot.topics.refused:
         yield finding(
             where,
-            f"'{name}' is no valid topic name: {node.label()} exits {when}",
+            f"'{name}' is not a valid topic name: {node.label()} exits {when}",
             advice="use letters, digits, '_' and '/' only, no '__', and no part that begins with a digit",
             related=[note(node.started.span, f"{node.label()} is started here")],
         )

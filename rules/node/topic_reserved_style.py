@@ -1,12 +1,12 @@
-"""A topic name in the style of DDS, or with a double underscore.
+"""A topic name has a DDS prefix or a double underscore.
 
 ## What it finds
-Literal topic names of nodes that begin with the prefix that ROS itself puts before names in DDS (`rt/`, `rq/`, `rr/`),
-and names with a part that holds `__`.
+Literal topic names that begin with the prefix that ROS itself adds to names in DDS (`rt/`, `rq/`, `rr/`), and names
+with a part that contains `__`.
 
 ## Why it matters on a robot
-Both are legal. But `rt/scan` becomes `rt/rt/scan` in DDS: whoever copies the name from a DDS tool makes a second
-topic, and permissions for `rt/scan` do not cover it. `__` is set apart for names that ROS and tools make up.
+Both are legal. But `rt/scan` becomes `rt/rt/scan` in DDS: a name that is copied from a DDS tool creates a second
+topic, and permissions for `rt/scan` do not cover it. `__` is reserved for names that ROS and its tools generate.
 
 ## Bad
 ```python
@@ -17,6 +17,9 @@ self.create_publisher(LaserScan, "rt/scan", 10)
 ```python
 self.create_publisher(LaserScan, "scan", 10)
 ```
+
+## When to ignore it
+When the name is given by an interface that you cannot change, such as a bridge to a DDS system.
 
 ## References
 - https://design.ros2.org/articles/topic_and_service_names.html
@@ -40,12 +43,12 @@ def topic_reserved_style(robot: Robot) -> Iterator[Finding]:
         if prefix:
             yield finding(
                 endpoint.name,
-                f"'{endpoint.name}' becomes rt/{endpoint.name.lstrip('/')} in DDS: ROS itself puts the prefix there",
-                advice=f"leave '{prefix[1]}' out",
+                f"'{endpoint.name}' becomes rt/{endpoint.name.lstrip('/')} in DDS, because ROS itself adds the prefix",
+                advice=f"remove '{prefix[1]}'",
             )
         elif re.search(r"__", endpoint.name):
             yield finding(
                 endpoint.name,
-                f"'{endpoint.name}' holds '__', which is set apart for names that ROS and its tools make up",
+                f"'{endpoint.name}' contains '__', which is reserved for names that ROS and its tools generate",
                 advice="use a single underscore",
             )

@@ -1,11 +1,11 @@
-"""One topic with two message types.
+"""A topic has two message types.
 
 ## What it finds
-Two nodes that one launch file starts, of which one publishes and the other subscribes the same topic, under its full
-name, with different message types. Types that depend on a parameter (`Twist` or `TwistStamped`) are left alone.
+Two nodes that one launch file starts. One publishes and the other subscribes to the same topic, by its full name,
+but with different message types. Types that depend on a parameter (`Twist` or `TwistStamped`) are not reported.
 
 ## Why it matters on a robot
-DDS connects endpoints only when name and type agree. No message arrives, and neither node says a word.
+DDS connects endpoints only when name and type agree. No message arrives, and neither node logs anything.
 
 ## Bad
 ```python
@@ -17,6 +17,9 @@ self.create_subscription(TwistStamped, "cmd_vel", self.on_command, 10)   # in th
 ```python
 self.create_publisher(TwistStamped, "cmd_vel", 10)
 ```
+
+## When to ignore it
+When a second publisher of the topic has the right type, and the reported pair is not meant to communicate.
 
 ## References
 - DDS 1.4, 2.2.3 (topics match by name and type)

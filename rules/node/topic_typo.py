@@ -1,13 +1,13 @@
-"""A topic name one typo away from the one that was meant.
+"""A topic name is probably misspelt.
 
 ## What it finds
-In a launch file of which all nodes and their topics are known: a subscription to which nobody publishes, beside a
-publisher of the same type under nearly the same name, or under the same name in another namespace; and a
-publisher that nobody hears, beside such a subscription. Numbered names are different names.
+In a launch file whose nodes and topics are all known: a subscription without a publisher, while a publisher of the
+same type uses nearly the same name, or the same name in another namespace. A publisher without a subscription is
+checked in the same way. Names that differ only in a number are different names.
 
 ## Why it matters on a robot
-Nothing fails. The node waits for messages that go somewhere else, and
-`ros2 topic list` shows two names that look alike.
+Nothing fails. The node waits for messages that go somewhere else, and `ros2 topic list` shows two names that look
+alike.
 
 ## Bad
 ```python
@@ -19,6 +19,9 @@ self.create_subscription(Twist, "cmd_vel", self.drive, 1)
 ```python
 self.create_publisher(Twist, "cmd_vel", 10)
 ```
+
+## When to ignore it
+When both names are intended and the other side is on another computer or started later.
 
 ## References
 - ROS 2 documentation, "Topic and service name mapping"
@@ -51,7 +54,7 @@ def topic_typo(robot: Robot) -> Iterator[Finding]:
                     note(use.node.started.span, f"{use.node.label()} is started here"),
                 ],
                 chain=robot.provenance.chain_to_node(
-                    use.node.started, note(use.name_place or use.where, f"{use.topic} is meant")
+                    use.node.started, note(use.name_place or use.where, f"{use.topic} is used here")
                 ),
                 fix=fix(f"use {near}", better, safe=False) if better else None,
             )

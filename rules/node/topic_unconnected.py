@@ -1,12 +1,12 @@
-"""A subscription that nothing on the robot serves.
+"""Nothing on the robot publishes a subscribed topic.
 
 ## What it finds
-On a robot whose units or compose services are all known to the last node: a topic that a node subscribes and that no
-node publishes. Topics of tools and people (`goal_pose`, `joy`, commands, triggers), what only the table of common nodes
-tells, and names that any other source of the tree publishes are left alone.
+A topic to which a node subscribes and that no node publishes, on a robot whose units or compose services, and all
+their nodes, are known. Not reported: topics of tools and people (`goal_pose`, `joy`, commands, triggers), topics
+that are known only from the table of common nodes, and names that any other source of the tree publishes.
 
 ## Why it matters on a robot
-The callback never runs. What depends on it, a filter, a watchdog, a localisation, waits forever.
+The callback never runs. A filter, a watchdog or a localisation that depends on it waits forever.
 
 ## Bad
 ```python
@@ -18,6 +18,9 @@ Node(package="mower", executable="safety", remappings=[("scan", "scan_filtered")
 Node(package="laser_filters", executable="scan_to_scan_filter_chain"),
 Node(package="mower", executable="safety", remappings=[("scan", "scan_filtered")]),
 ```
+
+## When to ignore it
+When another computer, a simulator or a tool publishes the topic.
 
 ## References
 - ROS 2 documentation, "Understanding topics"
@@ -41,7 +44,7 @@ def topic_unconnected(robot: Robot) -> Iterator[Finding]:
             if use.topic not in near and topics.tail(use.topic) not in robot.topics.published_anywhere:
                 yield finding(
                     use.name_place or use.where,
-                    f"Nobody publishes {use.topic}: {use.node.label()} waits for it in vain",
-                    advice="start what publishes it, or look at the remappings of both sides",
+                    f"Nobody publishes {use.topic}: {use.node.label()} waits for it forever",
+                    advice="start a publisher, or check the remappings on both sides",
                     related=[note(use.node.started.span, f"{use.node.label()} is started here")],
                 )

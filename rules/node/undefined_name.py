@@ -1,12 +1,12 @@
-"""A name of ROS is used and never imported.
+"""A ROS name is used but never imported.
 
 ## What it finds
-Names such as `SetParametersResult`, `QoSProfile`, `ReliabilityPolicy` or `asyncio` that a node source uses and that
-nothing in the file imports or defines.
+Names such as `SetParametersResult`, `QoSProfile`, `ReliabilityPolicy` or `asyncio` that the source of a node uses,
+but that nothing in the file imports or defines.
 
 ## Why it matters on a robot
-Python looks names up when the line runs. In a callback for parameters or for a signal that is weeks later, on the
-robot, and the NameError then ends the node.
+Python looks a name up when the line runs. In a callback for parameters or signals that can be weeks later, on the
+robot. The NameError then ends the node.
 
 ## Bad
 ```python
@@ -18,6 +18,9 @@ def on_change(self, parameters):
 ```python
 from rcl_interfaces.msg import SetParametersResult
 ```
+
+## When to ignore it
+When the name is defined at run time, for example through `globals()` or a plug-in mechanism.
 
 ## References
 - https://docs.python.org/3/reference/executionmodel.html, "Resolution of names"
@@ -41,7 +44,7 @@ def undefined_name(robot: Robot) -> Iterator[Finding]:
             line = f"from {module} import {name.id}" if module else f"import {name.id}"
             yield finding(
                 file.span_of(name),
-                f"NameError {when}: {name.id} is never imported, and the node ends",
+                f"NameError {when}: {name.id} is never imported, and the node exits",
                 advice=f"add '{line}'",
                 fix=fix(f"add '{line}'", *nodes.import_edits(file, module, name.id)),
                 severity=nodes.lowered(robot.nodes.purpose(file.source), "error"),

@@ -1,11 +1,11 @@
-"""The watchdog is fed whatever happens to the robot.
+"""The watchdog is fed even when the robot is stuck.
 
 ## What it finds
-A timer of a node that sends `WATCHDOG=1` to systemd with nothing that could keep it from doing so.
+A timer of a node that sends `WATCHDOG=1` to systemd without any condition.
 
 ## Why it matters on a robot
-`WatchdogSec=` restarts what hangs. When the notifier is a node of its own, its timer runs on while the drivers that
-it should answer for are stuck: the watchdog proves that the notifier lives, and nothing more.
+`WatchdogSec=` restarts a service that hangs. If the notifier is a separate node, its timer keeps running while the
+drivers that it vouches for are stuck: the watchdog proves that the notifier runs, and nothing more.
 
 ## Bad
 ```python
@@ -19,6 +19,10 @@ def beat(self):
     if self.last_scan_age() < 1.0:
         self.notifier.notify('WATCHDOG=1')
 ```
+
+## When to ignore it
+When the notifier is in the same single-threaded executor as the code that can hang, so that a hang also stops the
+timer.
 
 ## References
 - sd_notify(3), WATCHDOG=1; systemd.service(5), WatchdogSec=
@@ -40,5 +44,5 @@ def watchdog_unconditional(robot: Robot) -> Iterator[Finding]:
             yield finding(
                 file.span_of(call),
                 f"{callback}() feeds the watchdog even when the robot is stuck",
-                advice="send WATCHDOG=1 only while the messages of what it watches are young and its diagnostics good",
+                advice="send WATCHDOG=1 only while the monitored messages are recent and their diagnostics are good",
             )

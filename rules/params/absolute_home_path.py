@@ -1,9 +1,8 @@
-"""A path in a parameter lies in somebody's home.
+"""A parameter holds a path in a home folder.
 
 ## What it finds
-Values below `/home/<user>/` and `/root/`, and for information files or folders that begin
-with `~/`, which only some nodes expand. The folder in which a unit of the tree
-works passes, and so do examples and private topic names.
+Values below `/home/<user>/` or `/root/`. Files and folders that begin with `~/` are info, because some nodes expand
+the `~`. Not reported: the working directory of a unit in this tree, examples, and test folders.
 
 ## Why it matters on a robot
 The path exists only on the machine on which it was written. ROS does not expand `~` in parameters.
@@ -21,6 +20,10 @@ map_server:
   ros__parameters:
     yaml_filename: /var/lib/robot/maps/hall.yaml
 ```
+
+## When to ignore it
+When every robot has this user and the file is installed there, or, for the info finding, when the node expands `~`
+itself.
 
 ## References
 - launch_ros, `ParameterFile(allow_substs=True)`
@@ -58,7 +61,7 @@ def absolute_home_path(robot: Robot) -> Iterator[Finding]:
             ):
                 yield finding(
                     item.span,
-                    f"The path of '{parameter.name}' lies in somebody's home: it exists only on that machine",
+                    f"The path of '{parameter.name}' is in a home folder: it exists only on that machine",
                     advice="use a folder of the robot, such as /var/lib, or a package's share folder with allow_substs",
                 )
             elif _TILDE.match(item.text) or (
@@ -68,6 +71,6 @@ def absolute_home_path(robot: Robot) -> Iterator[Finding]:
                     item.span,
                     f"ROS does not expand the ~ of '{parameter.name}': unless the node does, it looks for a folder "
                     "called '~'",
-                    advice="write the whole path, or $(env HOME) in a file that is loaded with allow_substs",
+                    advice="write the full path, or $(env HOME) in a file that is loaded with allow_substs",
                     severity="info",
                 )

@@ -1,11 +1,11 @@
 """The parameter file uses a YAML alias.
 
 ## What it finds
-`*name` and merge keys (`<<: *name`) in a file that rcl reads itself. Anchors without an alias pass, and so do files
-that only PyYAML reads: for composable nodes, or rewritten by a launch helper.
+`*name` and merge keys (`<<: *name`) in a file that rcl reads itself. Not reported: anchors without an alias, and
+files that only PyYAML reads, because they are for composable nodes or rewritten by a launch helper.
 
 ## Why it matters on a robot
-rcl refuses the whole file: 'Will not support aliasing'. Every node that gets it exits at start.
+rcl rejects the whole file: 'Will not support aliasing'. Every node that loads it exits at start.
 
 ## Bad
 ```yaml
@@ -26,6 +26,9 @@ right:
     rate: 50
 ```
 
+## When to ignore it
+When only your own program, which resolves aliases, reads the file before ROS gets it.
+
 ## References
 - rcl_yaml_param_parser, `parse_file_events`
 """
@@ -44,6 +47,6 @@ def alias(robot: Robot) -> Iterator[Finding]:
         if robot.params.reader(file) != "pyyaml":
             yield finding(
                 problem.where,
-                "rcl knows no YAML aliases: the process that loads the file exits at start",
+                "rcl does not support YAML aliases: the process that loads the file exits at start",
                 advice="write the values out, or use a block for '/**'",
             )

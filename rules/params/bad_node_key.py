@@ -1,11 +1,11 @@
 """A node key is not a node name.
 
 ## What it finds
-Node keys with `-`, blanks, `~`, a leading digit, a trailing or repeated slash, a wildcard that is only part of a name
-(`cam*`), or `*` without quotes. `/**`, `"*"` and `/*/name` pass.
+Node keys with `-`, spaces, `~`, a leading digit, a trailing or repeated slash, a wildcard for only a part of a name
+(`cam*`), or `*` without quotes. `/**`, `"*"` and `/*/name` are valid.
 
 ## Why it matters on a robot
-rcl checks the name and refuses the whole file. Every node that gets it exits at start.
+rcl checks the name and rejects the whole file. Every node that loads it exits at start.
 
 ## Bad
 ```yaml
@@ -20,6 +20,9 @@ motor_driver:
   ros__parameters:
     rate: 50
 ```
+
+## When to ignore it
+When a script rewrites the key before a node loads the file.
 
 ## References
 - rcl_yaml_param_parser, `_validate_name`
@@ -58,6 +61,6 @@ def bad_node_key(robot: Robot) -> Iterator[Finding]:
         name = next((block.name for block in file.blocks if block.key is key), key)
         yield finding(
             key,
-            f"'{name}' is no node name ({problem.detail}): the process that loads the file exits at start",
-            advice="use letters, digits and _, and a wildcard only for a whole name",
+            f"'{name}' is not a node name ({problem.detail}): the process that loads the file exits at start",
+            advice="use letters, digits and _, and wildcards only for whole names",
         )

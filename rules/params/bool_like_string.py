@@ -1,11 +1,11 @@
-"""A word is read as a boolean where the node expects text, or the other way round.
+"""YAML reads text as a boolean, or a boolean as text.
 
 ## What it finds
-`on`, `off`, `yes`, `no`, `y`, `n`, `true` and `false` without quotes for parameters that the workspace declares as a
-string, and with quotes for those that it declares as a boolean.
+Two mistakes with parameters that the sources of the workspace declare with a type. `on`, `off`, `yes`, `no`, `y`,
+`n`, `true` or `false` without quotes for a string. Such a word with quotes for a boolean.
 
 ## Why it matters on a robot
-ROS does not convert: the node ends with InvalidParameterTypeException at start.
+ROS does not convert the value: the node exits with InvalidParameterTypeException at start.
 
 ## Bad
 ```yaml
@@ -20,6 +20,9 @@ fan:
   ros__parameters:
     mode: "on"
 ```
+
+## When to ignore it
+When the declaration that the linter found belongs to another node than the one that loads the file.
 
 ## References
 - rcl_yaml_param_parser, `get_value`
@@ -45,8 +48,8 @@ def bool_like_string(robot: Robot) -> Iterator[Finding]:
             text = f'"{parameter.text}"'
             yield finding(
                 parameter.span,
-                f"'{parameter.name}: {parameter.text}' is the boolean {str(value.data).lower()}, the node expects a "
-                "string: it ends with InvalidParameterTypeException",
+                f"'{parameter.name}: {parameter.text}' is the boolean {str(value.data).lower()}, but the node "
+                "expects a string: it exits with InvalidParameterTypeException",
                 advice=f"write {text}",
                 related=[note(declared.place, "declared as a string here")],
                 fix=fix("Put it in quotes", (parameter.span, text)),
@@ -55,7 +58,7 @@ def bool_like_string(robot: Robot) -> Iterator[Finding]:
             plain = _WORDS[str(value.data).lower()]
             yield finding(
                 parameter.span,
-                f"'{parameter.name}: {parameter.text}' is text, the node expects a boolean: it ends with "
+                f"'{parameter.name}: {parameter.text}' is text, but the node expects a boolean: it exits with "
                 "InvalidParameterTypeException",
                 advice=f"write {plain}",
                 related=[note(declared.place, "declared as a boolean here")],

@@ -1,11 +1,11 @@
-"""A double is given for a parameter that is declared as an integer.
+"""A parameter that is declared as an integer gets a double.
 
 ## What it finds
 Doubles in a parameter file for parameters that the sources of the workspace declare as an integer, with a literal
 name and type. Silent where the node allows any type, or declares the name with several types.
 
 ## Why it matters on a robot
-ROS does not convert: the node ends with InvalidParameterTypeException at start.
+ROS does not convert the value: the node exits with InvalidParameterTypeException at start.
 
 ## Bad
 ```yaml
@@ -20,6 +20,9 @@ motors:
   ros__parameters:
     baudrate: 115200
 ```
+
+## When to ignore it
+When the declaration that the linter found belongs to another node than the one that loads the file.
 
 ## References
 - https://github.com/ros2/rclcpp/issues/979
@@ -48,7 +51,7 @@ def double_for_int(robot: Robot) -> Iterator[Finding]:
         plain = len(whole) == len(items)
         yield finding(
             parameter.span,
-            f"'{parameter.name}: {parameter.text}' is a double, the node declares an integer: it ends with "
+            f"'{parameter.name}: {parameter.text}' is a double, but the node declares an integer: it exits with "
             "InvalidParameterTypeException",
             advice=f"write {whole[0]}" if plain else "write a whole number",
             related=[note(declared.place, "declared as an integer here")],

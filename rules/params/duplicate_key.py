@@ -1,12 +1,12 @@
 """A parameter is set twice in one block.
 
 ## What it finds
-The same parameter twice below one `ros__parameters`: an error when the types differ, for information when the values
-are equal.
+The same parameter twice under one `ros__parameters`. An error when the types differ, a warning when only the values
+differ, and info when both are equal.
 
 ## Why it matters on a robot
-With one type the last value counts. With two, rcl keeps both and hands over the one whose type comes first (bool,
-integer, double, string), wherever it stands.
+If both have the same type, the last value applies. If the types differ, rcl keeps both and passes on the one whose
+type comes first (bool, integer, double, string), regardless of the order in the file.
 
 ## Bad
 ```yaml
@@ -22,6 +22,9 @@ motors:
   ros__parameters:
     rate: 50
 ```
+
+## When to ignore it
+Never: one of the two lines has no effect. Delete it.
 
 ## References
 - rcl_yaml_param_parser, `parse_value`
@@ -45,9 +48,9 @@ def duplicate_key(robot: Robot) -> Iterator[Finding]:
         differ = first.value.type != second.value.type and wins is not None
         yield finding(
             second.key,
-            f"'{second.name}' is set twice: the {wins.type.replace('_', ' ')} {wins.data!r} counts"
+            f"'{second.name}' is set twice: the {wins.type.replace('_', ' ')} {wins.data!r} applies"
             if differ
-            else f"'{second.name}' is set twice: " + ("both are equal" if same else "only the last value counts"),
+            else f"'{second.name}' is set twice: " + ("both are equal" if same else "only the last value applies"),
             advice="keep one of them",
             related=[note(first.key, "set here before")],
             severity="error" if differ else "info" if same else None,

@@ -4,7 +4,7 @@
 The same node key twice in one parameter file.
 
 ## Why it matters on a robot
-rcl merges the blocks and the later value counts. Somebody who edits the first block wonders why nothing changes.
+rcl merges the blocks, and the later value applies. Somebody who edits the first block sees no effect.
 
 ## Bad
 ```yaml
@@ -19,6 +19,9 @@ motors:
 motors:
   ros__parameters: {rate: 50, port: /dev/robot/motors}
 ```
+
+## When to ignore it
+When the file is assembled from parts, and a later part is meant to override an earlier one.
 
 ## References
 - rcl_yaml_param_parser, `find_node`
@@ -42,7 +45,7 @@ def duplicate_node_block(robot: Robot) -> Iterator[Finding]:
             if first is not block:
                 yield finding(
                     block.key,
-                    f"'{block.name}' has a second block here: the two are merged, and the later value counts",
+                    f"'{block.name}' has a second block here: rcl merges the two, and the later value applies",
                     advice="merge them",
                     related=[note(first.key, "the first block")],
                 )

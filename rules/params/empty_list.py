@@ -1,12 +1,12 @@
 """A parameter is an empty list or mapping.
 
 ## What it finds
-`[]` and `{}` as values. An error for an empty mapping in front of other parameters: to rcl it ends the block, or it
-swallows the names that follow; for information when no source of the nodes names the parameter.
+`[]` and `{}` as values, as a warning. An error for an empty mapping before other parameters: for rcl it ends the
+block or swallows the names that follow. Info when no source of the nodes names the parameter.
 
 ## Why it matters on a robot
-An empty list has no type. The parameter counts as set without a value: a node that declares it with a type ends with an
-exception.
+An empty list has no type. The parameter counts as set without a value, and a node that declares it with a type
+exits with an exception.
 
 ## Bad
 ```yaml
@@ -21,6 +21,9 @@ planner:
   ros__parameters:
     plugins: [""]
 ```
+
+## When to ignore it
+When the node declares the parameter with dynamic typing and treats an unset value as an empty list.
 
 ## References
 - rclcpp, `parameter_value_from`
@@ -47,7 +50,7 @@ def empty_list(robot: Robot) -> Iterator[Finding]:
             ended.add(problem.where)
             yield finding(
                 problem.where,
-                "To rcl the empty mapping ends the block: it takes the next parameter for a node, and the process that "
+                "For rcl the empty mapping ends the block: it reads the next parameter as a node, and the process that "
                 "loads the file exits at start",
                 advice="remove the empty mapping",
                 severity="error",
@@ -57,10 +60,10 @@ def empty_list(robot: Robot) -> Iterator[Finding]:
             kind = "list" if parameter.text.startswith("[") else "mapping"
             yield finding(
                 parameter.span,
-                f"'{parameter.name}' is an empty {kind} without a type: a node that declares it with a type ends "
+                f"'{parameter.name}' is an empty {kind} without a type: a node that declares it with a type exits "
                 "with an exception",
-                advice="leave the line out, or write a list with one value of the type"
+                advice="remove the line, or write a list with one value of the type"
                 if kind == "list"
-                else "leave the line out",
+                else "remove the line",
                 severity="info" if robot.params.is_never_read(parameter) else None,
             )

@@ -1,11 +1,11 @@
 """A node or its parameter block is empty.
 
 ## What it finds
-A node name or `ros__parameters` with nothing below, as it is left when all parameters are commented out. An explicit
-`{}` passes.
+A node name or `ros__parameters` with nothing below it, as when all parameters are commented out. An explicit `{}`
+is valid.
 
 ## Why it matters on a robot
-rcl refuses the whole file: 'Cannot have a value before ros__parameters'. Every node that gets it exits at start.
+rcl rejects the whole file: 'Cannot have a value before ros__parameters'. Every node that loads it exits at start.
 
 ## Bad
 ```yaml
@@ -20,6 +20,9 @@ motors:
   ros__parameters: {}
     # rate: 50
 ```
+
+## When to ignore it
+When a script fills in the block before a node loads the file.
 
 ## References
 - rcl_yaml_param_parser, `parse_file_events`
@@ -45,7 +48,7 @@ def empty_node_or_block(robot: Robot) -> Iterator[Finding]:
         place = file.source.span(colon + 1, colon + 1)
         yield finding(
             key,
-            f"Nothing stands below '{key}': the process that loads the file exits at start",
+            f"'{key}' is empty: the process that loads the file exits at start",
             advice=f"write {inner}, or remove the block",
             fix=fix(f"Write {inner}", (place, f" {inner}")) if colon >= 0 else None,
         )

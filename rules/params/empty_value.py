@@ -1,10 +1,10 @@
 """A parameter has no value.
 
 ## What it finds
-A key with nothing behind the colon, in a file that rcl itself reads. An empty string in quotes is a value.
+A key with nothing after the colon, in a file that rcl reads itself. An empty string in quotes is a value.
 
 ## Why it matters on a robot
-rcl refuses the whole file: 'No value at line 3'. Every node that gets it exits at start.
+rcl rejects the whole file: 'No value at line 3'. Every node that loads it exits at start.
 
 ## Bad
 ```yaml
@@ -19,6 +19,9 @@ motors:
   ros__parameters:
     port: ""
 ```
+
+## When to ignore it
+When a script fills in the value before a node loads the file.
 
 ## References
 - rcl_yaml_param_parser, `parse_value`
@@ -42,5 +45,5 @@ def empty_value(robot: Robot) -> Iterator[Finding]:
         yield finding(
             parameter.key if parameter else problem.where,
             f"{name}: the process that loads the file exits at start",
-            advice='give it a value (an empty text is ""), or remove the line',
+            advice='give it a value (an empty string is ""), or remove the line',
         )

@@ -1,10 +1,12 @@
-"""A number with an exponent becomes text for a composed node.
+"""A composable node gets text instead of a number with an exponent.
 
 ## What it finds
-`1e-3`, `1e3` and `1.0e3` in files that launch itself reads for composable nodes. PyYAML wants a dot and a sign.
+`1e-3`, `1e3` and `1.0e3` in files that launch itself reads for composable nodes. PyYAML reads a number only if it
+has a point and a sign: `1.0e+3`.
 
 ## Why it matters on a robot
-rcl reads a double, PyYAML reads text: the composed node gets a string where it declares a double, and does not load.
+rcl reads a double, but PyYAML reads text. The composable node gets a string where it declares a double, and does
+not load.
 
 ## Bad
 ```yaml
@@ -19,6 +21,9 @@ filter:
   ros__parameters:
     epsilon: 1.0e-3
 ```
+
+## When to ignore it
+When the component declares the parameter as a string and converts it itself.
 
 ## References
 - YAML 1.1, float; PyYAML's resolver

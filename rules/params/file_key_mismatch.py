@@ -1,12 +1,12 @@
-"""A node gets a parameter file in which nothing is for it.
+"""A parameter file has no block for the node that loads it.
 
 ## What it finds
-A node with a known name and namespace that is given a file of which no block and no wildcard matches its full name,
-though one is nearly it: the same name in another namespace, or misspelt. Silent for components, containers and names
-that are not known.
+A node with a known name and namespace loads a file in which no block and no wildcard matches its full name, but one
+is close: the same name in another namespace, or a misspelling. Silent for components, containers and names that are
+not known.
 
 ## Why it matters on a robot
-All parameters stay at the defaults of the code, without any message. It shows when the robot drives.
+All parameters keep the defaults of the code, without any message. It shows when the robot drives.
 
 ## Bad
 ```yaml
@@ -19,6 +19,9 @@ planner:                # the node is /robot1/planner
 /**/planner:
   ros__parameters: {max_speed: 0.5}
 ```
+
+## When to ignore it
+When the file is shared by several nodes and this node deliberately uses its defaults.
 
 ## References
 - https://github.com/manankharwar/fusioncore/issues/134
@@ -43,7 +46,7 @@ def file_key_mismatch(robot: Robot) -> Iterator[Finding]:
         single = len(found.block.keys) == 1
         yield finding(
             found.load.where,
-            f"{found.file.source.basename} has a block for '{found.block.name}', the node is {found.name}: all its "
+            f"{found.file.source.basename} has a block for '{found.block.name}', but the node is {found.name}: all its "
             "parameters stay at the defaults, without any message",
             advice=f"name the block {better}",
             chain=robot.provenance.chain_to_load(

@@ -1,11 +1,11 @@
-"""An integer is given for a parameter that is declared as a double.
+"""A parameter that is declared as a double gets an integer.
 
 ## What it finds
-Integers in a parameter file for parameters that the sources of the workspace declare as a double, with a literal name
-and type. Silent where the node allows any type, or declares the name with several types.
+Integers in a parameter file for parameters that the sources of the workspace declare as a double, with a literal
+name and type. Silent where the node allows any type, or declares the name with several types.
 
 ## Why it matters on a robot
-ROS does not convert: the node ends with InvalidParameterTypeException at start.
+ROS does not convert the value: the node exits with InvalidParameterTypeException at start.
 
 ## Bad
 ```yaml
@@ -20,6 +20,9 @@ motors:
   ros__parameters:
     max_speed: 1.0
 ```
+
+## When to ignore it
+When the declaration that the linter found belongs to another node than the one that loads the file.
 
 ## References
 - https://github.com/ros2/rclcpp/issues/979
@@ -48,9 +51,9 @@ def int_for_double(robot: Robot) -> Iterator[Finding]:
         plain = all(_DECIMAL.match(item.text) for item in items)
         yield finding(
             parameter.span,
-            f"'{parameter.name}: {parameter.text}' is an integer, the node declares a double: it ends with "
+            f"'{parameter.name}: {parameter.text}' is an integer, but the node declares a double: it exits with "
             "InvalidParameterTypeException",
-            advice=f"write {items[0].text}.0" if plain else "write a number with a point",
+            advice=f"write {items[0].text}.0" if plain else "write a number with a decimal point",
             related=[note(declared.place, "declared as a double here")],
             fix=fix("Write a double", *((item.span, f"{item.text}.0") for item in items)) if plain else None,
         )

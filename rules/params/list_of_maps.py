@@ -1,10 +1,10 @@
-"""A list holds mappings.
+"""A parameter is a list of mappings.
 
 ## What it finds
-Mappings inside the list of a parameter; an error where rcl refuses the file for it.
+Mappings inside the list of a parameter. An error where rcl rejects the file because of it.
 
 ## Why it matters on a robot
-rcl knows no such value. It makes one odd parameter of the first mapping's keys, or refuses the whole file, and the node
+rcl has no such type. It makes one wrong parameter of the first mapping's keys, or rejects the whole file. The node
 never sees the list.
 
 ## Bad
@@ -23,6 +23,9 @@ planner:
     gate: {x: 2.0}
 ```
 
+## When to ignore it
+When the node does not read the list through ROS parameters but parses the file itself.
+
 ## References
 - rcl_yaml_param_parser, `parse_file_events`
 """
@@ -34,7 +37,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
-_ADVICE = "write a list of names and one mapping for each of them"
+_ADVICE = "write a list of names, and one mapping for each name"
 
 
 @rule("warning", symptoms=["Sequence should be of same type"])
@@ -44,7 +47,7 @@ def list_of_maps(robot: Robot) -> Iterator[Finding]:
         refused.add(problem.where)
         yield finding(
             problem.where,
-            "rcl knows no list of mappings: the process that loads the file exits at start",
+            "rcl does not support lists of mappings: the process that loads the file exits at start",
             advice=_ADVICE,
             severity="warning" if robot.params.reader(file) == "pyyaml" else "error",
         )
@@ -52,6 +55,6 @@ def list_of_maps(robot: Robot) -> Iterator[Finding]:
         if parameter.span not in refused and robot.params.holds_maps(parameter):
             yield finding(
                 parameter.span,
-                f"rcl does not read '{parameter.name}' as a list: the values of its mappings are mixed up",
+                f"rcl does not read '{parameter.name}' as a list: it mixes up the values of the mappings",
                 advice=_ADVICE,
             )

@@ -1,12 +1,12 @@
-"""A value stands outside `ros__parameters`.
+"""A value is outside `ros__parameters`.
 
 ## What it finds
-Values between a node name and `ros__parameters` or beside it, and misspellings such as `ros_parameters` or
-`ros__parameter`, in parameter files, and files without any `ros__parameters` that a launch file gives to a node.
-Files that no launch file of the tree loads are judged only in a folder for configuration, with a warning.
+Values between a node name and `ros__parameters` or next to it. Misspellings such as `ros_parameters` and
+`ros__parameter`. Files without any `ros__parameters` that a launch file passes to a node. A file that no launch
+file of this tree loads is checked only in a folder for configuration, and is a warning.
 
 ## Why it matters on a robot
-rcl refuses the whole file: 'Cannot have a value before ros__parameters'. Every node that gets it exits at start.
+rcl rejects the whole file: 'Cannot have a value before ros__parameters'. Every node that loads it exits at start.
 
 ## Bad
 ```yaml
@@ -21,6 +21,10 @@ motors:
   ros__parameters:
     rate: 50
 ```
+
+## When to ignore it
+When the file is not a ROS parameter file, for example the configuration of a library that is only stored in the
+same folder.
 
 ## References
 - rcl_yaml_param_parser, `parse_file_events`
@@ -48,7 +52,7 @@ def missing_ros_parameters(robot: Robot) -> Iterator[Finding]:
         ):
             yield finding(
                 problem.where,
-                f"'{problem.where}' is not ros__parameters, so its values have no place: the process exits at start",
+                f"'{problem.where}' is not ros__parameters: the process that loads the file exits at start",
                 advice="write ros__parameters, with two underscores",
                 fix=fix("Write ros__parameters", (problem.where, "ros__parameters")),
             )
@@ -61,13 +65,13 @@ def missing_ros_parameters(robot: Robot) -> Iterator[Finding]:
             plain.add(file.source)
         yield finding(
             problem.where,
-            "The file has no ros__parameters at all: the process that loads it exits at start"
+            "The file has no ros__parameters: the process that loads it exits at start"
             if not file.is_certain
-            else "A value outside ros__parameters: the process that loads the file exits at start",
+            else "A value is outside ros__parameters: the process that loads the file exits at start",
             advice="put the node name and ros__parameters above the values"
             if not file.is_certain
             else "move it below ros__parameters",
-            related=[note(load.where, "given to a node here") for load in robot.params.loads(file)[:1]],
+            related=[note(load.where, "a node loads it here") for load in robot.params.loads(file)[:1]],
             severity=None if known else "warning",
         )
 

@@ -1,11 +1,11 @@
 """A list mixes types.
 
 ## What it finds
-Lists whose elements are of different types for rcl, such as `[0, 0.5]` or `[1, null]`; a warning in files that only
+Lists whose elements have different types for rcl, such as `[0, 0.5]` or `[1, null]`. A warning in files that only
 PyYAML reads.
 
 ## Why it matters on a robot
-rcl refuses the whole file: 'Sequence should be of same type'. Every node that gets it exits at start.
+rcl rejects the whole file: 'Sequence should be of same type'. Every node that loads it exits at start.
 
 ## Bad
 ```yaml
@@ -20,6 +20,9 @@ motors:
   ros__parameters:
     gains: [0.0, 0.5]
 ```
+
+## When to ignore it
+When the node parses the file itself and rcl never reads it.
 
 ## References
 - rcl_yaml_param_parser, `parse_value`

@@ -1,10 +1,11 @@
-"""A list stands inside a list.
+"""A parameter is a list inside a list.
 
 ## What it finds
-Nested lists as parameter values; a warning for a single inner list, which rcl reads as if the outer one were not there.
+Nested lists as parameter values. A single inner list is a warning, because rcl reads it as if the outer list did
+not exist.
 
 ## Why it matters on a robot
-rcl refuses the whole file: 'Sequences cannot be key'. Every node that gets it exits at start.
+rcl rejects the whole file: 'Sequences cannot be key'. Every node that loads it exits at start.
 
 ## Bad
 ```yaml
@@ -19,6 +20,9 @@ planner:
   ros__parameters:
     footprint: "[[0.1, 0.1], [0.1, -0.1]]"
 ```
+
+## When to ignore it
+When the node parses the file itself and rcl never reads it.
 
 ## References
 - rcl_yaml_param_parser, `parse_file_events`
@@ -37,8 +41,8 @@ def nested_list(robot: Robot) -> Iterator[Finding]:
     for _, problem in robot.params.problems("nested-list"):
         yield finding(
             problem.where,
-            "rcl knows no nested lists: the process that loads the file exits at start",
-            advice="write a flat list, or one text in quotes that the node takes apart",
+            "rcl does not support nested lists: the process that loads the file exits at start",
+            advice="write a flat list, or one quoted string that the node parses",
         )
     for _, parameter in robot.params.parameters:
         if robot.params.is_flattened(parameter):

@@ -1,9 +1,10 @@
-"""A block of parameters matches no node that is started with the file.
+"""A block of parameters matches none of the nodes that load the file.
 
 ## What it finds
-Node keys that no node which gets the file is called, but nearly: a misspelt name, or the right name in another
-namespace, while another block of the file reaches that node; where none does, `params/file-key-mismatch` says so.
-Silent when a node's name or namespace is not known, when something else mentions the file, and for components.
+Node keys that are close to the name of a node that loads the file: a misspelling, or the right name in another
+namespace. Another block of the file reaches that node. (If no block does, `params/file-key-mismatch` reports the
+file.) Silent for components, when a node's name or namespace is not known, and when something else mentions the
+file.
 
 ## Why it matters on a robot
 No message appears. The node runs with the defaults of its code, and the tuned values are never used.
@@ -21,6 +22,9 @@ motor_controller:
   ros__parameters:
     max_speed: 0.5
 ```
+
+## When to ignore it
+When the block is for a node that is started by hand or from another repository.
 
 ## References
 - https://github.com/ros2/ros2/issues/569
@@ -45,7 +49,7 @@ def node_not_in_launch(robot: Robot) -> Iterator[Finding]:
         single = len(found.block.keys) == 1
         yield finding(
             found.block.key,
-            f"No node is called '{found.block.name}' (there is {found.name}): these parameters are never used, the "
+            f"No node is called '{found.block.name}' (there is {found.name}): these parameters are never used and the "
             "defaults stay",
             advice=f"write {name}",
             chain=robot.provenance.chain_to_load(
@@ -53,7 +57,7 @@ def node_not_in_launch(robot: Robot) -> Iterator[Finding]:
             ),
             related=[
                 note(found.load.node.span, f"{found.name} is started here"),
-                note(found.load.where, "gets the file here"),
+                note(found.load.where, "loads the file here"),
             ],
             fix=fix(f"Write {name}", (found.block.key, name), safe=False) if single else None,
         )

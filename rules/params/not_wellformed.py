@@ -1,11 +1,11 @@
 """rcl cannot parse the parameter file.
 
 ## What it finds
-YAML errors, tabs in the indentation, a `%YAML` directive other than 1.1 (a warning), a plain value that starts with
-`@` or `%`, a file that holds only `---`, and a list at the root.
+YAML errors, tabs in the indentation, a plain value that starts with `@` or `%`, a file that holds only `---`, and a
+list at the root. A `%YAML` directive other than 1.1 is a warning.
 
 ## Why it matters on a robot
-The process that gets the file exits at start: 'Error parsing a event near line N'.
+The process that loads the file exits at start: 'Error parsing a event near line N'.
 
 ## Bad
 ```yaml
@@ -21,6 +21,9 @@ motors:
     rate: 50
 ```
 
+## When to ignore it
+When the file is a template that a script fills in before a node loads it.
+
 ## References
 - rcl_yaml_param_parser, `parse_file_events`
 """
@@ -34,15 +37,15 @@ from bringup_lint.api import fix
 from bringup_lint.api import rule
 
 _WHAT = {
-    "tab": "A tab cannot stand in the indentation of YAML",
-    "no-key": "There is nothing where a node name should stand",
+    "tab": "YAML does not allow tabs in the indentation",
+    "no-key": "There is no node name",
     "list-at-root": "The file is a list, not a mapping of node names",
-    "yaml-version": "libyaml before 0.2.5, as in the pip packages of ROS, takes only %YAML 1.1",
+    "yaml-version": "libyaml before 0.2.5, as in the pip packages of ROS, accepts only %YAML 1.1",
 }
 _ADVICE = {
     "tab": "indent with spaces",
     "no-key": "remove the file, or write node name, ros__parameters and values",
-    "list-at-root": "put a node name and ros__parameters on top",
+    "list-at-root": "put a node name and ros__parameters above the values",
     "yaml-version": "remove the %YAML line",
 }
 
@@ -58,14 +61,14 @@ def not_wellformed(robot: Robot) -> Iterator[Finding]:
         yield finding(
             problem.where,
             f"{what}: the process that loads the file exits at start",
-            advice=_ADVICE.get(problem.code, "repair the YAML; quote values that start with a special character"),
+            advice=_ADVICE.get(problem.code, "correct the YAML; quote values that start with a special character"),
             fix=_spaces(robot, file) if problem.code == "tab" else None,
             severity="warning" if problem.code == "yaml-version" else None,
         )
 
 
 def _spaces(robot: Robot, file):
-    """Spaces for every tab in the indentation, when every usual width means the same."""
+    """Spaces for every tab in the indentation, if every usual tab width gives the same structure."""
     width = robot.params.tab_width(file)
     if width is None:
         return None

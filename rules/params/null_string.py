@@ -1,11 +1,11 @@
 """A null is read as text.
 
 ## What it finds
-`null`, `~` and `None` as values; lower-case `none` for information. Silent for parameters that the node declares as
-text.
+`null` and `~` as values, as a warning. `None` and `none` as values, as info. Silent for parameters that the node
+declares as a string.
 
 ## Why it matters on a robot
-rcl has no null: the node gets the text "null", not 'unset'.
+rcl has no null: the node gets the text "null", not an unset parameter.
 
 ## Bad
 ```yaml
@@ -20,6 +20,9 @@ motors:
   ros__parameters:
     calibration: ""
 ```
+
+## When to ignore it
+When the node compares the value with this very text.
 
 ## References
 - rcl_yaml_param_parser, `get_value`
@@ -45,7 +48,7 @@ def null_string(robot: Robot) -> Iterator[Finding]:
                 continue
             yield finding(
                 item.span,
-                f"'{parameter.name}' is the text \"{item.text}\", not 'unset'",
-                advice="remove the line, so that the node's default stays",
+                f"'{parameter.name}' is the text \"{item.text}\", not an unset parameter",
+                advice="remove the line, so that the node keeps its default",
                 severity="info" if item.text in ("none", "None") else None,
             )

@@ -1,10 +1,10 @@
 """A number with a leading zero is read as octal.
 
 ## What it finds
-Integers with a leading zero. `0`, `0.5` and quoted text pass.
+Integers with a leading zero. `0`, `0.5` and quoted text are not reported.
 
 ## Why it matters on a robot
-`010` is 8 for rcl and for PyYAML; `08` is the double 8.0.
+`010` is 8 for rcl and for PyYAML. `08` is the double 8.0.
 
 ## Bad
 ```yaml
@@ -19,6 +19,9 @@ motors:
   ros__parameters:
     id: 10
 ```
+
+## When to ignore it
+When the value is meant as octal, such as a file mode.
 
 ## References
 - rcl_yaml_param_parser, `get_value` (strtoll with base 0)

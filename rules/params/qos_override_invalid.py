@@ -1,11 +1,11 @@
 """A QoS override has no effect, or stops the node.
 
 ## What it finds
-Parameters below `qos_overrides` whose topic is not written with its full name, whose entity is neither `publisher` nor
-`subscription`, or whose policy or value does not exist.
+Parameters under `qos_overrides` whose topic is not written with its full name, whose entity is neither `publisher`
+nor `subscription`, or whose policy or value does not exist.
 
 ## Why it matters on a robot
-A wrong name is ignored without a message, and the topic keeps the policy of the code; a wrong value stops the node.
+A wrong name is ignored without a message, and the topic keeps the policy of the code. A wrong value stops the node.
 
 ## Bad
 ```yaml
@@ -26,6 +26,9 @@ detector:
         subscription:
           reliability: best_effort
 ```
+
+## When to ignore it
+When the node reads the parameters below `qos_overrides` itself. rcl does not apply the reported ones.
 
 ## References
 - rclcpp, `QosOverridingOptions`
@@ -70,15 +73,15 @@ def _wrong(parts, parameter):
     topic = parts[0]
     if not topic.startswith("/"):
         return (
-            f"The QoS override for '{topic}' is ignored: the topic must have its full name",
-            "write it with a leading / and its namespace",
+            f"The QoS override for '{topic}' is ignored: the topic needs its full name",
+            "write it with its namespace and a leading /",
             key,
         )
     if len(parts) != 3 or not _ENTITY.match(parts[1]):
         near = nearest(parts[1], ("publisher", "subscription"), 4) if len(parts) == 3 else []
         return (
-            f"The QoS override '{name}' is ignored: it must be topic, publisher or subscription, policy",
-            f"write {near[0]}" if near else "write topic.publisher.policy or topic.subscription.policy",
+            f"The QoS override '{name}' is ignored: it must be topic.publisher.policy or topic.subscription.policy",
+            f"write {near[0]}" if near else "use these three parts",
             key,
         )
     policy = parts[2]
@@ -93,17 +96,21 @@ def _wrong(parts, parameter):
         )
     if policy in _WORDS and str(value.data).lower() not in _WORDS[policy]:
         return (
-            f"'{parameter.text}' is no {policy}: the node ends with an exception",
+            f"'{parameter.text}' is not a valid {policy}: the node exits with an exception",
             f"use {', '.join(_WORDS[policy][:2])}",
             parameter.span,
         )
     if policy in _NUMBERS and value.type != "integer":
         unit = "a number of messages" if policy == "depth" else "nanoseconds"
         return (
-            f"{policy} must be an integer ({unit}): the node ends with an exception",
+            f"{policy} must be an integer ({unit}): the node exits with an exception",
             f"write {unit} as an integer",
             parameter.span,
         )
     if policy == _FLAG and value.type != "bool":
-        return f"{policy} must be true or false: the node ends with an exception", "write true or false", parameter.span
+        return (
+            f"{policy} must be true or false: the node exits with an exception",
+            "write true or false",
+            parameter.span,
+        )
     return "", "", key

@@ -1,10 +1,10 @@
-"""`ros__parameters` stands at the root, without a node name.
+"""`ros__parameters` is at the root, without a node name.
 
 ## What it finds
 A parameter file whose outermost key is `ros__parameters`.
 
 ## Why it matters on a robot
-rcl refuses the file: 'There are no node names before ros__parameters'. Every node that gets it exits at start.
+rcl rejects the file: 'There are no node names before ros__parameters'. Every node that loads it exits at start.
 
 ## Bad
 ```yaml
@@ -18,6 +18,9 @@ ros__parameters:
   ros__parameters:
     rate: 50
 ```
+
+## When to ignore it
+When a script puts the node name above the block before a node loads the file.
 
 ## References
 - rcl_yaml_param_parser, `parse_key`
@@ -36,6 +39,6 @@ def root_ros_parameters(robot: Robot) -> Iterator[Finding]:
     for _, problem in robot.params.problems("no-node-name"):
         yield finding(
             problem.where,
-            "No node name stands above ros__parameters: the process that loads the file exits at start",
+            "There is no node name above ros__parameters: the process that loads the file exits at start",
             advice="put the node name, or '/**' for every node, above it and indent the rest",
         )

@@ -1,11 +1,12 @@
-"""A substitution stands in a parameter file that launch loads as it is.
+"""launch loads a parameter file without resolving its substitutions.
 
 ## What it finds
-`$(env X)`, `$(var x)`, `$(find-pkg-share p)` and the like in the values of a file that launch files of the tree load,
-none of them with `allow_substs`.
+`$(env X)`, `$(var x)`, `$(find-pkg-share p)` and similar substitutions in the values of a file that launch files of
+this tree load, when none of them sets `allow_substs`.
 
 ## Why it matters on a robot
-Nobody fills it in. The node gets the text '$(find-pkg-share my_robot)/map.yaml' and finds no such file.
+Nothing replaces the substitution. The node gets the text '$(find-pkg-share my_robot)/map.yaml' and finds no such
+file.
 
 ## Bad
 ```python
@@ -16,6 +17,9 @@ Node(package='demo', executable='map', name='map', parameters=['config/map.yaml'
 ```python
 Node(package='demo', executable='map', name='map', parameters=[ParameterFile('config/map.yaml', allow_substs=True)])
 ```
+
+## When to ignore it
+When the node itself resolves the substitution, or a build step resolves it before the file is installed.
 
 ## References
 - https://github.com/ros2/launch_ros/issues/96
@@ -52,7 +56,7 @@ def substitution_without_allow_substs(robot: Robot) -> Iterator[Finding]:
             if found:
                 yield finding(
                     item.span,
-                    f"The node gets the literal text '{found[0]}' for '{parameter.name}': launch does not fill it in",
+                    f"The node gets the literal text '{found[0]}' for '{parameter.name}': launch does not resolve it",
                     advice='load the file with ParameterFile(path, allow_substs=True), in XML with allow_substs="true"',
                     chain=robot.provenance.chain_to_load(loads[0], note(item.span, f"{found[0]} is left as it is")),
                     related=[note(loads[0].where, "loaded here, without substitutions")],

@@ -1,12 +1,12 @@
 """use_sim_time is not a boolean.
 
 ## What it finds
-`use_sim_time` with quotes, or as a number, in parameter files. Files only for composable nodes pass: launch reads the
-text once more.
+`use_sim_time` as a quoted string or as a number in parameter files. Files that are only for composable nodes are
+not reported: launch parses the text again.
 
 ## Why it matters on a robot
-The node's clock refuses the value: it logs an error and stays on wall time while the others follow the simulation, or
-it ends with an exception.
+The node's clock rejects the value. The node logs an error and stays on wall time while the others follow the
+simulation, or it exits with an exception.
 
 ## Bad
 ```yaml
@@ -21,6 +21,9 @@ it ends with an exception.
   ros__parameters:
     use_sim_time: true
 ```
+
+## When to ignore it
+Never: rclcpp and rclpy accept only a boolean.
 
 ## References
 - rclcpp, `TimeSource`: "Invalid type ... for parameter 'use_sim_time', should be 'bool'"
@@ -58,7 +61,7 @@ def use_sim_time_not_bool(robot: Robot) -> Iterator[Finding]:
         plain = _PLAIN.get(str(value.data).strip().lower())
         yield finding(
             parameter.span,
-            f"use_sim_time is the {value.type.replace('_', ' ')} {parameter.text}, not a boolean: the node refuses "
+            f"use_sim_time is the {value.type.replace('_', ' ')} {parameter.text}, not a boolean: the node rejects "
             "it and stays on wall time",
             advice=f"write {plain or 'true or false'}",
             fix=fix(f"Write {plain}", (parameter.span, plain)) if plain else None,

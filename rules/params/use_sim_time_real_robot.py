@@ -1,11 +1,12 @@
-"""A real robot waits for the time of a simulation.
+"""A real robot waits for a simulated clock.
 
 ## What it finds
-`use_sim_time: true` in a file that the bring-up of a robot loads, when everything the launch file starts is known and
-none of it simulates or sets the parameter again. Files and launch files for simulation, tests and recordings pass.
+`use_sim_time: true` in a file that the bring-up of a robot loads. Reported only when everything that the launch
+file starts is known, and none of it simulates or sets the parameter again. Files for simulation, tests and
+recordings are not reported.
 
 ## Why it matters on a robot
-Nobody publishes /clock: the time stays at zero and timers never fire. The nodes run and do nothing.
+Nothing publishes /clock: the time stays at zero, and timers never fire. The nodes run and do nothing.
 
 ## Bad
 ```yaml
@@ -20,6 +21,9 @@ Nobody publishes /clock: the time stays at zero and timers never fire. The nodes
   ros__parameters:
     use_sim_time: false
 ```
+
+## When to ignore it
+When a program outside this tree publishes /clock on the robot, for example a hardware-in-the-loop bench.
 
 ## References
 - https://github.com/ros2/rclcpp/issues/940
@@ -40,8 +44,8 @@ def use_sim_time_real_robot(robot: Robot) -> Iterator[Finding]:
     for found in robot.params.simulated:
         yield finding(
             found.parameter.span,
-            f"No /clock is published on the robot: the time of {found.load.node.label()} stays at zero, its timers "
-            "never fire",
+            f"Nothing publishes /clock on the robot: the time of {found.load.node.label()} stays at zero "
+            "and its timers never fire",
             advice="write false",
             related=[note(found.load.node.span, "gets the value here")],
             chain=robot.provenance.chain_to_load(found.load, note(found.parameter.span, "the node waits for /clock")),

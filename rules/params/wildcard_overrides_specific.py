@@ -1,11 +1,11 @@
-"""A wildcard block takes back what a specific block sets.
+"""A wildcard block overrides the block of a specific node.
 
 ## What it finds
-A block with a wildcard (`/**`) behind the block of a node that it also matches, with another value for a parameter of
-it.
+A block with a wildcard (`/**`) after the block of a node that it also matches, with a different value for one of
+the parameters.
 
 ## Why it matters on a robot
-The last matching block counts, not the most specific one: the node runs with the general value.
+The last matching block applies, not the most specific one: the node runs with the general value.
 
 ## Bad
 ```yaml
@@ -22,6 +22,9 @@ motors:
 motors:
   ros__parameters: {rate: 50}
 ```
+
+## When to ignore it
+When the wildcard block is meant as an override for all nodes, for example in a file for a test bench.
 
 ## References
 - rclcpp, `parameter_map_from`
@@ -45,5 +48,5 @@ def wildcard_overrides_specific(robot: Robot) -> Iterator[Finding]:
                 f"'{general.block.name}' comes last and sets '{general.name}' of {specific.block.name} to "
                 f"{general.text} instead of {specific.text}",
                 advice=f"move the block '{general.block.name}' to the top of the file",
-                related=[note(specific.key, "the value that is lost")],
+                related=[note(specific.key, "this value is lost")],
             )

@@ -4,7 +4,7 @@
 `0o10`, `0b11` and `1_000` without quotes.
 
 ## Why it matters on a robot
-rcl takes them as strings. A node that declares a number refuses the value and ends.
+rcl reads them as strings. A node that declares a number rejects the value and exits.
 
 ## Bad
 ```yaml
@@ -19,6 +19,9 @@ motors:
   ros__parameters:
     baudrate: 115200
 ```
+
+## When to ignore it
+When the node declares a string and parses the number itself, in a place that the linter does not see.
 
 ## References
 - rcl_yaml_param_parser, `get_value`

@@ -116,7 +116,7 @@ def blocking(ending: Ending, cls: NodeClass) -> Iterator[Blocking]:
 
 def _blocks(ending: Ending, node: ast.AST, cls: NodeClass) -> tuple[str, str] | None:
     if isinstance(node, ast.While):
-        return ("'while True'", "for ever") if _never_ends(node) else None
+        return ("'while True'", "forever") if _never_ends(node) else None
     if not isinstance(node, ast.Call) or any(isinstance(above, ast.Await) for above, _ in _next(ending, node)):
         return None
     name = ending.syntax.qualified(node)
@@ -184,7 +184,7 @@ def _open(ending: Ending, call: ast.Call, name: str) -> tuple[str, str]:
     seconds = ending.file.constant(given, ending.syntax.function(call)) if given is not None else None
     if isinstance(seconds, (int, float)):
         return name, f"for up to {seconds:g} s"
-    return name, "until the other side answers" if given is not None else "for ever when the other side is silent"
+    return name, "until the other side answers" if given is not None else "forever when the other side is silent"
 
 
 def _has(call: ast.Call, keyword: str) -> bool:
@@ -278,7 +278,7 @@ class Waiting(NamedTuple):
 
 
 def waits(ending: Ending, cls: NodeClass) -> Iterator[Waiting]:
-    """The waits for a service that may last for ever."""
+    """The waits for a service that may last forever."""
     init = cls.methods.get("__init__")
     places = [("__init__", body_of(init.node))] if init is not None else []
     places += [code_of(ending, cls, callback) for callback in cls.callbacks]

@@ -18,20 +18,20 @@ def complaint(name: str) -> str | None:
         return "it is empty"
     good = _ALLOWED.match(name).end()
     if good < len(name):
-        return f"it holds {name[good]!r}"
+        return f"it contains {name[good]!r}"
     if name.endswith("/"):
         return "it ends with '/'"
     bare = _SUBSTITUTION.sub("", name)
     if "{" in bare or "}" in bare:
-        return "its braces are no substitution"
+        return "its braces are not a substitution"
     if any(word[:1].isdigit() for word in _SUBSTITUTION.findall(name)):
-        return "its braces hold a digit first"
+        return "the name in its braces begins with a digit"
     if _LEADING_DIGIT.search(name):
         return "one of its parts begins with a digit"
     if name.startswith("~") and len(name) > 2 and name[1] != "/":
         return "'~' is not followed by '/'"
     if "~" in name[1:]:
-        return "'~' is not at its beginning"
+        return "'~' is not at the beginning"
     return None
 
 
@@ -48,13 +48,13 @@ def full_complaint(name: str) -> str | None:
         return "it ends with '/'"
     bad = re.search(r"[^A-Za-z0-9_/]", name)
     if bad:
-        return f"it holds {bad[0]!r}"
+        return f"it contains {bad[0]!r}"
     if "//" in name:
-        return "it holds '//'"
+        return "it contains '//'"
     if _LEADING_DIGIT.search(name):
         return "one of its parts begins with a digit"
     if len(name) > LONGEST:
-        return f"it has {len(name)} characters, {LONGEST} are allowed"
+        return f"it has {len(name)} characters, but only {LONGEST} are allowed"
     return None
 
 
@@ -64,7 +64,7 @@ def refusal(name: str) -> str | None:
         return complaint(name)
     unknown = unknown_substitution(name)
     if unknown is not None:
-        return f"'{unknown}' is no substitution"
+        return f"'{unknown}' is not a substitution"
     full = expand(name, "n", "/")
     return full_complaint(full) if full is not None else None
 

@@ -58,7 +58,7 @@ def test_odd_names_that_are_taken(name: str) -> None:
 
 
 def test_repeated_slashes_fail_only_when_expanded() -> None:
-    assert full_complaint("/a//b") == "it holds '//'"
+    assert full_complaint("/a//b") == "it contains '//'"
 
 
 def test_a_rule_for_another_node_does_not_count() -> None:
