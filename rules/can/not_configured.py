@@ -1,13 +1,13 @@
-"""A CAN interface that is used gets no bit rate.
+"""No bit rate is set for a CAN interface.
 
 ## What it finds
-A `.network` file with a [CAN] section that has no [Match], or no `BitRate=`. In a whole root file system
-also: a `canN` that a unit, environment file, launch file or parameter file names as its CAN interface,
-while no `.network` file, script or unit sets its bit rate.
+A `.network` file with a [CAN] section that has no [Match] section or no `BitRate=`. In a whole root file system
+also a `canN` that a unit, environment file, launch file or parameter file names as its CAN interface, when no
+`.network` file, script or unit sets its bit rate.
 
 ## Why it matters on a robot
-A CAN interface without bit rate cannot be brought up: `RTNETLINK answers: Invalid argument`, and the motor
-driver does not start. networkd ignores a file without [Match].
+A CAN interface without a bit rate cannot be brought up: `RTNETLINK answers: Invalid argument`, and the motor driver
+does not start. networkd ignores a file without [Match].
 
 ## Bad
 ```ini
@@ -23,6 +23,9 @@ Name=can0
 [CAN]
 BitRate=500K
 ```
+
+## When to ignore it
+When a program of the vendor, which is not in the tree, sets the bit rate before the driver starts.
 
 ## References
 - systemd.network(5), "[CAN] Section Options"
@@ -45,14 +48,14 @@ def not_configured(robot: Robot) -> Iterator[Finding]:
         if not file.matches:
             yield finding(
                 file.header,
-                "networkd ignores this file: it has no [Match] that names an interface",
+                "networkd ignores this file: it has no [Match] section that names an interface",
                 advice="add [Match] with Name=can0",
             )
         elif not file.has_bit_rate:
             yield finding(
                 file.header,
                 "The CAN interface gets no bit rate and cannot be brought up",
-                advice="add BitRate=500K, or what the bus has",
+                advice="add BitRate=500K, or the bit rate of your bus",
             )
     for name, place in robot.can.unconfigured:
         yield finding(

@@ -1,13 +1,14 @@
 """A unit may start before its CAN interface exists.
 
 ## What it finds
-A service that names a `canN` on its command line or in its environment, without `After=` or `BindsTo=` on
-the device unit `sys-subsystem-net-devices-canN.device`, on the networkd waiter of that interface, or on a
-unit of the tree that sets it up. A unit that sets up the interface itself is left alone.
+A service that names a `canN` on its command line or in its environment without waiting for it. It needs `After=` or
+`BindsTo=` on the device unit `sys-subsystem-net-devices-canN.device`, on the networkd-wait-online instance of that
+interface, or on a unit of the tree that sets the interface up. A unit that sets up the interface itself is not
+reported.
 
 ## Why it matters on a robot
-USB adapters and MCP2515 hats come seconds after multi-user.target begins. The driver fails with `No such
-device`, and with two adapters it may open the wrong one.
+USB adapters and MCP2515 boards appear seconds after the boot begins to start services. The driver fails with `No
+such device`, and with two adapters it may open the wrong one.
 
 ## Bad
 ```ini
@@ -21,6 +22,9 @@ ExecStart=/opt/robot/drive --can can0
 BindsTo=sys-subsystem-net-devices-can0.device
 After=sys-subsystem-net-devices-can0.device
 ```
+
+## When to ignore it
+When the driver itself waits for the interface and opens it again after an error.
 
 ## References
 - systemd.device(5)

@@ -1,8 +1,8 @@
-"""ROS services of one file are in networks that do not reach each other.
+"""ROS services of one compose file cannot reach each other.
 
 ## What it finds
-A ROS service on a bridge network while another ROS service of the same file has `network_mode: host`,
-without a discovery server or Zenoh; and `ports:` beside `network_mode: host`, which Docker ignores.
+A ROS service on a bridge network while another ROS service of the same file has `network_mode: host`, without a
+discovery server, static peers or Zenoh. Also `ports:` together with `network_mode: host`, which Docker ignores.
 
 ## Why it matters on a robot
 Multicast discovery does not leave the bridge: the two halves of the robot never see each other's nodes.
@@ -18,6 +18,9 @@ slam: {image: ros:jazzy}
 nav:  {image: ros:jazzy, network_mode: host}
 slam: {image: ros:jazzy, network_mode: host}
 ```
+
+## When to ignore it
+When the service on the bridge only talks to others over HTTP or another protocol, not over ROS topics.
 
 ## References
 - https://github.com/ros2/ros2/issues/1318
@@ -58,7 +61,7 @@ def _apart(robot, services):
             continue
         yield finding(
             service.name,
-            f"'{service.name}' is on a bridge network, '{host[0].name}' on the host's: they never meet",
+            f"'{service.name}' is on a bridge network, '{host[0].name}' on the host's: they never find each other",
             advice="use network_mode: host in both, or a discovery server",
             related=[note(host[0].key("network_mode"), f"'{host[0].name}' is on the host network")],
         )

@@ -1,10 +1,10 @@
 """A container keeps the default capabilities.
 
 ## What it finds
-A service without `cap_drop: [ALL]`. Privileged services have a rule of their own.
+A service without `cap_drop: [ALL]`. Privileged services are reported by `compose/privileged`.
 
 ## Why it matters on a robot
-The default set allows raw sockets, changing owners and more. Few nodes need any of it.
+The default set allows raw sockets, changing the owner of files and more. Few nodes need any of it.
 
 ## Bad
 ```yaml
@@ -18,6 +18,9 @@ driver:
   image: robot/driver:1.2
   cap_drop: [ALL]
 ```
+
+## When to ignore it
+When the service needs most of the default capabilities, for example a container that installs packages at run time.
 
 ## References
 - robotics-security guide, container hardening
@@ -40,5 +43,5 @@ def cap_drop_missing(robot: Robot) -> Iterator[Finding]:
             yield finding(
                 service.name,
                 f"Service '{service.name}' keeps Docker's default capabilities",
-                advice="add cap_drop: [ALL], and cap_add for what it needs",
+                advice="add cap_drop: [ALL], and cap_add for the capabilities that it needs",
             )

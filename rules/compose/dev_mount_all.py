@@ -1,12 +1,12 @@
 """A container sees every device of the host.
 
 ## What it finds
-`/dev` as a volume or device together with `privileged: true`, or without `device_cgroup_rules`. With rules
-for the majors that are needed, `/dev` is the right way to survive a replug.
+`/dev` as a volume or device together with `privileged: true`, or without `device_cgroup_rules`. With rules for the
+required major numbers, mounting `/dev` is the right way to survive a replug, and is not reported.
 
 ## Why it matters on a robot
-The node can write the disks and the watchdog. Without privileges and rules it is the other way round: the
-nodes are there, and opening them fails with EPERM.
+A privileged node can write to the disks and the watchdog. Without privileges and rules the device nodes are
+visible, but opening them fails with EPERM.
 
 ## Bad
 ```yaml
@@ -19,6 +19,9 @@ privileged: true
 volumes: [/dev:/dev]
 device_cgroup_rules: ["c 188:* rmw", "c 166:* rmw"]
 ```
+
+## When to ignore it
+When a service for maintenance, which does not run in operation, must see every device.
 
 ## References
 - Docker documentation, device cgroup rules
@@ -42,5 +45,5 @@ def dev_mount_all(robot: Robot) -> Iterator[Finding]:
             yield finding(
                 mounts[0],
                 f"Service '{service.name}' gets the whole /dev of the host, {limits}",
-                advice='drop privileged; add device_cgroup_rules for what it needs: "c 188:* rmw" for ttyUSB',
+                advice='remove privileged; add device_cgroup_rules for the devices it needs: "c 188:* rmw" for ttyUSB',
             )

@@ -1,12 +1,12 @@
-"""devices: pins a device that may be plugged anew.
+"""A device that can be replugged is pinned in devices:.
 
 ## What it finds
-A USB serial device in `devices:` of a service with a restart policy. UARTs on the board (`ttyAMA`, `ttyS`,
-`ttyTHS`), i2c, gpio and spi do not come and go.
+A USB serial device in `devices:` of a service with a restart policy. On-board UARTs (`ttyAMA`, `ttyS`, `ttyTHS`),
+i2c, gpio and spi cannot be unplugged and are not reported.
 
 ## Why it matters on a robot
-Docker resolves the path once, when the container is made. After a replug the container has a dead node, and
-when the device is missing at boot it cannot start at all: `error gathering device information`.
+Docker resolves the path once, when it creates the container. After a replug the container holds a dead device node.
+If the device is missing at boot, the container cannot start at all: `error gathering device information`.
 
 ## Bad
 ```yaml
@@ -20,6 +20,9 @@ volumes: [/dev:/dev]
 device_cgroup_rules: ["c 188:* rmw", "c 166:* rmw"]
 restart: unless-stopped
 ```
+
+## When to ignore it
+When the device is fixed inside the robot and never loses power separately.
 
 ## References
 - https://github.com/moby/moby/issues/46608, https://github.com/moby/moby/issues/35359

@@ -1,11 +1,11 @@
 """A container controls the Docker daemon.
 
 ## What it finds
-A volume of `docker.sock`. Read-only makes no difference: requests are written to the socket, not to the
+A volume of `docker.sock`. A read-only mount makes no difference: requests are written to the socket, not to the
 file.
 
 ## Why it matters on a robot
-Whoever is in the container can start another one that mounts the host's root file system: it is root on the
+Anybody in the container can start another container that mounts the host's root file system, and so is root on the
 robot.
 
 ## Bad
@@ -18,6 +18,9 @@ volumes:
 ```yaml
 # nothing: no service needs the socket to drive a robot
 ```
+
+## When to ignore it
+When the service is the fleet's own update agent and nothing else runs in its container.
 
 ## References
 - robotics-security guide, container hardening

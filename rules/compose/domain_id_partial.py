@@ -1,12 +1,12 @@
-"""Only some ROS services set the domain or the RMW.
+"""Only some ROS services set the domain or the middleware.
 
 ## What it finds
-`ROS_DOMAIN_ID` or `RMW_IMPLEMENTATION` in some ROS services of a file, while another ROS service, of the
-same image or of an official ROS image, sets neither it nor an env file.
+`ROS_DOMAIN_ID` or `RMW_IMPLEMENTATION` in some ROS services of a file, while another ROS service sets neither the
+variable nor an env file. Only services with the same image or an official ROS image are compared.
 
 ## Why it matters on a robot
-Nodes of different domains never meet, and those of different RMWs meet only by luck. The service without
-the variable runs in domain 0 with the default RMW.
+Nodes in different domains never see each other, and nodes with different middlewares do so only by luck. The
+service without the variable runs in domain 0 with the default middleware.
 
 ## Bad
 ```yaml
@@ -21,6 +21,9 @@ services:
   nav:  {image: ros:jazzy, environment: *ros}
   slam: {image: ros:jazzy, environment: *ros}
 ```
+
+## When to ignore it
+When the service is in another domain on purpose, for example a simulator or a bridge.
 
 ## References
 - https://github.com/hucebot/g1pilot/issues/30
@@ -52,8 +55,8 @@ def domain_id_partial(robot: Robot) -> Iterator[Finding]:
                     continue
                 yield finding(
                     service.name,
-                    f"Service '{service.name}' has no {name}, '{first.name}' uses {value}",
-                    advice="give all of them one env_file, or a common anchor",
+                    f"Service '{service.name}' has no {name}, but '{first.name}' uses {value}",
+                    advice="give all of them the same env_file or a common anchor",
                     related=[note(value, f"set for '{first.name}'")],
                 )
 

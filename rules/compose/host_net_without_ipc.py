@@ -1,13 +1,13 @@
 """Containers on the host network do not share memory.
 
 ## What it finds
-Two or more ROS services with `network_mode: host` and Fast DDS, of which one has neither `ipc: host` nor a
-common `/dev/shm`, or whose `ipc` modes differ. A transport profile or `FASTDDS_BUILTIN_TRANSPORTS` may
-switch shared memory off: then nothing is said. Where all of them name Fast DDS, `fastdds/shm-docker` says it.
+Two or more ROS services with `network_mode: host` and Fast DDS, when one of them has neither `ipc: host` nor a
+shared `/dev/shm`. Silent if a transport profile or `FASTDDS_BUILTIN_TRANSPORTS` may disable shared memory. If every
+service selects Fast DDS explicitly, `fastdds/shm-docker` reports the problem.
 
 ## Why it matters on a robot
-On the host network the containers take each other for processes of one machine, and Fast DDS sends through
-shared memory that the other cannot see: `ros2 topic list` shows everything, `ros2 topic echo` nothing.
+On the host network the containers look like processes of one machine. Fast DDS sends through shared memory that the
+other container cannot see: `ros2 topic list` shows everything, `ros2 topic echo` nothing.
 
 ## Bad
 ```yaml
@@ -20,6 +20,9 @@ slam:  {image: ros:jazzy, network_mode: host}
 nav:   {image: ros:jazzy, network_mode: host, ipc: host}
 slam:  {image: ros:jazzy, network_mode: host, ipc: host}
 ```
+
+## When to ignore it
+When the image itself contains a Fast DDS profile without shared memory.
 
 ## References
 - https://github.com/eProsima/Fast-DDS/issues/2956, https://github.com/ros2/rmw_fastrtps/issues/812
@@ -54,8 +57,8 @@ def host_net_without_ipc(robot: Robot) -> Iterator[Finding]:
             other = next(each for each in services if each is not service)
             yield finding(
                 service.key("network_mode"),
-                f"'{service.name}' shares the network with '{other.name}', but no memory: no data arrives",
-                advice="give all of them ipc: host and one user, or use a profile without shared memory",
+                f"'{service.name}' shares the network with '{other.name}' but not its memory: no data arrives",
+                advice="give all of them ipc: host and the same user, or use a profile without shared memory",
                 related=[note(other.key("network_mode"), f"'{other.name}' is on the host network too")],
             )
 

@@ -1,11 +1,10 @@
 """A container can change the SROS2 keystore.
 
 ## What it finds
-A keystore (the target of `ROS_SECURITY_KEYSTORE`, or a path with `keystore` in it) that is mounted without
-`ro`.
+A keystore (the target of `ROS_SECURITY_KEYSTORE`, or a path with `keystore` in it) that is mounted without `ro`.
 
 ## Why it matters on a robot
-A node only reads its enclave. With write access an intruder replaces the permissions of every other node.
+A node only reads its enclave. With write access an intruder can replace the permissions of every other node.
 
 ## Bad
 ```yaml
@@ -18,6 +17,9 @@ volumes:
 volumes:
   - /opt/robot/keystore/enclaves/robot/nav:/keystore/enclaves/robot/nav:ro
 ```
+
+## When to ignore it
+When the service creates or renews the keys and no ROS node runs in it.
 
 ## References
 - robotics-security guide, container hardening

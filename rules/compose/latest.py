@@ -1,12 +1,12 @@
 """An image is not pinned.
 
 ## What it finds
-An `image:` without tag, or with `:latest`, that the same service does not build. Digests and variables are
-fine.
+An `image:` without a tag, or with `:latest`, that the same service does not build. Digests and variables are not
+reported.
 
 ## Why it matters on a robot
-The next `docker compose pull` brings another ROS, another driver or another message definition to one robot
-of the fleet, and nothing in the repository has changed.
+The next `docker compose pull` brings another ROS, another driver or another message definition to one robot of the
+fleet, although nothing in the repository has changed.
 
 ## Bad
 ```yaml
@@ -19,6 +19,9 @@ nav:
 nav:
   image: robot/nav:2.3.1
 ```
+
+## When to ignore it
+When the file is only for development, and the robots run a pinned image.
 
 ## References
 - robotics-security guide, container hardening

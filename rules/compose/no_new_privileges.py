@@ -1,7 +1,8 @@
-"""A container may gain privileges.
+"""A container can gain privileges.
 
 ## What it finds
-A service whose `security_opt` lacks `no-new-privileges:true`.
+A service whose `security_opt` does not contain `no-new-privileges:true`. Privileged services are reported by
+`compose/privileged`.
 
 ## Why it matters on a robot
 A setuid program in the image makes an intruder root in the container.
@@ -18,6 +19,9 @@ driver:
   image: robot/driver:1.2
   security_opt: ["no-new-privileges:true"]
 ```
+
+## When to ignore it
+When a program in the container needs setuid, such as `sudo` or `ping` without capabilities.
 
 ## References
 - robotics-security guide, container hardening
@@ -44,9 +48,9 @@ def no_new_privileges(robot: Robot) -> Iterator[Finding]:
         ):
             yield finding(
                 service.name,
-                f"Service '{service.name}' may gain privileges through setuid programs",
+                f"Service '{service.name}' can gain privileges through setuid programs",
                 advice='add security_opt: ["no-new-privileges:true"]',
-                fix=fix("add it", first_key(service.body, 'security_opt: ["no-new-privileges:true"]'))
+                fix=fix("add no-new-privileges", first_key(service.body, 'security_opt: ["no-new-privileges:true"]'))
                 if service.key("security_opt") is None
                 else None,
             )

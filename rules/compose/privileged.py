@@ -1,11 +1,11 @@
-"""A privileged container.
+"""A container is privileged.
 
 ## What it finds
 `privileged: true`.
 
 ## Why it matters on a robot
-The container may do everything on the host: load modules, write every disk, read every key. A flaw in one
-node is the robot.
+The container can do everything on the host: load modules, write to every disk, read every key. A flaw in one node
+compromises the robot.
 
 ## Bad
 ```yaml
@@ -21,6 +21,9 @@ driver:
   devices: [/dev/robot/lidar]
   cap_add: [SYS_NICE]
 ```
+
+## When to ignore it
+When the service is a tool for commissioning that never runs in operation.
 
 ## References
 - robotics-security guide, container hardening
@@ -42,5 +45,5 @@ def privileged(robot: Robot) -> Iterator[Finding]:
             yield finding(
                 service.key("privileged"),
                 f"Service '{service.name}' has all rights on the host",
-                advice="name what it needs: devices:, device_cgroup_rules:, cap_add:",
+                advice="list what it needs instead: devices:, device_cgroup_rules:, cap_add:",
             )

@@ -1,11 +1,11 @@
 """A container's file system is writable.
 
 ## What it finds
-A service without `read_only: true`.
+A service without `read_only: true`. Privileged services are reported by `compose/privileged`.
 
 ## Why it matters on a robot
-What an intruder or a bug writes into the container stays there until it is made anew; logs and cores fill
-the disk.
+Anything that an intruder or a bug writes into the container stays there until the container is created again. Logs
+and core dumps fill the disk.
 
 ## Bad
 ```yaml
@@ -19,6 +19,9 @@ driver:
   image: robot/driver:1.2
   read_only: true
 ```
+
+## When to ignore it
+When the program must write to many places of its image, and the container is created again at every start.
 
 ## References
 - robotics-security guide, container hardening

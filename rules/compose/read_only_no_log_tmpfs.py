@@ -1,12 +1,12 @@
 """ROS cannot write its logs in a read-only container.
 
 ## What it finds
-A ROS service with `read_only: true` whose log directory (`ROS_LOG_DIR`, else `ROS_HOME` or `HOME`) lies on
-no tmpfs and no writable volume.
+A ROS service with `read_only: true` whose log directory (`ROS_LOG_DIR`, or else `ROS_HOME` or `HOME`) is on neither
+a tmpfs nor a writable volume.
 
 ## Why it matters on a robot
-Every node makes its log file at start, and fails when it cannot: `Failed to initialize logging`, and the
-container restarts for ever.
+Every node creates its log file at start and fails if it cannot: `Failed to initialize logging`. The container
+restarts forever.
 
 ## Bad
 ```yaml
@@ -24,6 +24,9 @@ nav:
   tmpfs: [/var/log/ros]
   environment: {ROS_LOG_DIR: /var/log/ros}
 ```
+
+## When to ignore it
+When the image sets `ROS_LOG_DIR` to a writable path in a way that the compose file does not show.
 
 ## References
 - robotics-security guide, container hardening

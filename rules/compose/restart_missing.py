@@ -1,8 +1,7 @@
 """Nothing restarts a ROS container.
 
 ## What it finds
-A ROS service without restart policy. Services in a profile, or that say `restart: "no"`, are meant to be
-so.
+A ROS service without a restart policy. Services in a profile, and services with `restart: "no"`, are not reported.
 
 ## Why it matters on a robot
 After a crash, or after a reboot of the robot, the container stays down.
@@ -19,6 +18,9 @@ nav:
   image: ros:jazzy
   restart: unless-stopped
 ```
+
+## When to ignore it
+When a systemd unit starts and restarts the service, or when it runs once and exits.
 
 ## References
 - robot-bringup guide, checklist

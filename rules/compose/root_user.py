@@ -1,12 +1,12 @@
 """A service runs as root.
 
 ## What it finds
-`user: root` or `user: "0"`; no `user:` for an image that certainly has none: an official ROS image, or one
-that a Dockerfile of the tree builds without USER. For other images as info.
+`user: root` or `user: "0"`. Also a service without `user:` whose image certainly runs as root: an official ROS
+image, or one that a Dockerfile of the tree builds without USER. Other images without `user:` are info.
 
 ## Why it matters on a robot
-Files on bind mounts become root's, shared memory of another user is not readable (topics are listed, no
-data arrives), and an intruder is root in the container.
+Files on bind mounts belong to root. Shared memory of another user is not readable: topics are listed, but no data
+arrives. An intruder is root in the container.
 
 ## Bad
 ```yaml
@@ -20,6 +20,9 @@ nav:
   image: ros:jazzy
   user: "1000:1000"
 ```
+
+## When to ignore it
+When the entrypoint of the image starts as root and then switches to another user.
 
 ## References
 - robotics-security guide, container hardening
@@ -51,7 +54,7 @@ def root_user(robot: Robot) -> Iterator[Finding]:
             certain = known is not None
             yield finding(
                 service.name,
-                f"Service '{service.name}' runs as root" if certain else f"Service '{service.name}' names no user",
-                advice='add user: "1000:1000", or USER to the Dockerfile',
+                f"Service '{service.name}' runs as root" if certain else f"Service '{service.name}' sets no user",
+                advice='add user: "1000:1000" here, or USER to the Dockerfile',
                 severity=None if certain else "info",
             )

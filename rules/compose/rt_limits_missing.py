@@ -1,12 +1,11 @@
 """A real-time controller in a container cannot get its priority.
 
 ## What it finds
-A service that starts `ros2_control_node` without `ulimits: rtprio` and `cap_add: SYS_NICE`. A privileged
-service has the capability.
+A service that starts `ros2_control_node` with neither `ulimits: rtprio` nor `cap_add: SYS_NICE`. A privileged
+service has the capability and is not reported.
 
 ## Why it matters on a robot
-`pthread_setschedparam` fails, the control loop runs as an ordinary process and misses its period under
-load.
+`pthread_setschedparam` fails. The control loop runs as an ordinary process and misses its period under load.
 
 ## Bad
 ```yaml
@@ -21,6 +20,9 @@ control:
   ulimits: {rtprio: 99, memlock: -1}
   cap_add: [SYS_NICE]
 ```
+
+## When to ignore it
+When the controller is slow enough for ordinary scheduling, such as 50 Hz for a demonstration without real motors.
 
 ## References
 - ros2_control documentation, "Determinism"
@@ -44,6 +46,6 @@ def rt_limits_missing(robot: Robot) -> Iterator[Finding]:
         if word is not None and not service.is_privileged and not limited and not may:
             yield finding(
                 word,
-                f"'{service.name}' cannot get a real-time priority: no rtprio limit, no SYS_NICE",
+                f"'{service.name}' cannot get a real-time priority: it has neither an rtprio limit nor SYS_NICE",
                 advice="add ulimits: {rtprio: 99, memlock: -1} and cap_add: [SYS_NICE]",
             )

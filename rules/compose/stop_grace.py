@@ -1,11 +1,11 @@
-"""docker kills the container before launch has stopped its nodes.
+"""Docker kills the container before launch has stopped its nodes.
 
 ## What it finds
-A service that runs `ros2 launch` with a `stop_grace_period` below 15 seconds, or none (10 seconds).
+A service that runs `ros2 launch` with a `stop_grace_period` below 15 seconds, or without one (10 seconds).
 
 ## Why it matters on a robot
-`ros2 launch` gives its nodes 5 seconds after SIGINT and 5 more after SIGTERM before it kills them. Docker's
-10 seconds are over before that is done.
+`ros2 launch` gives its nodes 5 seconds after SIGINT and 5 more after SIGTERM before it kills them. Docker's 10
+seconds are over before that ends.
 
 ## Bad
 ```yaml
@@ -19,6 +19,9 @@ nav:
   command: ros2 launch nav nav.launch.py
   stop_grace_period: 20s
 ```
+
+## When to ignore it
+When all nodes stop within a second or two and you have measured it.
 
 ## References
 - launch, ExecuteProcess: sigterm_timeout and sigkill_timeout
@@ -46,7 +49,7 @@ def stop_grace(robot: Robot) -> Iterator[Finding]:
         given = f"{seconds if text else 10:g} s"
         yield finding(
             text or service.name,
-            f"docker kills '{service.name}' after {given}; ros2 launch may need more to stop its nodes",
+            f"docker kills '{service.name}' after {given}; ros2 launch may need longer to stop its nodes",
             advice="write stop_grace_period: 20s",
             fix=fix("write stop_grace_period: 20s", (text, "20s") if text else add),
         )

@@ -1,12 +1,12 @@
 """docker stop sends SIGTERM to ros2 launch.
 
 ## What it finds
-A service that runs `ros2 launch` without `stop_signal: SIGINT`, unless its Dockerfile is in the tree and
-has `STOPSIGNAL SIGINT`.
+A service that runs `ros2 launch` without `stop_signal: SIGINT`. Silent if its Dockerfile is in the tree and has
+`STOPSIGNAL SIGINT`, and if the service is built from a Dockerfile that is not in the tree.
 
 ## Why it matters on a robot
-On SIGTERM `ros2 launch` ends without stopping its nodes; ten seconds later everything left is killed.
-Drivers do not park motors, bags are not closed.
+On SIGTERM `ros2 launch` exits without stopping its nodes. Ten seconds later Docker kills everything that is left.
+Drivers do not park their motors, and bags are not closed.
 
 ## Bad
 ```yaml
@@ -20,6 +20,9 @@ nav:
   command: ros2 launch nav nav.launch.py
   stop_signal: SIGINT
 ```
+
+## When to ignore it
+When a wrapper in the image translates SIGTERM into SIGINT.
 
 ## References
 - https://github.com/ros2/launch/issues/666
@@ -49,7 +52,7 @@ def stop_signal(robot: Robot) -> Iterator[Finding]:
             continue
         yield finding(
             launch,
-            f"docker stop sends SIGTERM to '{service.name}': ros2 launch leaves its nodes to be killed",
+            f"docker stop sends SIGTERM to '{service.name}': ros2 launch exits before its nodes, and Docker kills them",
             advice="add stop_signal: SIGINT",
             fix=fix("add stop_signal: SIGINT", first_key(service.body, "stop_signal: SIGINT")),
         )

@@ -1,13 +1,19 @@
-"""A device is opened by a number that changes.
+"""A device path contains a number that changes.
 
 ## What it finds
-`/dev/ttyUSB0`, `/dev/ttyACM1`, `/dev/video2` in units, their environment files, compose, launch and parameter files; a
-warning in scripts and shell defaults, for information as the default of a launch argument. On-board ports
-(ttyS, ttyTHS, ttyAMA) and links by id or path pass, and so do files for simulation.
+`/dev/ttyUSB0`, `/dev/ttyACM1`, `/dev/video2` and similar paths. The severity depends on the place:
+
+| place | severity |
+|---|---|
+| unit, environment file of a unit, compose, launch or parameter file | error |
+| script, default value in a shell line | warning |
+| default of a launch argument | info |
+
+On-board ports (ttyS, ttyTHS, ttyAMA), links by id or path, and files for simulation are not reported.
 
 ## Why it matters on a robot
-The numbers follow the order in which devices are found. After a reboot the IMU is ttyUSB1 and the motor
-controller ttyUSB0: each driver talks to the wrong device.
+The numbers follow the order in which devices are found. After a reboot the IMU is ttyUSB1 and the motor controller
+ttyUSB0: each driver talks to the wrong device.
 
 ## Bad
 ```ini
@@ -20,6 +26,9 @@ Environment=IMU_PORT=/dev/ttyUSB0
 [Service]
 Environment=IMU_PORT=/dev/robot/imu
 ```
+
+## When to ignore it
+When the robot has exactly one device of this kind and no free port where a second one could be plugged in.
 
 ## References
 - udev(7), SYMLINK
@@ -44,9 +53,9 @@ def unstable_path(robot: Robot) -> Iterator[Finding]:
         names = " or ".join(link.path for link in links[:3])
         yield finding(
             use.path,
-            f"{use.path} is numbered by order of discovery: after a reboot it may be another device",
-            advice=f"use {names}" if links else "make a link with a udev rule, or use the path below /dev/serial/by-id",
-            related=[note(link.name, f"makes {link.path}") for link in links[:3]],
+            f"{use.path} is numbered in the order of discovery: after a reboot it may be another device",
+            advice=f"use {names}" if links else "create a link with a udev rule, or use a path below /dev/serial/by-id",
+            related=[note(link.name, f"creates {link.path}") for link in links[:3]],
             severity=severity,
             chain=robot.provenance.chain_to(use.path, f"{use.path} is opened"),
         )

@@ -1,12 +1,12 @@
-"""The entrypoint of the ROS image is replaced and nothing sources ROS.
+"""The entrypoint of the ROS image is replaced without sourcing ROS.
 
 ## What it finds
-An ENTRYPOINT on an official ROS image that is not `/ros_entrypoint.sh` and does not source a setup file:
-neither in its words, nor in a script of the tree that it starts, nor through ENV.
+An ENTRYPOINT that starts `ros2` directly on an official ROS image, in a Dockerfile that mentions neither
+`/ros_entrypoint.sh` nor a setup file.
 
 ## Why it matters on a robot
-Without `/ros_entrypoint.sh` the environment is empty: `ros2: command not found`, or nodes that do not find
-their libraries.
+Without `/ros_entrypoint.sh` the environment is empty: `ros2: command not found`, or nodes that do not find their
+libraries.
 
 ## Bad
 ```dockerfile
@@ -19,6 +19,9 @@ ENTRYPOINT ["ros2", "launch", "base", "base.launch.py"]
 FROM ros:jazzy
 ENTRYPOINT ["/ros_entrypoint.sh", "ros2", "launch", "base", "base.launch.py"]
 ```
+
+## When to ignore it
+When the runtime sets the complete ROS environment, for example through an env file of the compose service.
 
 ## References
 - docker-library ros image, ros_entrypoint.sh
@@ -49,5 +52,5 @@ def entrypoint_bypass(robot: Robot) -> Iterator[Finding]:
             yield finding(
                 entrypoint.value,
                 "This replaces /ros_entrypoint.sh: ROS is not sourced in the container",
-                advice='put "/ros_entrypoint.sh" in front',
+                advice='put "/ros_entrypoint.sh" first',
             )

@@ -1,11 +1,10 @@
 """The base image is not pinned.
 
 ## What it finds
-FROM without tag, or with `:latest`. Digests, earlier stages, `scratch` and variables are fine.
+FROM without a tag, or with `:latest`. Digests, earlier stages, `scratch` and variables are not reported.
 
 ## Why it matters on a robot
-The next build takes another Ubuntu, another ROS, another compiler, and nothing in the repository has
-changed.
+The next build uses another Ubuntu, another ROS or another compiler, although nothing in the repository has changed.
 
 ## Bad
 ```dockerfile
@@ -16,6 +15,9 @@ FROM ros
 ```dockerfile
 FROM ros:jazzy-ros-base
 ```
+
+## When to ignore it
+When the image is only for development or CI and should follow the newest base image.
 
 ## References
 - robotics-security guide, container hardening
@@ -40,6 +42,6 @@ def no_pin(robot: Robot) -> Iterator[Finding]:
             if tag in ("", "latest"):
                 yield finding(
                     stage.image,
-                    f"The base image '{image}' is not pinned: the next build may take another one",
+                    f"The base image '{image}' is not pinned: the next build may use another one",
                     advice="name a version tag or a digest",
                 )

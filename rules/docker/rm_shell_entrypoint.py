@@ -1,13 +1,13 @@
-"""The shell is removed that the entrypoint needs.
+"""The image removes a shell that it still needs.
 
 ## What it finds
-A RUN that removes /bin/sh, /bin/bash or /bin/dash in a stage where something still needs it: the
-`/ros_entrypoint.sh` of the ROS images, a CMD or ENTRYPOINT in shell form, or apt and dpkg after the
-removal.
+A RUN that removes /bin/sh, /bin/bash or /bin/dash in a stage where something still needs the shell: the
+`/ros_entrypoint.sh` of the ROS images, a CMD or ENTRYPOINT in shell form, or apt and dpkg after the removal.
 
 ## Why it matters on a robot
-`/ros_entrypoint.sh` is a bash script: the container does not start (`exec /ros_entrypoint.sh: no such file
-or directory`). The maintainer scripts of packages need a shell too, so the same RUN fails in the build.
+`/ros_entrypoint.sh` is a bash script, so the container does not start (`exec /ros_entrypoint.sh: no such file or
+directory`). The maintainer scripts of packages also need a shell, so an apt command after the removal fails in the
+build.
 
 ## Bad
 ```dockerfile
@@ -20,6 +20,9 @@ RUN rm -f /bin/sh /bin/bash /bin/dash && apt-get purge -y apt
 FROM ros:humble-ros-core
 USER robot
 ```
+
+## When to ignore it
+When a later stage, or the deployment, replaces the entrypoint with a binary.
 
 ## References
 - robotics-security guide, container hardening
@@ -52,7 +55,7 @@ def rm_shell_entrypoint(robot: Robot) -> Iterator[Finding]:
                         sh,
                         f"{sh} is removed, but the {command.name} after it needs it: the build fails",
                         advice="keep the shell, or remove it last",
-                        related=[note(command.words[0], "this runs scripts of packages")],
+                        related=[note(command.words[0], "this runs the scripts of packages")],
                     )
                     break
             for shell, what, place in _users(stage):
@@ -61,7 +64,7 @@ def rm_shell_entrypoint(robot: Robot) -> Iterator[Finding]:
                         removed[shell],
                         f"{removed[shell]} is removed, but {what} needs it: the container does not start",
                         advice="keep it, or start a binary with a fixed environment",
-                        related=[note(place, "what starts the container")],
+                        related=[note(place, "this starts the container")],
                     )
                     break
 

@@ -1,13 +1,13 @@
 """The container runs as root.
 
 ## What it finds
-A last stage without USER on an image that certainly runs as root (the official ROS, Ubuntu, Debian and
-Python images), or with `USER root` as its last USER. Builder stages do not count, nor images whose
-entrypoint drops privileges with gosu, su-exec or setpriv.
+A last stage with `USER root` as its last USER, or without USER on an image that certainly runs as root (the
+official ROS, Ubuntu, Debian and Python images). Builder stages are not checked. Files that mention gosu, su-exec,
+setpriv, runuser or fixuid are not reported, because they drop privileges.
 
 ## Why it matters on a robot
-An intruder in one node is root in the container. With another user on the host, Fast DDS's shared memory
-cannot be opened from both sides: topics are listed, no data arrives.
+An intruder in one node is root in the container. If the host uses another user, Fast DDS's shared memory cannot be
+opened from both sides: topics are listed, but no data arrives.
 
 ## Bad
 ```dockerfile
@@ -22,6 +22,9 @@ RUN useradd --system robot
 USER robot
 CMD ["ros2", "launch", "base", "base.launch.py"]
 ```
+
+## When to ignore it
+When every deployment sets `user:` or `--user` for this image.
 
 ## References
 - robotics-security guide, container hardening
@@ -48,10 +51,10 @@ def root_user(robot: Robot) -> Iterator[Finding]:
             continue
         user = stage.last("USER")
         if user is not None and user.value.partition(":")[0] in ("root", "0"):
-            yield finding(user.value, "The container runs as root", advice="end with USER and a user of its own")
+            yield finding(user.value, "The container runs as root", advice="end with USER and an unprivileged user")
         elif user is None and runs_as_root(stage.origin):
             yield finding(
                 stage.start.keyword,
                 f"The container runs as root: {stage.origin} sets no USER, and neither does this file",
-                advice="add a user and USER",
+                advice="create a user and end the file with USER",
             )

@@ -1,13 +1,13 @@
-"""PID 1 is sh: signals do not reach ROS.
+"""PID 1 is a shell, so signals do not reach ROS.
 
 ## What it finds
-CMD or ENTRYPOINT in shell form in an image that runs ROS. `exec` in front of the last command makes it
-right. CMD behind an ENTRYPOINT in JSON form is only its argument and counts too; a CMD that an ENTRYPOINT
-in shell form hides does not.
+CMD or ENTRYPOINT in shell form in an image that runs ROS. The instruction is correct if `exec` precedes the last
+command, and is not reported then. A CMD after an ENTRYPOINT in JSON form is checked too. A CMD that an ENTRYPOINT
+in shell form hides is not.
 
 ## Why it matters on a robot
-Docker runs `/bin/sh -c` and sends the stop signal to it. dash neither passes it on nor replaces itself by
-the command: `ros2 launch` never hears SIGINT and everything is killed after ten seconds.
+Docker runs `/bin/sh -c` and sends the stop signal to it. dash neither forwards the signal nor replaces itself with
+the command: `ros2 launch` never gets SIGINT, and Docker kills everything after ten seconds.
 
 ## Bad
 ```dockerfile
@@ -18,6 +18,9 @@ CMD ros2 launch base base.launch.py
 ```dockerfile
 CMD ["ros2", "launch", "base", "base.launch.py"]
 ```
+
+## When to ignore it
+When the container runs with `--init` and a script that forwards signals, or when its nodes need no clean stop.
 
 ## References
 - Dockerfile reference, "Shell and exec form"

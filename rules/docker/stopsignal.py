@@ -1,12 +1,12 @@
 """docker stop sends SIGTERM to ros2 launch.
 
 ## What it finds
-An image whose CMD or ENTRYPOINT runs `ros2 launch` without `STOPSIGNAL SIGINT`. When compose files of the
-tree build it and all of them set `stop_signal`, nothing is said.
+An image whose CMD or ENTRYPOINT runs `ros2 launch` without `STOPSIGNAL SIGINT`. Silent if compose files of the tree
+build the image and all of them set `stop_signal`.
 
 ## Why it matters on a robot
-On SIGTERM `ros2 launch` ends without stopping its nodes; ten seconds later everything left is killed.
-Drivers do not park motors, bags are not closed.
+On SIGTERM `ros2 launch` exits without stopping its nodes. Ten seconds later Docker kills everything that is left.
+Drivers do not park their motors, and bags are not closed.
 
 ## Bad
 ```dockerfile
@@ -18,6 +18,9 @@ CMD ["ros2", "launch", "base", "base.launch.py"]
 STOPSIGNAL SIGINT
 CMD ["ros2", "launch", "base", "base.launch.py"]
 ```
+
+## When to ignore it
+When the deployment always sets the stop signal, for example with `docker run --stop-signal SIGINT`.
 
 ## References
 - https://github.com/ros2/launch/issues/666
@@ -49,7 +52,7 @@ def stopsignal(robot: Robot) -> Iterator[Finding]:
         here = (source.span(start, start), "STOPSIGNAL SIGINT\n")
         yield finding(
             runs.value,
-            "docker stop sends SIGTERM: ros2 launch leaves its nodes, then everything is killed",
+            "docker stop sends SIGTERM: ros2 launch exits before its nodes, and Docker kills them",
             advice="add STOPSIGNAL SIGINT",
             fix=fix("add STOPSIGNAL SIGINT", here) if stage.last("STOPSIGNAL") is None else None,
         )

@@ -1,12 +1,12 @@
 """uid 1000 is already taken by the user 'ubuntu'.
 
 ## What it finds
-`useradd -u 1000` or `groupadd -g 1000` on an image based on Ubuntu 24.04 (ros:jazzy and later), unless the
-user `ubuntu` is removed before or `-o` allows it twice.
+`useradd -u 1000` or `groupadd -g 1000` on an image based on Ubuntu 23.04 or later (ros:jazzy and later), unless the
+user `ubuntu` is removed or changed first, or `-o` allows the same id twice.
 
 ## Why it matters on a robot
-Since 23.04 the Ubuntu image has a user `ubuntu` with uid and gid 1000: the build that worked for Humble
-stops with `UID 1000 is not unique`.
+Since 23.04 the Ubuntu image has a user `ubuntu` with uid and gid 1000. A build that worked for Humble stops with
+`UID 1000 is not unique`.
 
 ## Bad
 ```dockerfile
@@ -19,6 +19,9 @@ RUN useradd -u 1000 -m robot
 FROM ros:jazzy
 RUN userdel -r ubuntu && useradd -u 1000 -m robot
 ```
+
+## When to ignore it
+When the base image is your own rebuild without the user `ubuntu`, under the name of the official one.
 
 ## References
 - https://bugs.launchpad.net/cloud-images/+bug/2005129
@@ -60,7 +63,7 @@ def uid_1000_conflict(robot: Robot) -> Iterator[Finding]:
                     yield finding(
                         word,
                         f"{kind} 1000 is taken by 'ubuntu' in {stage.origin}: the build stops",
-                        advice="remove that user first (userdel -r ubuntu), or take another id",
+                        advice="remove that user first (userdel -r ubuntu), or use another id",
                     )
 
 

@@ -1,8 +1,8 @@
-"""A name that no environment variable can have.
+"""An environment file sets an invalid variable name.
 
 ## What it finds
-An entry of a file that a unit reads with EnvironmentFile= whose name has other characters than letters,
-digits and _, or starts with a digit.
+An entry of a file that a unit reads with EnvironmentFile= whose name contains other characters than letters, digits
+and `_`, or starts with a digit.
 
 ## Why it matters on a robot
 systemd drops the entry when the process starts, without a message.
@@ -16,6 +16,9 @@ ROS-DOMAIN-ID=42
 ```sh
 ROS_DOMAIN_ID=42
 ```
+
+## When to ignore it
+When only another program reads the entry, such as a script that parses the file itself.
 
 ## References
 - systemd.exec(5), "EnvironmentFile="; environ(7)
@@ -41,6 +44,6 @@ def bad_name(robot: Robot) -> Iterator[Finding]:
             yield finding(
                 name if name else problem.where,
                 f"{shown} is not the name of a variable: systemd drops the entry without a message",
-                advice="use letters, digits and _ only, and no digit in front",
+                advice="use only letters, digits and _, and no digit at the start",
                 related=[note(file.readers[0].value, "the service reads it here")],
             )

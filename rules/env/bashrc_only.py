@@ -1,16 +1,16 @@
-"""A service that counts on .bashrc for its ROS environment.
+"""A service relies on .bashrc for its ROS environment.
 
 ## What it finds
-A service that starts ROS and sources no setup file, but reads a `.bashrc` or `.profile`, or starts its
-shell as a login (`-l`) or interactive (`-i`) one. Also a service of a ROS tree that sources a `.bashrc`,
+A service that starts ROS without a setup file, and instead reads a `.bashrc` or `.profile`, or starts its shell as
+a login (`-l`) or interactive (`-i`) shell. In a ROS tree, every service that sources a `.bashrc` is reported,
 whatever it starts.
 
 ## Why it matters on a robot
-systemd starts no login shell and reads no `.bashrc`. Sourcing it by hand does not help: the `.bashrc` of
-Ubuntu and Debian returns in its first lines unless the shell is interactive, so the lines that `echo … >>
-~/.bashrc` once added are never reached. A login shell reads `.profile`, which sources that same `.bashrc`
-with the same result. `-i` gets through, and drags in prompts, aliases and job control without a terminal.
-The launch works in every terminal and fails as a service.
+systemd does not start a login shell and does not read `.bashrc`. Sourcing it by hand does not help: the `.bashrc`
+of Ubuntu and Debian returns in its first lines unless the shell is interactive, so it never reaches the lines that
+`echo … >> ~/.bashrc` once added. A login shell reads `.profile`, which sources the same `.bashrc` with the same
+result. `-i` works, but brings prompts, aliases and job control without a terminal. The launch works in every
+terminal and fails as a service.
 
 ## Bad
 ```ini
@@ -24,6 +24,10 @@ ExecStart=/bin/bash -c 'source /home/rover/.bashrc && ros2 launch rover_bringup 
 EnvironmentFile=/etc/rover/ros.env
 ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rover_bringup rover.launch.py'
 ```
+
+## When to ignore it
+When the `.bashrc` is your own, has no early return and is installed with the robot. A separate file with a clear
+name is still better.
 
 ## References
 - bash(1), "INVOCATION"
@@ -70,8 +74,8 @@ def bashrc_only(robot: Robot) -> Iterator[Finding]:
 def _message(unit, word, interactive):
     if interactive:
         return (
-            f"{unit.name} takes its ROS environment from an interactive shell's .bashrc: "
-            "prompts, aliases and job control come with it"
+            f"{unit.name} takes its ROS environment from the .bashrc of an interactive shell, "
+            "with its prompts, aliases and job control"
         )
     if word.startswith("-"):
         return (

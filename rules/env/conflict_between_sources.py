@@ -1,13 +1,14 @@
-"""Processes of one robot are set up for different domains or middlewares.
+"""Processes of one robot use different domains or middlewares.
 
 ## What it finds
-ROS_DOMAIN_ID or RMW_IMPLEMENTATION with different values in units that are started together, in services of one compose
-file, or in nodes of their launch files; and a launch file that overrules the value which the unit or service has from
-another file. Values that are not known, a launch file that itself gives its nodes several values, and processes that
-bridge domains are left alone.
+ROS_DOMAIN_ID or RMW_IMPLEMENTATION with different values in units that start together, in services of one compose
+file, or in nodes of their launch files. Also a launch file that overrides the value that the unit or service gets
+from another file. Not reported: unknown values, a launch file that gives its own nodes several values, and
+processes that bridge domains.
 
 ## Why it matters on a robot
-They do not see each other: each part works for itself, topics of the other part are missing without a word.
+The processes do not see each other. Each part works on its own, and the topics of the other part are silently
+missing.
 
 ## Bad
 ```sh
@@ -22,6 +23,9 @@ Environment=ROS_DOMAIN_ID=0
 # both units
 EnvironmentFile=/etc/robot/ros.env
 ```
+
+## When to ignore it
+When the parts are separated on purpose and a bridge that the linter does not recognise connects them.
 
 ## References
 - https://github.com/hucebot/g1pilot/issues/30
@@ -65,7 +69,8 @@ def conflict_between_sources(robot: Robot) -> Iterator[Finding]:
                     continue
                 yield finding(
                     variable.value,
-                    f"{process.name} has {name}={text}, {other.name} {name}={common.text}: they do not see each other",
+                    f"{process.name} has {name}={text}, but {other.name} has {name}={common.text}: "
+                    "they do not see each other",
                     advice="keep the variable in one environment file that all of them read",
                     related=[note(common.value, f"{other.name} gets its value here")],
                 )
@@ -84,8 +89,8 @@ def _overruled(name, found):
             holder = process.launcher.name
             yield finding(
                 variable.value,
-                f"{process.name} has {name}={variable.text}: launch overrules the {before[-1].text} of {holder}",
-                advice="keep the variable in one environment file, and leave it alone in the launch file",
+                f"{process.name} has {name}={variable.text}: launch overrides the {before[-1].text} of {holder}",
+                advice="keep the variable in one environment file, and do not set it in the launch file",
                 related=[note(before[-1].value, f"{holder} gets this value")],
             )
 

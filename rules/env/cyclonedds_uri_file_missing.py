@@ -1,11 +1,11 @@
 """The file that CYCLONEDDS_URI names does not exist.
 
 ## What it finds
-A path in CYCLONEDDS_URI of a unit that a whole root file system does not hold. In a repository nothing can be missing
-for sure; containers have file systems of their own.
+A path in the CYCLONEDDS_URI of a unit that does not exist in a whole root file system. Repositories and containers
+are not checked: a repository is incomplete, and a container has its own file system.
 
 ## Why it matters on a robot
-Cyclone DDS ends with an error when its configuration cannot be opened: no domain is created, no node starts.
+Cyclone DDS fails when it cannot open its configuration: no domain is created, and no node starts.
 
 ## Bad
 ```sh
@@ -16,6 +16,9 @@ CYCLONEDDS_URI=file:///etc/robot/cyclone.xml      (the file is called cyclonedds
 ```sh
 CYCLONEDDS_URI=file:///etc/robot/cyclonedds.xml
 ```
+
+## When to ignore it
+When a script or unit generates the file before the nodes start.
 
 ## References
 - tried with Cyclone DDS 0.10.5 and 11.0.1: "can't open configuration file"
@@ -45,8 +48,8 @@ def cyclonedds_uri_file_missing(robot: Robot) -> Iterator[Finding]:
             if path.startswith("/") and robot.tree.has(path) is False:
                 yield finding(
                     uri.value,
-                    f"{path} does not exist: Cyclone DDS ends with an error, {process.name} starts no node",
-                    advice="ship the file, or correct the path",
+                    f"{path} does not exist: Cyclone DDS fails, and {process.name} starts no node",
+                    advice="install the file, or correct the path",
                     chain=robot.provenance.chain_to_variable(
                         process, uri.value, note(uri.value, f"{path} is named here")
                     ),

@@ -1,12 +1,12 @@
-"""CYCLONEDDS_URI does not lead to the file.
+"""CYCLONEDDS_URI does not point to the file.
 
 ## What it finds
-A value that Cyclone DDS reads as another path than is meant: `file:/x`, `file://name` (relative to the working
-folder), `FILE://`, a `~`, or a variable in a place where nothing expands it. Inline XML and several entries between
-commas are fine.
+A value that Cyclone DDS reads as another path than intended: `file:/x`, `file://name` (relative to the working
+folder), `FILE://`, a `~`, or a variable where nothing expands it. Inline XML and several entries between commas are
+valid.
 
 ## Why it matters on a robot
-Cyclone DDS cannot open its configuration: no domain is created, no node starts.
+Cyclone DDS cannot open its configuration: no domain is created, and no node starts.
 
 ## Bad
 ```sh
@@ -17,6 +17,9 @@ CYCLONEDDS_URI=file://cyclonedds.xml
 ```sh
 CYCLONEDDS_URI=file:///etc/robot/cyclonedds.xml
 ```
+
+## When to ignore it
+When every process has the same working folder and the relative path is intended.
 
 ## References
 - Cyclone DDS manual, "Configuration"; each form tried with 0.10.5 and 11.0.1
@@ -51,14 +54,14 @@ def cyclonedds_uri_malformed(robot: Robot) -> Iterator[Finding]:
 
 def _fault(uri: str, expands: bool) -> str | None:
     if uri.startswith("FILE:"):
-        return f"Cyclone DDS knows 'file:' in small letters only, and looks for a file called '{uri}'"
+        return f"Cyclone DDS accepts only 'file:' in lower case, and looks for a file called '{uri}'"
     if re.match(r"file:/(?!/)", uri):
-        return f"'{uri}' lacks two slashes and is taken as a file name"
+        return f"'{uri}' lacks two slashes, so Cyclone DDS reads it as a file name"
     path = uri.removeprefix("file://")
     if path.startswith("~") and not expands:
         return f"'~' is not expanded in '{uri}'"
     if uri.startswith("file://") and path and not path.startswith(("/", "$", "~")):
-        return f"'{uri}' is looked up in the working folder of each process"
+        return f"'{uri}' is relative to the working folder of each process"
     return None
 
 

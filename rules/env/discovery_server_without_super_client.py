@@ -1,13 +1,13 @@
-"""The discovery server leaves the command line tools blind, or nobody starts it.
+"""Tools see nothing through the discovery server, or nothing starts it.
 
 ## What it finds
-A login file (`.bashrc`, `profile.d`, `/etc/environment`, ...) that sets `ROS_DISCOVERY_SERVER`, where no login file of
-the tree sets `ROS_SUPER_CLIENT` or a Fast DDS profile. In a root file system also: units whose server is on this
-machine, while nothing of the tree starts one (`fastdds discovery`).
+A login file (`.bashrc`, `profile.d`, `/etc/environment`, ...) that sets `ROS_DISCOVERY_SERVER`, when no login file
+of the tree sets `ROS_SUPER_CLIENT` or a Fast DDS profile. In a root file system also units whose server is on this
+machine, when nothing in the tree starts one (`fastdds discovery`).
 
 ## Why it matters on a robot
-An ordinary client only learns of the topics that it uses itself: `ros2 topic list` shows nothing although the robot
-works. Without the server no node finds another.
+An ordinary client learns only about the topics that it uses itself: `ros2 topic list` shows nothing although the
+robot works. Without the server no node finds another.
 
 ## Bad
 ```sh
@@ -20,6 +20,9 @@ export ROS_DISCOVERY_SERVER=10.0.0.10:11811
 export ROS_DISCOVERY_SERVER=10.0.0.10:11811
 export ROS_SUPER_CLIENT=TRUE
 ```
+
+## When to ignore it
+When nobody uses the ROS command line tools in these shells, or when the server is started outside the tree.
 
 ## References
 - ROS 2 documentation, "Using Fast DDS Discovery Server as discovery protocol"
@@ -53,8 +56,8 @@ def discovery_server_without_super_client(robot: Robot) -> Iterator[Finding]:
         yield finding(
             places[0],
             "The command line tools are ordinary clients of the discovery server: ros2 topic list shows nothing",
-            advice="export ROS_SUPER_CLIENT=TRUE beside it, or a Fast DDS profile with SUPER_CLIENT up to Humble",
-            related=[note(other, "and here") for other in places[1:4]],
+            advice="also export ROS_SUPER_CLIENT=TRUE, or, up to Humble, a Fast DDS profile with SUPER_CLIENT",
+            related=[note(other, "also here") for other in places[1:4]],
         )
     if not robot.tree.complete or any(STARTS.search(source.text) for source in robot.sources):
         return
@@ -66,7 +69,7 @@ def discovery_server_without_super_client(robot: Robot) -> Iterator[Finding]:
         if hosts and all(HERE.fullmatch(host.strip()) for host in hosts):
             yield finding(
                 server.value,
-                f"Nothing on this robot starts the discovery server: the nodes of {process.name} find nobody",
+                f"Nothing on this robot starts the discovery server: the nodes of {process.name} find no other node",
                 advice="add a unit that runs fastdds discovery, and order the others after it",
                 related=[note(process.where, f"{process.name} is its client")],
             )

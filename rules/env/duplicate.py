@@ -1,13 +1,13 @@
-"""A variable is set twice, and the last one wins.
+"""A variable is set twice, and only the last value applies.
 
 ## What it finds
-One name twice in a file that a unit reads with EnvironmentFile=; with different values a warning, with the
-same value an info. A variable that Environment= and a file set differently, or two files of one unit, is an
-info: it may be an override on purpose.
+The same name twice in a file that a unit reads with EnvironmentFile=. A warning if the values differ, info if they
+are equal. A variable that Environment= and a file set differently, or two files of one unit, is info, because it
+may be an intended override.
 
 ## Why it matters on a robot
-Somebody changes the first one and wonders why the robot does not care. Of Environment= and EnvironmentFile=
-the file wins, wherever the lines stand.
+Somebody changes the first line, and the robot does not react. Of Environment= and EnvironmentFile=, the file
+applies, regardless of the order of the lines.
 
 ## Bad
 ```sh
@@ -21,6 +21,9 @@ ROS_DOMAIN_ID=42
 RMW_IMPLEMENTATION=rmw_cyclonedds_cpp
 ROS_DOMAIN_ID=42
 ```
+
+## When to ignore it
+When a second file is meant to override the first, such as an optional file with settings for one robot.
 
 ## References
 - systemd.exec(5), "EnvironmentFile=": settings from these files override Environment=
@@ -53,7 +56,7 @@ def _within(file):
         if entry is final:
             continue
         same = entry.value == final.value
-        ending = "to the same value" if same else f"and the last one{_shown(final.name, final.value)} wins"
+        ending = "to the same value" if same else f"and the last value{_shown(final.name, final.value)} applies"
         yield finding(
             entry.name,
             f"{entry.name} is set twice in this file, {ending}",
@@ -78,9 +81,9 @@ def _across(robot, unit):
             continue
         yield finding(
             lost.value,
-            f"{name} is set twice for {unit.name}: {final.origin}{_shown(name, final.text)} wins over {lost.origin}",
+            f"{name} is set twice for {unit.name}: {final.origin}{_shown(name, final.text)} overrides {lost.origin}",
             advice="delete one of the two",
-            related=[note(final.value, "this one wins")],
+            related=[note(final.value, "this value applies")],
             severity="info",
         )
 

@@ -1,13 +1,13 @@
-"""ROS variables in a file that services do not read.
+"""ROS variables are set in a file that services do not read.
 
 ## What it finds
-`ROS_*`, `RMW_*`, CycloneDDS and Fast DDS variables in `/etc/environment`, while a ROS service of the tree
-neither reads that file (`EnvironmentFile=`, a script, PAM) nor gets the variable elsewhere.
+`ROS_*`, `RMW_*`, CycloneDDS and Fast DDS variables in `/etc/environment`, when a ROS service of the tree neither
+reads that file (`EnvironmentFile=`, a script, PAM) nor gets the variable elsewhere.
 
 ## Why it matters on a robot
-`/etc/environment` is read by PAM at login. A system service has no login: the shell of the developer is in
-domain 42 with CycloneDDS, and the robot's nodes are in domain 0 with the default middleware. `ros2 topic
-list` shows nothing, and nothing is reported as failed.
+PAM reads `/etc/environment` at login, and a system service has no login. The developer's shell is in domain 42 with
+CycloneDDS, while the robot's nodes are in domain 0 with the default middleware. `ros2 topic list` shows nothing,
+and nothing is reported as failed.
 
 ## Bad
 ```bash
@@ -20,6 +20,9 @@ ROS_DOMAIN_ID=42
 [Service]
 EnvironmentFile=/etc/environment
 ```
+
+## When to ignore it
+When the variable is meant only for login shells and the services need its default.
 
 ## References
 - pam_env(8)
@@ -52,7 +55,7 @@ def etc_environment(robot: Robot) -> Iterator[Finding]:
             yield finding(
                 entry.name,
                 f"system services do not read {PATH}: {entry.name} is not set for {names}",
-                advice=f"add EnvironmentFile={PATH} to the units, or keep the variables in a file of their own",
+                advice=f"add EnvironmentFile={PATH} to the units, or keep the variables in a separate file",
                 related=[note(unit.where, f"{unit.name} starts ROS without it") for unit in blind[:3]],
             )
 

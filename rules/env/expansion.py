@@ -1,12 +1,13 @@
-"""A variable, command or ~ in an environment file is taken as it stands.
+"""An environment file contains a variable, command or ~ that is not expanded.
 
 ## What it finds
-$NAME, ${NAME}, $(command), backquotes or a leading ~ in a value of a file that a unit reads with
-EnvironmentFile=. Values with placeholders that a deployment fills in, and passwords, are not judged.
+`$NAME`, `${NAME}`, `$(command)`, backquotes or a leading `~` in a value of a file that a unit reads with
+EnvironmentFile=. Placeholders that a deployment fills in, passwords, CYCLONEDDS_URI, and values that a shell in the
+unit expands again are not reported.
 
 ## Why it matters on a robot
-Environment files are no shell scripts: systemd puts the text into the environment letter by letter. The
-configuration file is not found, the log folder has a dollar in its name, PATH leads nowhere.
+Environment files are not shell scripts: systemd passes the text on literally. The configuration file is not found,
+the log folder has a dollar sign in its name, PATH leads nowhere.
 
 ## Bad
 ```sh
@@ -19,6 +20,9 @@ PATH=/opt/robot/bin:$PATH
 CYCLONEDDS_HOME=/home/robot/dds
 PATH=/opt/robot/bin:/usr/local/bin:/usr/bin:/bin
 ```
+
+## When to ignore it
+When the program itself expands the value.
 
 ## References
 - systemd.exec(5), "EnvironmentFile=": no variable expansion is performed
@@ -51,7 +55,7 @@ def expansion(robot: Robot) -> Iterator[Finding]:
             if word is not None:
                 yield finding(
                     word,
-                    f"Environment files are no shell scripts: {entry.name} takes '{word}' as it stands",
+                    f"Environment files are not shell scripts: {entry.name} gets '{word}' literally",
                     advice="write the value in full",
                     related=[note(file.readers[0].value, "the service reads it here")],
                 )

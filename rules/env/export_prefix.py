@@ -1,12 +1,11 @@
 """systemd drops lines that start with export.
 
 ## What it finds
-export NAME=VALUE in a file that a unit reads with EnvironmentFile=. Files that only shells read are not
-judged.
+`export NAME=VALUE` in a file that a unit reads with EnvironmentFile=. Files that only shells read are not reported.
 
 ## Why it matters on a robot
-systemd takes "export NAME" for the name, which is not valid, and drops it when the process starts, without
-a message. The node runs with another domain or RMW than the shells of the robot.
+systemd reads "export NAME" as the name, which is not valid, and drops the line without a message when the process
+starts. The node runs with another domain or RMW than the robot's shells.
 
 ## Bad
 ```sh
@@ -17,6 +16,9 @@ export ROS_DOMAIN_ID=42
 ```sh
 ROS_DOMAIN_ID=42
 ```
+
+## When to ignore it
+When the unit's own shell sources the same file, so that the variable reaches the process anyway.
 
 ## References
 - systemd.exec(5), "EnvironmentFile="
@@ -45,7 +47,7 @@ def export_prefix(robot: Robot) -> Iterator[Finding]:
             end = file.source.text.index(name, start)
             advice = f"write {name}=... without export"
             if sourced is not None:
-                advice += "; the shell that sources the file needs 'set -a' around it then"
+                advice += "; the shell that sources the file then needs 'set -a' before it"
             yield finding(
                 problem.where,
                 f"systemd drops 'export {name}' without a message: {name} is not set",

@@ -1,12 +1,12 @@
-"""The Fast DDS profile that the environment names does not exist.
+"""The Fast DDS profile file that the environment names does not exist.
 
 ## What it finds
-A path in FASTRTPS_DEFAULT_PROFILES_FILE or FASTDDS_DEFAULT_PROFILES_FILE of a unit that a whole root file system does
-not hold.
+A path in the FASTRTPS_DEFAULT_PROFILES_FILE or FASTDDS_DEFAULT_PROFILES_FILE of a unit that does not exist in a
+whole root file system.
 
 ## Why it matters on a robot
-Fast DDS logs one line and runs with the defaults: multicast discovery, no peers. The robot seems to work until it
-meets another network.
+Fast DDS logs one line and runs with its defaults: multicast discovery, no peers. The robot seems to work until it
+joins another network.
 
 ## Bad
 ```sh
@@ -17,6 +17,9 @@ FASTRTPS_DEFAULT_PROFILES_FILE=/etc/robot/fast.xml      (the file is called fast
 ```sh
 FASTRTPS_DEFAULT_PROFILES_FILE=/etc/robot/fastdds.xml
 ```
+
+## When to ignore it
+When a script or unit generates the file before the nodes start.
 
 ## References
 - tried with Fast DDS 2.14.5: "realpath failed"
@@ -41,9 +44,9 @@ def fastdds_profiles_file_missing(robot: Robot) -> Iterator[Finding]:
             if found and found.text and found.text.startswith("/") and robot.tree.has(found.text) is False:
                 yield finding(
                     found.value,
-                    f"{found.text} does not exist: {process.name} runs Fast DDS with its defaults, multicast and no "
+                    f"{found.text} does not exist: {process.name} runs Fast DDS with its defaults: multicast and no "
                     "peers",
-                    advice="ship the file, or correct the path",
+                    advice="install the file, or correct the path",
                     chain=robot.provenance.chain_to_variable(
                         process, found.value, note(found.value, "the file is named here")
                     ),

@@ -1,11 +1,12 @@
-"""The variable of the Fast DDS profile is not the one that this distribution reads.
+"""This distribution does not read the variable of the Fast DDS profile.
 
 ## What it finds
-Only FASTDDS_DEFAULT_PROFILES_FILE on Humble to Jazzy, whose Fast DDS 2 reads FASTRTPS_DEFAULT_PROFILES_FILE, or only
-the latter on Kilted and newer.
+Only FASTDDS_DEFAULT_PROFILES_FILE on Humble to Jazzy, whose Fast DDS 2 reads FASTRTPS_DEFAULT_PROFILES_FILE. Or
+only FASTRTPS_DEFAULT_PROFILES_FILE on Kilted and newer.
 
 ## Why it matters on a robot
-The profile file is never loaded and nothing says so: multicast discovery stays on, peers and limits are not there.
+Fast DDS never loads the profile file, and no message says so. Multicast discovery stays on, and the peers and
+limits are missing.
 
 ## Bad
 ```sh
@@ -16,6 +17,9 @@ FASTDDS_DEFAULT_PROFILES_FILE=/etc/robot/fastdds.xml      (on Jazzy)
 ```sh
 FASTRTPS_DEFAULT_PROFILES_FILE=/etc/robot/fastdds.xml
 ```
+
+## When to ignore it
+When the robot runs a Fast DDS version that was not released with its distribution.
 
 ## References
 - tried with Fast DDS 2.14.5

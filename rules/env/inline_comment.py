@@ -1,12 +1,12 @@
-"""A comment behind a value of an environment file becomes part of the value.
+"""A comment after a value becomes part of the value.
 
 ## What it finds
-A blank and # behind a value, or behind its closing quote, in a file that a unit reads with
-EnvironmentFile=. A # without a blank before it, as in a URL or a colour, and a # in quotes are fine.
+A space and `#` after a value, or after its closing quote, in a file that a unit reads with EnvironmentFile=. A `#`
+without a space before it, as in a URL or a colour, and a `#` in quotes are not reported.
 
 ## Why it matters on a robot
-ROS_DOMAIN_ID=42 # robot sets the domain to the whole text, and every node refuses to start. Shells that
-source the same file see 42, so the mistake is hard to believe.
+`ROS_DOMAIN_ID=42 # robot` sets the variable to the whole text, and every node refuses to start. Shells that source
+the same file see 42, which makes the mistake hard to find.
 
 ## Bad
 ```sh
@@ -18,6 +18,9 @@ ROS_DOMAIN_ID=42  # the robot's domain
 # the robot's domain
 ROS_DOMAIN_ID=42
 ```
+
+## When to ignore it
+When the `#` is part of the value, for example in a title. Quotes around the value say so, and remove the finding.
 
 ## References
 - systemd.exec(5), "EnvironmentFile=": comments are lines that start with # or ;
@@ -51,8 +54,8 @@ def inline_comment(robot: Robot) -> Iterator[Finding]:
             )
             yield finding(
                 comment,
-                f"There are no trailing comments: {entry.name} takes '{_shortened(comment)}' as part of its value",
-                advice="put the comment on a line of its own above",
+                f"Comments need their own line: '{_shortened(comment)}' becomes part of the value of {entry.name}",
+                advice="put the comment on a separate line above",
                 related=[note(file.readers[0].value, "the service reads it here")],
                 fix=fix("move the comment above", *edits) if "\n" not in entry.span.text else None,
             )

@@ -1,11 +1,11 @@
-"""A ROS process leaves the domain or the middleware to the defaults.
+"""A ROS process uses the default domain or middleware.
 
 ## What it finds
-A unit that runs ROS 2 and sets neither ROS_DOMAIN_ID nor RMW_IMPLEMENTATION, although all sources of its environment
-are known.
+A unit that runs ROS 2 and does not set ROS_DOMAIN_ID or RMW_IMPLEMENTATION, when all sources of its environment are
+known.
 
 ## Why it matters on a robot
-It joins domain 0 with the default middleware, together with every other robot and laptop of the network.
+The process joins domain 0 with the default middleware, together with every other robot and laptop on the network.
 
 ## Bad
 ```ini
@@ -18,6 +18,9 @@ ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rob
 [Service]
 EnvironmentFile=/etc/robot/ros.env
 ```
+
+## When to ignore it
+When the robot is alone on its network and the defaults are intended.
 
 ## References
 - https://docs.ros.org/en/rolling/Concepts/Intermediate/About-Domain-ID.html

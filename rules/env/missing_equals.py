@@ -1,11 +1,11 @@
-"""A line of an environment file that sets nothing.
+"""A line of an environment file is not an assignment.
 
 ## What it finds
-A line without = in a file that a unit reads with EnvironmentFile=, which is neither blank, nor a comment,
-nor part of a quoted value: source, set -a, a bare name.
+A line without `=` in a file that a unit reads with EnvironmentFile=, such as `source`, `set -a` or a bare name.
+Empty lines, comments and parts of a quoted value are not reported.
 
 ## Why it matters on a robot
-systemd ignores the line without a message. A source line brings in none of the variables of the other file.
+systemd ignores the line without a message. A `source` line does not load the variables of the other file.
 
 ## Bad
 ```sh
@@ -17,6 +17,9 @@ ROS_DOMAIN_ID=42
 ```sh
 ROS_DOMAIN_ID=42
 ```
+
+## When to ignore it
+When a shell also sources the file and needs the line, and systemd may ignore it.
 
 ## References
 - systemd.exec(5), "EnvironmentFile="
@@ -40,9 +43,9 @@ def missing_equals(robot: Robot) -> Iterator[Finding]:
                 continue
             word = problem.where.split()[0]
             what = (
-                "no shell reads the file"
+                "and systemd is not a shell"
                 if word in ("source", ".", "set", "export", "if", "fi", "unset")
-                else "it has no ="
+                else "there is no ="
             )
             yield finding(
                 problem.where,

@@ -1,12 +1,12 @@
-"""docker run keeps the quotes that systemd takes off.
+"""docker run keeps the quotes that systemd removes.
 
 ## What it finds
-A file with quoted values that a unit reads with EnvironmentFile= and that a docker run --env-file of the
-tree reads too. Compose takes the quotes off and is not judged.
+A file with quoted values that a unit reads with EnvironmentFile= and that a `docker run --env-file` in the tree
+also reads. Compose removes the quotes and is not reported.
 
 ## Why it matters on a robot
-In the container the quotes are part of the value: the RMW implementation "rmw_cyclonedds_cpp", with its
-quotes, does not exist, and the nodes fall back or stop.
+In the container the quotes are part of the value: an RMW implementation called "rmw_cyclonedds_cpp", with its
+quotes, does not exist, and the nodes stop.
 
 ## Bad
 ```sh
@@ -17,6 +17,9 @@ RMW_IMPLEMENTATION="rmw_cyclonedds_cpp"
 ```sh
 RMW_IMPLEMENTATION=rmw_cyclonedds_cpp
 ```
+
+## When to ignore it
+When the program in the container does not use the variable.
 
 ## References
 - docker run reference, "--env-file"; systemd.exec(5), "EnvironmentFile="
@@ -47,7 +50,7 @@ def quotes_kept_by_docker(robot: Robot) -> Iterator[Finding]:
             edit = (file.source.span(start, entry.span.end), str(entry.value))
             yield finding(
                 entry.name,
-                f"docker keeps the quotes of {entry.name} as part of the value, systemd takes them off",
+                f"docker keeps the quotes of {entry.name} as part of the value, but systemd removes them",
                 advice="write the value without quotes",
                 related=[
                     note(reader, "docker reads it here"),

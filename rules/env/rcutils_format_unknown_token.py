@@ -1,10 +1,11 @@
-"""A token of the log format is unknown.
+"""The log format contains an unknown token.
 
 ## What it finds
-`{token}` in RCUTILS_CONSOLE_OUTPUT_FORMAT that rcutils does not know.
+A `{token}` in RCUTILS_CONSOLE_OUTPUT_FORMAT that rcutils, or the rcutils of the robot's distribution, does not
+support.
 
 ## Why it matters on a robot
-The token is printed as it stands in every line of the log.
+rcutils prints the token literally in every line of the log.
 
 ## Bad
 ```sh
@@ -15,6 +16,9 @@ RCUTILS_CONSOLE_OUTPUT_FORMAT=[{level}] {message}
 ```sh
 RCUTILS_CONSOLE_OUTPUT_FORMAT=[{severity}] {message}
 ```
+
+## When to ignore it
+When the text in braces is meant to appear in the log.
 
 ## References
 - rcutils, `logging.c`: the tokens of the output format
@@ -41,13 +45,13 @@ def rcutils_format_unknown_token(robot: Robot) -> Iterator[Finding]:
             if since and at_least(robot.target.ros, since) is False:
                 yield finding(
                     setting.value.part(*token.span()),
-                    f"{robot.target.ros} does not know {token[0]}: rcutils prints it in every line of the log",
-                    advice=f"leave it out: it comes with {since}",
+                    f"{robot.target.ros} does not support {token[0]}: rcutils prints it literally in every log line",
+                    advice=f"remove it: it exists from {since} on",
                 )
             elif token[1] not in FORMAT_TOKENS:
                 near = nearest(token[1], FORMAT_TOKENS)
                 yield finding(
                     setting.value.part(*token.span()),
-                    f"rcutils does not know {token[0]} and prints it in every line of the log",
+                    f"rcutils does not support {token[0]} and prints it literally in every log line",
                     advice=f"write {{{near[0]}}}" if near else f"known: {', '.join(FORMAT_TOKENS)}",
                 )

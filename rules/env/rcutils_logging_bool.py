@@ -1,12 +1,12 @@
-"""A logging switch of rcutils is neither 0 nor 1.
+"""A logging variable of rcutils is neither 0 nor 1.
 
 ## What it finds
-RCUTILS_LOGGING_USE_STDOUT, RCUTILS_COLORIZED_OUTPUT or RCUTILS_LOGGING_BUFFERED_STREAM with another value
-than 0 or 1. An empty value is fine.
+RCUTILS_LOGGING_USE_STDOUT, RCUTILS_COLORIZED_OUTPUT or RCUTILS_LOGGING_BUFFERED_STREAM with a value other than 0
+and 1. An empty value is valid.
 
 ## Why it matters on a robot
-Logging cannot be initialised: the node runs, but not one line of its log is written. Instead every call
-of the logger prints errors of rcutils, more than a hundred kilobytes for one node that starts.
+Logging cannot be initialised: the node runs, but not one line of its log is written. Instead, every call of the
+logger prints rcutils errors, more than a hundred kilobytes for one node that starts.
 
 ## Bad
 ```sh
@@ -17,6 +17,9 @@ RCUTILS_COLORIZED_OUTPUT=true
 ```sh
 RCUTILS_COLORIZED_OUTPUT=1
 ```
+
+## When to ignore it
+Never: rcutils rejects every other value.
 
 ## References
 - rcutils, `logging.c`: the value must be 0 or 1

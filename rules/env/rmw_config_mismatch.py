@@ -1,11 +1,12 @@
-"""The middleware that runs does not read the configuration that is set.
+"""The selected middleware does not read the given configuration.
 
 ## What it finds
-A process whose environment selects one middleware and configures only the other: CYCLONEDDS_URI with Fast DDS (which
-also runs when RMW_IMPLEMENTATION is not set, on Humble to Kilted), a Fast DDS profile with Cyclone DDS.
+A process whose environment selects one middleware but configures only the other. CYCLONEDDS_URI with Fast DDS,
+which also runs on Humble to Kilted when RMW_IMPLEMENTATION is not set. A Fast DDS profile with Cyclone DDS.
 
 ## Why it matters on a robot
-The file is never read. The robot runs with the defaults: multicast discovery on every interface, no peers, no limits.
+The file is never read. The robot runs with the defaults: multicast discovery on every interface, no peers, no
+limits.
 
 ## Bad
 ```sh
@@ -18,6 +19,10 @@ CYCLONEDDS_URI=file:///etc/robot/cyclonedds.xml
 RMW_IMPLEMENTATION=rmw_cyclonedds_cpp
 CYCLONEDDS_URI=file:///etc/robot/cyclonedds.xml
 ```
+
+## When to ignore it
+When the variable is set for other processes that inherit this environment and select the other middleware
+themselves.
 
 ## References
 - https://docs.ros.org/en/rolling/How-To-Guides/Working-with-multiple-RMW-implementations.html

@@ -1,10 +1,11 @@
-"""RMW_IMPLEMENTATION names no known middleware.
+"""RMW_IMPLEMENTATION is not a known middleware.
 
 ## What it finds
-A value that is no RMW package of ROS 2 and no package of the workspace; rmw_zenoh_cpp before Jazzy.
+A value that is neither an RMW package of ROS 2 nor a package of the workspace. On distributions before Jazzy also
+rmw_zenoh_cpp.
 
 ## Why it matters on a robot
-Every process of ROS exits at start with code 102, because the library cannot be loaded.
+Every ROS process exits at start with code 102, because the library cannot be loaded.
 
 ## Bad
 ```sh
@@ -15,6 +16,9 @@ RMW_IMPLEMENTATION=rmw_cyclonedds
 ```sh
 RMW_IMPLEMENTATION=rmw_cyclonedds_cpp
 ```
+
+## When to ignore it
+When the robot has an RMW package that is not in the tree, such as one of a vendor.
 
 ## References
 - https://docs.ros.org/en/rolling/Concepts/Intermediate/About-Different-Middleware-Vendors.html
@@ -50,7 +54,7 @@ def rmw_implementation_unknown(robot: Robot) -> Iterator[Finding]:
         near = near[:1] or nearest(name, known)
         yield finding(
             setting.value,
-            f"RMW_IMPLEMENTATION '{name}' is no middleware"
+            f"RMW_IMPLEMENTATION '{name}' is not a middleware"
             + (f" of {robot.target.ros}" if name in RMW_IMPLEMENTATIONS else "")
             + ": every ROS process exits at start",
             advice=f"write {near[0]}" if near else f"write one of {', '.join(known)}",

@@ -1,9 +1,9 @@
 """A container selects a middleware that its image does not contain.
 
 ## What it finds
-`RMW_IMPLEMENTATION` of a Dockerfile or compose service names a middleware other than Fast DDS, the image is an official
-one (`ros:`, `osrf/ros:`), and nothing installs the package. Dockerfiles that run scripts, build from source, use rosdep
-or copy from other stages may install it unseen: nothing is said about them.
+The `RMW_IMPLEMENTATION` of a Dockerfile or compose service names a middleware other than Fast DDS, the image is an
+official one (`ros:`, `osrf/ros:`), and nothing installs the package. Silent for Dockerfiles that run scripts, build
+from source, use rosdep or copy from other stages, because these may install it.
 
 ## Why it matters on a robot
 Every ROS process of the container exits at start: the library librmw_..._cpp.so cannot be loaded.
@@ -20,6 +20,9 @@ FROM ros:jazzy-ros-base
 RUN apt-get update && apt-get install -y ros-jazzy-rmw-cyclonedds-cpp
 ENV RMW_IMPLEMENTATION=rmw_cyclonedds_cpp
 ```
+
+## When to ignore it
+When the workspace that is mounted into the container contains the middleware.
 
 ## References
 - REP 2001: the variants ros_core, ros_base, perception and desktop
@@ -41,5 +44,5 @@ def rmw_package_missing(robot: Robot) -> Iterator[Finding]:
             each.variable.value,
             f"The image does not contain {each.variable.text}: every ROS process of the container exits at start",
             advice=f"install {each.package}",
-            related=[note(each.image, "the image, to which nothing adds the package")],
+            related=[note(each.image, "nothing adds the package to this image")],
         )

@@ -1,16 +1,17 @@
-"""ROS 2 started without its setup file.
+"""ROS 2 is started without its setup file.
 
 ## What it finds
-A service that starts `ros2`, or an executable of a workspace, while nothing before it sources a setup file,
-no script that is not in the tree could do so, and the environment names no `AMENT_PREFIX_PATH`. Also a
-setup file that is sourced in `ExecStartPre=`, for a process of its own that ends there, while `ExecStart=`
-sources none.
+Two mistakes in services:
+
+- A service starts `ros2` or an executable of a workspace, and nothing before it sources a setup file. Silent if a
+  script that is not in the tree may source it, or if the environment sets `AMENT_PREFIX_PATH`.
+- `ExecStartPre=` sources a setup file, but `ExecStart=` does not. The setup applies only to the process of
+  `ExecStartPre=`.
 
 ## Why it matters on a robot
-`ros2` is a Python program that is found only through the variables that `setup.bash` sets: without them it
-ends at once with `ModuleNotFoundError: No module named 'ros2cli'`, five times within a second, and then
-systemd gives up. Every `Exec` line is a process of its own: what one of them sources is gone when the next
-one starts.
+`ros2` is a Python program that works only with the variables that `setup.bash` sets. Without them it exits at once
+with `ModuleNotFoundError: No module named 'ros2cli'`, five times within a second, and then systemd gives up. Every
+`Exec` line is a separate process: whatever it sources is gone when the next one starts.
 
 ## Bad
 ```ini
@@ -24,6 +25,9 @@ ExecStart=/opt/ros/jazzy/bin/ros2 launch rover_bringup rover.launch.py
 [Service]
 ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rover_bringup rover.launch.py'
 ```
+
+## When to ignore it
+When the program is a wrapper with the same name that sources the setup file itself.
 
 ## References
 - systemd.service(5), "ExecStartPre="
@@ -60,7 +64,7 @@ def ros2_not_sourced(robot: Robot) -> Iterator[Finding]:
             if started and not any(other.setup_files for other in started):
                 yield finding(
                     word,
-                    "ExecStartPre= is a process of its own: what it sources is gone when ExecStart= starts",
+                    "ExecStartPre= is a separate process: what it sources is gone when ExecStart= starts",
                     advice="source the setup files in the ExecStart= line itself",
                     related=[note(started[0].program, "starts without them")],
                 )
@@ -76,9 +80,9 @@ def ros2_not_sourced(robot: Robot) -> Iterator[Finding]:
                     ros.program,
                     f"Nothing sources a setup file before {name}: "
                     + (
-                        "it ends with \"No module named 'ros2cli'\""
+                        "it exits with \"No module named 'ros2cli'\""
                         if name == "ros2"
-                        else "it finds no ROS packages and libraries"
+                        else "it finds no ROS packages or libraries"
                     ),
                     advice="start it with /bin/bash -c 'source /opt/ros/<distro>/setup.bash && exec ...'",
                     related=[note(process.program, f"{unit.name} starts it here")] if step.script else (),
@@ -90,7 +94,7 @@ def ros2_not_sourced(robot: Robot) -> Iterator[Finding]:
                     process.program,
                     f"{unit.name} starts without the ROS environment: only ExecStartPre= sources a setup file",
                     advice="start it with /bin/bash -c 'source /opt/ros/<distro>/setup.bash && exec ...'",
-                    related=[note(lost[0].setup_files[0][1], "sourced here, for a process that ends at once")],
+                    related=[note(lost[0].setup_files[0][1], "sourced here, for a process that exits at once")],
                 )
 
 

@@ -1,11 +1,11 @@
-"""ROS_AUTOMATIC_DISCOVERY_RANGE is not one of its four words.
+"""ROS_AUTOMATIC_DISCOVERY_RANGE has an invalid value.
 
 ## What it finds
-A value other than OFF, LOCALHOST, SUBNET and SYSTEM_DEFAULT, in capitals. Only for Iron and newer, which read the
+A value other than OFF, LOCALHOST, SUBNET and SYSTEM_DEFAULT, in upper case. Only on Iron and newer, which read the
 variable.
 
 ## Why it matters on a robot
-rcl warns once and falls back to LOCALHOST: all other machines vanish.
+rcl logs one warning and falls back to LOCALHOST: all other machines disappear.
 
 ## Bad
 ```sh
@@ -16,6 +16,9 @@ ROS_AUTOMATIC_DISCOVERY_RANGE=subnet
 ```sh
 ROS_AUTOMATIC_DISCOVERY_RANGE=SUBNET
 ```
+
+## When to ignore it
+When LOCALHOST is what you want anyway. Writing it costs nothing and removes the warning of rcl too.
 
 ## References
 - rcl, `discovery_options.c`
@@ -44,7 +47,7 @@ def ros_discovery_range_invalid(robot: Robot) -> Iterator[Finding]:
         known = upper if upper in DISCOVERY_RANGES else None
         yield finding(
             setting.value,
-            f"'{setting.text}' is no discovery range: the process falls back to LOCALHOST, all other machines vanish",
+            f"'{setting.text}' is not a discovery range: the process falls back to LOCALHOST and sees no other machine",
             advice=f"write {known}" if known else "write OFF, LOCALHOST, SUBNET or SYSTEM_DEFAULT",
             fix=fix(f"write {known}", (setting.value, known)) if known else None,
         )

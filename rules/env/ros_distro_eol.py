@@ -1,11 +1,12 @@
-"""The robot runs a ROS distribution that gets no updates any more.
+"""The robot runs a ROS distribution that no longer gets updates.
 
 ## What it finds
-The distribution that the tree names (`/opt/ros/X`, `ROS_DISTRO`, the image tag `ros:X`, packages `ros-X-...`), when it
-is the only one and its end lies before the day of the run (or the day given with `--now`).
+The distribution that the tree names (`/opt/ros/X`, `ROS_DISTRO`, the image tag `ros:X`, packages `ros-X-...`), when
+it is the only one and its end of life is before today, or before the day given with `--now`.
 
 ## Why it matters on a robot
-Security holes stay open, and the package server drops the distribution: a robot that has to be set up again cannot be.
+Security holes stay open, and the package server removes the distribution: a robot that must be installed again
+cannot be.
 
 ## Bad
 ```dockerfile
@@ -16,6 +17,9 @@ FROM ros:foxy
 ```dockerfile
 FROM ros:jazzy
 ```
+
+## When to ignore it
+When you get security updates from a vendor with extended support, or the robot has no network.
 
 ## References
 - REP 2000
@@ -40,7 +44,7 @@ def ros_distro_eol(robot: Robot) -> Iterator[Finding]:
         if where is not None and not robot.ros.is_development(where):
             yield finding(
                 where,
-                f"ROS 2 {distro.capitalize()} gets no updates since {end}, security fixes included",
-                advice="plan the way to a distribution that is supported",
+                f"ROS 2 {distro.capitalize()} has had no updates since {end}, not even security fixes",
+                advice="plan the migration to a supported distribution",
             )
             return

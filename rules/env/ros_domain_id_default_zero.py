@@ -1,12 +1,13 @@
-"""A robot that talks to other machines, on the domain that everybody has.
+"""A robot that talks to other machines uses domain 0.
 
 ## What it finds
-A process that talks to other machines (by `ROS_STATIC_PEERS`, or peers or a discovery server in its DDS configuration)
-with multicast discovery on, and whose whole environment is known to set no `ROS_DOMAIN_ID`, or 0.
+A process that talks to other machines (through `ROS_STATIC_PEERS`, or peers or a discovery server in its DDS
+configuration) with multicast discovery enabled, when its whole environment is known and sets no `ROS_DOMAIN_ID`, or
+sets it to 0.
 
 ## Why it matters on a robot
-Domain 0 is everybody's: every ROS 2 machine of the network sees the robot's topics, a second robot's velocity commands
-included.
+Domain 0 is the default of every ROS 2 machine. All of them on the network see the robot's topics and can command
+it, including a second robot.
 
 ## Bad
 ```sh
@@ -18,6 +19,9 @@ ROS_STATIC_PEERS=10.0.0.20
 ROS_STATIC_PEERS=10.0.0.20
 ROS_DOMAIN_ID=17
 ```
+
+## When to ignore it
+When only the robot and its own computers are on the network.
 
 ## References
 - ROS 2 documentation, "The ROS_DOMAIN_ID"
@@ -48,7 +52,7 @@ def ros_domain_id_default_zero(robot: Robot) -> Iterator[Finding]:
         said.add(where.span)
         yield finding(
             where,
-            f"{process.name} talks to {machine} in domain 0, in which every ROS 2 machine of the network is",
-            advice="give every robot a ROS_DOMAIN_ID of its own, from 1 to 101",
-            related=[note(process.where, "runs in domain 0"), note(machine, "is told of the other machine here")],
+            f"{process.name} talks to {machine} in domain 0, the default of every ROS 2 machine on the network",
+            advice="give every robot its own ROS_DOMAIN_ID, from 1 to 101",
+            related=[note(process.where, "runs in domain 0"), note(machine, "the other machine is named here")],
         )

@@ -1,12 +1,12 @@
-"""ROS_DOMAIN_ID uses ports that outgoing connections take.
+"""ROS_DOMAIN_ID uses ports of the ephemeral range.
 
 ## What it finds
-A domain from 102 to 214: its ports lie in Linux's ephemeral range. Robots that move the range or reserve the ports by
-sysctl are left alone.
+A domain from 102 to 214: its ports are in Linux's ephemeral range. Robots that move the range or reserve the ports
+by sysctl are not reported.
 
 ## Why it matters on a robot
-Any outgoing connection may get a port that DDS needs. Now and then a node fails at start with an address that is in
-use, and nothing can be seen afterwards.
+Any outgoing connection may occupy a port that DDS needs. From time to time a node fails at start with "Address
+already in use", and nothing is visible afterwards.
 
 ## Bad
 ```sh
@@ -17,6 +17,9 @@ ROS_DOMAIN_ID=150
 ```sh
 ROS_DOMAIN_ID=50
 ```
+
+## When to ignore it
+When the image moves the range or reserves the ports in a place that is not in the tree.
 
 ## References
 - https://docs.ros.org/en/rolling/Concepts/Intermediate/About-Domain-ID.html

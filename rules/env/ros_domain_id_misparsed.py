@@ -1,11 +1,11 @@
-"""ROS_DOMAIN_ID is read as another number than it shows.
+"""ROS_DOMAIN_ID is read as a different number.
 
 ## What it finds
-A value that rcl accepts but reads differently: a leading zero is octal, 0x is hexadecimal, whatever follows the
-digits is left out.
+A value that rcl accepts but reads differently: a leading zero means octal, `0x` means hexadecimal, and everything
+after the digits is ignored.
 
 ## Why it matters on a robot
-The process joins another domain than the rest of the robot. Nothing says so: its topics are just not there.
+The process joins another domain than the rest of the robot. No message says so: its topics are just missing.
 
 ## Bad
 ```sh
@@ -16,6 +16,9 @@ ROS_DOMAIN_ID=042
 ```sh
 ROS_DOMAIN_ID=42
 ```
+
+## When to ignore it
+When all processes of the robot get exactly the same text, so that they all join the same domain.
 
 ## References
 - rcl, `domain_id.c`: strtoul with base 0; the rest of the text counts only when the number is 0

@@ -1,10 +1,11 @@
-"""ROS_DOMAIN_ID is no number: no node starts.
+"""ROS_DOMAIN_ID is not a number, so no node starts.
 
 ## What it finds
-A value of ROS_DOMAIN_ID from which no number can be read, such as a name or a number that kept its quotes.
+A ROS_DOMAIN_ID that does not begin with a number, such as a name or a number with quotes that are part of the
+value.
 
 ## Why it matters on a robot
-rcl refuses to initialise: every process of ROS exits at start.
+rcl refuses to initialise: every ROS process exits at start.
 
 ## Bad
 ```sh
@@ -15,6 +16,9 @@ ROS_DOMAIN_ID=lab
 ```sh
 ROS_DOMAIN_ID=42
 ```
+
+## When to ignore it
+When a script replaces the value before a node starts.
 
 ## References
 - rcl, `domain_id.c`: the text goes through strtoul with base 0
@@ -36,6 +40,6 @@ def ros_domain_id_not_integer(robot: Robot) -> Iterator[Finding]:
         if domain_id(setting.text).number is None:
             yield finding(
                 setting.value,
-                f"rcl reads no number in ROS_DOMAIN_ID '{setting.text}': every ROS process exits at start",
+                f"rcl finds no number in ROS_DOMAIN_ID '{setting.text}': every ROS process exits at start",
                 advice="write a plain decimal number from 0 to 101",
             )

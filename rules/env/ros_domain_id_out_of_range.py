@@ -1,11 +1,11 @@
-"""ROS_DOMAIN_ID needs a port beyond 65535.
+"""ROS_DOMAIN_ID needs a port above 65535.
 
 ## What it finds
-A domain above 232. Robots whose DDS configuration changes the port base or the domain gain are left alone.
+A domain above 232. Robots whose DDS configuration changes the port base or the domain gain are not reported.
 
 ## Why it matters on a robot
-The ports of a domain are computed from its number: no participant can be created, no node starts. Older versions of
-Fast DDS did not even say so.
+The ports of a domain are computed from its number: no participant can be created, and no node starts. Older
+versions of Fast DDS do not even log an error.
 
 ## Bad
 ```sh
@@ -16,6 +16,9 @@ ROS_DOMAIN_ID=300
 ```sh
 ROS_DOMAIN_ID=30
 ```
+
+## When to ignore it
+When a DDS configuration that is not in the tree changes the port base or the domain gain.
 
 ## References
 - RTPS 2.2, section 9.6.2.3: 7400 + 250 x domain
@@ -43,7 +46,7 @@ def ros_domain_id_out_of_range(robot: Robot) -> Iterator[Finding]:
                 setting.value,
                 f"Domain {number} needs UDP port {highest_port(number)}: no node starts"
                 if number < 2**24
-                else f"Domain {number} is cut to 32 bits: the nodes join another domain, or none",
+                else f"Domain {number} is truncated to 32 bits: the nodes join another domain, or none",
                 advice="use a domain from 0 to 101",
             )
 

@@ -1,11 +1,12 @@
 """ROS_LOCALHOST_ONLY is neither 0 nor 1.
 
 ## What it finds
-A value of ROS_LOCALHOST_ONLY other than 0 and 1. Humble compares the whole text with 1, newer distributions look at
-the first character only.
+A ROS_LOCALHOST_ONLY other than 0 and 1. Humble compares the whole text with 1. Newer distributions look only at the
+first character.
 
 ## Why it matters on a robot
-`true` and `yes` mean disabled: the robot talks to the whole network although somebody meant to keep it to itself.
+`true` and `yes` mean disabled: the robot talks to the whole network although it was meant to stay on its own
+machine.
 
 ## Bad
 ```sh
@@ -16,6 +17,9 @@ ROS_LOCALHOST_ONLY=true
 ```sh
 ROS_LOCALHOST_ONLY=1
 ```
+
+## When to ignore it
+When the robot is meant to talk to the network. Writing 0 says so.
 
 ## References
 - rcl, `localhost.c` (Humble) and `discovery_options.c` (Jazzy)

@@ -1,12 +1,12 @@
 """ROS_LOCALHOST_ONLY is deprecated since Iron.
 
 ## What it finds
-ROS_LOCALHOST_ONLY on a robot that runs Iron or newer. When a discovery range or static peers are set too, which it
-overrides, the finding is a warning.
+ROS_LOCALHOST_ONLY on a robot that runs Iron or newer, as info. If the same file also sets a discovery range or
+static peers, which it overrides, the finding is a warning.
 
 ## Why it matters on a robot
-Every process logs two warnings, and =1 overrides ROS_AUTOMATIC_DISCOVERY_RANGE and ROS_STATIC_PEERS: the machines
-that are named there are never found.
+Every process logs two warnings. `ROS_LOCALHOST_ONLY=1` overrides ROS_AUTOMATIC_DISCOVERY_RANGE and
+ROS_STATIC_PEERS: the machines that are named there are never found.
 
 ## Bad
 ```sh
@@ -17,6 +17,9 @@ ROS_LOCALHOST_ONLY=1
 ```sh
 ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST
 ```
+
+## When to ignore it
+When the same file also serves robots that still run Humble.
 
 ## References
 - https://github.com/ros2/rcl/pull/1023

@@ -1,15 +1,15 @@
-"""Discovery is limited to this machine, and the configuration lists other machines.
+"""Discovery is limited to this machine, but the configuration lists other machines.
 
 ## What it finds
-`ROS_LOCALHOST_ONLY=1`, or `ROS_AUTOMATIC_DISCOVERY_RANGE=OFF`, in the environment of a process whose DDS configuration
-lists peers or a discovery server on another machine. The range LOCALHOST only switches multicast off: listed peers are
-contacted all the same, and it is not reported. Cyclone DDS files that name an interface of their own overrule the
-variable. Files and units for development and simulation are left alone.
+`ROS_LOCALHOST_ONLY=1` or `ROS_AUTOMATIC_DISCOVERY_RANGE=OFF` in the environment of a process whose DDS
+configuration lists peers or a discovery server on another machine. Not reported: the range LOCALHOST, which only
+disables multicast and still contacts listed peers, Cyclone DDS files that select an interface and so override the
+variable, and files and units for development and simulation.
 
 ## Why it matters on a robot
-Up to Humble the variable closes all interfaces but the loopback one, and OFF gives the process a discovery of its own:
-the other machine never sees the robot, and nothing in the log says so. Newer distributions treat
-`ROS_LOCALHOST_ONLY=1` as a wish not to be found: one of the two is not meant.
+Up to Humble the variable closes all interfaces but loopback, and OFF separates the discovery of the process. The
+other machine never sees the robot, and nothing in the log says so. On newer distributions `ROS_LOCALHOST_ONLY=1`
+only limits discovery, so the finding is a warning: one of the two settings is wrong.
 
 ## Bad
 ```sh
@@ -22,6 +22,9 @@ CYCLONEDDS_URI=file:///etc/lawn/cyclonedds.xml   # <Peer Address="10.0.0.20"/>
 ROS_LOCALHOST_ONLY=0
 CYCLONEDDS_URI=file:///etc/lawn/cyclonedds.xml
 ```
+
+## When to ignore it
+When the peers are a leftover for another machine and this process must stay local. Deleting them is better.
 
 ## References
 - rcl, localhost.c and discovery_options.c; rmw_cyclonedds and rmw_fastrtps, how they set up a participant
@@ -51,10 +54,10 @@ def ros_localhost_only_multi_machine(robot: Robot) -> Iterator[Finding]:
         if machine is None or (limit.name != RANGE and _names_interface(robot, process)):
             continue
         sure = limit.name == RANGE or newer is False
-        consequence = "that machine never sees the robot" if sure else "one of the two is not meant"
+        consequence = "that machine never sees the robot" if sure else "one of the two settings is wrong"
         yield finding(
             limit.value,
-            f"{process.name} may only talk to this machine, but its DDS configuration lists {machine}: {consequence}",
+            f"{process.name} may talk only to this machine, but its DDS configuration lists {machine}: {consequence}",
             advice=f"delete {limit.name}, or the other machines",
             related=[note(machine, "the other machine is listed here"), note(process.where, "gets the variable")],
             severity=None if sure else "warning",

@@ -1,11 +1,12 @@
-"""A service whose user has no home, and ROS no place for its logs.
+"""A service has no folder for its ROS logs.
 
 ## What it finds
-A unit that runs ROS with `DynamicUser=yes`, or with a `User=` whose home is `/nonexistent` or not there (in a root file
-system), and whose whole environment is known to set none of ROS_LOG_DIR, ROS_HOME and HOME.
+A unit that runs ROS, has no home folder, and sets none of ROS_LOG_DIR, ROS_HOME and HOME, as far as its whole
+environment is known. A unit has no home folder with `DynamicUser=yes`, or, in a root file system, with a `User=`
+whose home is `/nonexistent` or does not exist.
 
 ## Why it matters on a robot
-Every node writes to `~/.ros/log` from its first moment on: `Failed to create log directory`, and it ends.
+Every node writes to `~/.ros/log` as soon as it starts. It fails with `Failed to create log directory` and exits.
 
 ## Bad
 ```ini
@@ -19,6 +20,10 @@ User=robot
 LogsDirectory=ros2
 Environment=ROS_LOG_DIR=/var/log/ros2
 ```
+
+## When to ignore it
+When a script that is not in the tree sets ROS_LOG_DIR, or when the home folder is created before the service
+starts.
 
 ## References
 - rcl_logging_interface, how the log directory is found
@@ -49,7 +54,7 @@ def ros_log_dir_unset_service(robot: Robot) -> Iterator[Finding]:
             where, why = reason
             yield finding(
                 where,
-                f"{why}: ROS has nowhere to write its logs, {process.name} does not start",
+                f"{why}: ROS cannot write its logs, and {process.name} does not start",
                 advice="add LogsDirectory=ros2 and Environment=ROS_LOG_DIR=/var/log/ros2",
                 related=[note(process.where, "runs ROS")],
             )

@@ -1,11 +1,11 @@
-"""SROS2 is switched off although the robot has a keystore.
+"""SROS2 is disabled although the robot has a keystore.
 
 ## What it finds
-A clear no in ROS_SECURITY_ENABLE of a process whose environment names a keystore, outside of files for tests,
-simulation and development.
+`false`, `0`, `no` or `off` in the ROS_SECURITY_ENABLE of a file that also names a keystore. Files for tests,
+simulation and development are not reported.
 
 ## Why it matters on a robot
-Any machine on the network can publish velocity commands. Security that is switched off to try something tends to stay
+Any machine on the network can publish velocity commands. Security that is switched off for a test tends to stay
 off.
 
 ## Bad
@@ -20,6 +20,9 @@ ROS_SECURITY_ENABLE=true
 ROS_SECURITY_STRATEGY=Enforce
 ROS_SECURITY_KEYSTORE=/etc/robot/keystore
 ```
+
+## When to ignore it
+When this file is for commissioning and is not installed on the delivered robot.
 
 ## References
 - rcl, `security.c`: the values are compared letter by letter
@@ -48,9 +51,9 @@ def ros_security_disabled(robot: Robot) -> Iterator[Finding]:
             if store.value.span.source is setting.value.span.source:
                 yield finding(
                     setting.value,
-                    "SROS2 is switched off: any machine on the network can command the robot",
+                    "SROS2 is disabled: any machine on the network can command the robot",
                     advice="write ROS_SECURITY_ENABLE=true and ROS_SECURITY_STRATEGY=Enforce",
                     related=[note(store.value, "the keystore is named here")],
-                    fix=fix("switch security on", (setting.value, "true"), safe=False),
+                    fix=fix("enable security", (setting.value, "true"), safe=False),
                 )
                 break

@@ -1,11 +1,12 @@
-"""ROS_SECURITY_ENABLE is not exactly true: security is off.
+"""ROS_SECURITY_ENABLE is not exactly true, so security is off.
 
 ## What it finds
-TRUE, True, 1, yes, on or another spelling of yes. Clear negatives are the business of env/ros-security-disabled.
+`TRUE`, `True`, `1`, `yes`, `on` and other values that look like yes. `env/ros-security-disabled` handles the values
+that mean no.
 
 ## Why it matters on a robot
-rcl compares the text with `true`. Everything else means off, without any warning: the nodes talk in clear text, and
-anybody on the network can drive the robot.
+rcl compares the text with `true`. Everything else means off, without any warning: the nodes communicate
+unencrypted, and anybody on the network can drive the robot.
 
 ## Bad
 ```sh
@@ -16,6 +17,9 @@ ROS_SECURITY_ENABLE=TRUE
 ```sh
 ROS_SECURITY_ENABLE=true
 ```
+
+## When to ignore it
+Never: rcl accepts only `true`.
 
 ## References
 - rcl, `security.c`: the values are compared letter by letter
@@ -39,7 +43,7 @@ def ros_security_enable_case(robot: Robot) -> Iterator[Finding]:
         if setting.text != "true" and setting.text.lower() not in NO:
             yield finding(
                 setting.value,
-                f"ROS_SECURITY_ENABLE '{setting.text}' switches security off: the nodes talk in clear text",
-                advice="write true, in small letters",
+                f"ROS_SECURITY_ENABLE '{setting.text}' disables security: the nodes communicate unencrypted",
+                advice="write true, in lower case",
                 fix=fix("write true", (setting.value, "true")),
             )

@@ -1,10 +1,10 @@
-"""One identity for several processes.
+"""Several processes share one enclave.
 
 ## What it finds
 `ROS_SECURITY_ENCLAVE_OVERRIDE` in a file that several units or services read.
 
 ## Why it matters on a robot
-All of them get the same enclave: a compromised camera driver may do whatever the motor controller may.
+All of them get the same identity: a compromised camera driver has the permissions of the motor controller.
 
 ## Bad
 ```ini
@@ -16,6 +16,9 @@ ROS_SECURITY_ENCLAVE_OVERRIDE=/lawn/driver
 ```ini
 ExecStart=ros2 run lawn driver --ros-args --enclave /lawn/driver
 ```
+
+## When to ignore it
+When the processes need the same permissions and you accept one identity for all of them.
 
 ## References
 - rcl, security.c; tried with the real rcl of Jazzy
@@ -42,8 +45,8 @@ def ros_security_enclave_override_shared(robot: Robot) -> Iterator[Finding]:
         if len(processes) > 1:
             yield finding(
                 variable.value,
-                f"{' and '.join(list(processes)[:3])} all get the identity {variable.value}: each may do what any of "
-                "them may",
+                f"{' and '.join(list(processes)[:3])} share the identity {variable.value}: each has the permissions "
+                "of all",
                 advice="select the enclave per process with --ros-args --enclave",
                 related=[note(process.where, "takes it from here") for process in list(processes.values())[:3]],
             )

@@ -1,10 +1,10 @@
 """The path of the keystore is not expanded.
 
 ## What it finds
-`~` or `$HOME` in ROS_SECURITY_KEYSTORE in a place where nothing expands it, such as an environment file.
+`~` or `$HOME` in ROS_SECURITY_KEYSTORE where nothing expands it, such as an environment file.
 
 ## Why it matters on a robot
-rcl looks for a folder of that very name: with Enforce no node starts, else all run unsecured.
+rcl looks for a folder with exactly this name. With Enforce no node starts, otherwise all nodes run unsecured.
 
 ## Bad
 ```sh
@@ -15,6 +15,9 @@ ROS_SECURITY_KEYSTORE=~/keystore
 ```sh
 ROS_SECURITY_KEYSTORE=/etc/robot/keystore
 ```
+
+## When to ignore it
+When a shell reads the file and exports the expanded value before a node starts.
 
 ## References
 - rcl, `security.c`: the values are compared letter by letter

@@ -1,11 +1,11 @@
-"""Security is on, but there is no keystore.
+"""Security is enabled without a keystore.
 
 ## What it finds
 A process with ROS_SECURITY_ENABLE=true and no ROS_SECURITY_KEYSTORE, when all sources of its environment are known.
 
 ## Why it matters on a robot
-With Enforce every node stops with "failed to initialize rcl: error not set", which says nothing; with Permissive all
-run unsecured.
+With Enforce every node exits with "failed to initialize rcl: error not set", which does not name the cause. With
+Permissive all nodes run unsecured.
 
 ## Bad
 ```sh
@@ -17,6 +17,9 @@ ROS_SECURITY_ENABLE=true
 ROS_SECURITY_ENABLE=true
 ROS_SECURITY_KEYSTORE=/etc/robot/keystore
 ```
+
+## When to ignore it
+When a wrapper that the linter cannot read sets the variable.
 
 ## References
 - rcl, `security.c`: the values are compared letter by letter

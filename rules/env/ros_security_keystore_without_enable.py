@@ -1,10 +1,11 @@
-"""A keystore is named, but security is not switched on.
+"""A keystore is set, but security is not enabled.
 
 ## What it finds
-A process whose environment names ROS_SECURITY_KEYSTORE and has no ROS_SECURITY_ENABLE, when all sources are known.
+A process whose environment sets ROS_SECURITY_KEYSTORE but not ROS_SECURITY_ENABLE, when all sources of its
+environment are known.
 
 ## Why it matters on a robot
-The nodes run unsecured. Everything looks as if security were set up.
+The nodes run unsecured, although everything looks as if security were set up.
 
 ## Bad
 ```sh
@@ -17,6 +18,9 @@ ROS_SECURITY_ENABLE=true
 ROS_SECURITY_STRATEGY=Enforce
 ROS_SECURITY_KEYSTORE=/etc/robot/keystore
 ```
+
+## When to ignore it
+When security is enabled only in some deployments, by a file that is not in this tree.
 
 ## References
 - rcl, `security.c`: the values are compared letter by letter
@@ -39,7 +43,7 @@ def ros_security_keystore_without_enable(robot: Robot) -> Iterator[Finding]:
         if store and store.text and _is_unset(robot, process):
             yield finding(
                 store.value,
-                f"{process.name} names a keystore but does not switch security on: its nodes run unsecured",
+                f"{process.name} sets a keystore but does not enable security: its nodes run unsecured",
                 advice="add ROS_SECURITY_ENABLE=true and ROS_SECURITY_STRATEGY=Enforce",
                 related=[note(process.where, f"{process.name} gets the variable")],
             )

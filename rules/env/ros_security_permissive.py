@@ -1,11 +1,11 @@
-"""Security is on, but permissive.
+"""Security is enabled, but permissive.
 
 ## What it finds
 A process with ROS_SECURITY_ENABLE=true and ROS_SECURITY_STRATEGY=Permissive, or without a strategy, which means the
-same. Files for tests and development are left alone.
+same. Files for tests and development are not reported.
 
 ## Why it matters on a robot
-A node whose credentials are not found runs unsecured and can still join: the robot works, and is open.
+A node whose credentials are not found runs unsecured and can still join: the robot works, but is open.
 
 ## Bad
 ```sh
@@ -18,6 +18,9 @@ ROS_SECURITY_STRATEGY=Permissive
 ROS_SECURITY_ENABLE=true
 ROS_SECURITY_STRATEGY=Enforce
 ```
+
+## When to ignore it
+During the migration of a robot to SROS2, as long as the network is trusted.
 
 ## References
 - rcl, `security.c`: the values are compared letter by letter

@@ -1,10 +1,10 @@
-"""A security variable that went with Eloquent.
+"""A security variable was removed after Eloquent.
 
 ## What it finds
-`ROS_SECURITY_ROOT_DIRECTORY`, `ROS_SECURITY_NODE_DIRECTORY` and `ROS_SECURITY_LOOKUP_TYPE`, set anywhere.
+`ROS_SECURITY_ROOT_DIRECTORY`, `ROS_SECURITY_NODE_DIRECTORY` and `ROS_SECURITY_LOOKUP_TYPE`, wherever they are set.
 
 ## Why it matters on a robot
-Nothing reads them since Foxy: the keystore that they name is not used.
+Since Foxy nothing reads them: the keystore that they name is not used.
 
 ## Bad
 ```sh
@@ -15,6 +15,9 @@ ROS_SECURITY_ROOT_DIRECTORY=/etc/lawn/keystore
 ```sh
 ROS_SECURITY_KEYSTORE=/etc/lawn/keystore
 ```
+
+## When to ignore it
+When the same file also serves robots that still run Dashing or Eloquent.
 
 ## References
 - rcl, security.c: ROS_SECURITY_KEYSTORE since Foxy
@@ -40,6 +43,6 @@ def ros_security_root_directory_legacy(robot: Robot) -> Iterator[Finding]:
         if setting.name in INSTEAD:
             yield finding(
                 setting.value,
-                f"{setting.name} is not read since Foxy: it has no effect",
+                f"Since Foxy nothing reads {setting.name}: it has no effect",
                 advice=INSTEAD[setting.name],
             )

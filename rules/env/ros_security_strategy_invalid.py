@@ -1,10 +1,10 @@
 """ROS_SECURITY_STRATEGY is neither Enforce nor Permissive.
 
 ## What it finds
-Another text than `Enforce` or `Permissive`, also one in other letters, while security is on.
+A value other than `Enforce` and `Permissive`. Upper and lower case matter.
 
 ## Why it matters on a robot
-rcl takes everything but `Enforce` as permissive: a node without credentials runs unsecured instead of failing.
+rcl treats everything but `Enforce` as permissive: a node without credentials runs unsecured instead of failing.
 
 ## Bad
 ```sh
@@ -15,6 +15,9 @@ ROS_SECURITY_STRATEGY=enforce
 ```sh
 ROS_SECURITY_STRATEGY=Enforce
 ```
+
+## When to ignore it
+When Permissive is intended. Writing `Permissive` says so.
 
 ## References
 - rcl, `security.c`: the values are compared letter by letter

@@ -1,11 +1,11 @@
-"""Static peers that are never contacted.
+"""The static peers are never contacted.
 
 ## What it finds
-ROS_STATIC_PEERS in one environment with a discovery range OFF or SYSTEM_DEFAULT, or with ROS_LOCALHOST_ONLY=1, on
-Iron and newer.
+ROS_STATIC_PEERS together with a discovery range of OFF or SYSTEM_DEFAULT, or with ROS_LOCALHOST_ONLY=1, in one
+environment on Iron and newer.
 
 ## Why it matters on a robot
-The listed machines are not contacted, and nothing says so: the base station never sees the robot.
+The listed machines are not contacted, and no message says so: the base station never sees the robot.
 
 ## Bad
 ```sh
@@ -18,6 +18,9 @@ ROS_STATIC_PEERS=10.0.0.2
 ROS_AUTOMATIC_DISCOVERY_RANGE=SUBNET
 ROS_STATIC_PEERS=10.0.0.2
 ```
+
+## When to ignore it
+When discovery is switched off on purpose and the peers are kept for a quick return.
 
 ## References
 - https://docs.ros.org/en/rolling/Tutorials/Advanced/Improved-Dynamic-Discovery.html

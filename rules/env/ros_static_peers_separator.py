@@ -1,11 +1,11 @@
-"""ROS_STATIC_PEERS are separated by something else than a semicolon.
+"""The peers in ROS_STATIC_PEERS are not separated by semicolons.
 
 ## What it finds
-A comma or a blank in ROS_STATIC_PEERS, also at an end or beside a semicolon. A semicolon at the end is fine.
+A comma or a space in ROS_STATIC_PEERS, also at an end or next to a semicolon. A semicolon at the end is valid.
 
 ## Why it matters on a robot
-What stands between two semicolons, blanks and commas included, is taken as one host name. Fast DDS cannot
-resolve it and refuses to create the node.
+Everything between two semicolons, including spaces and commas, is one host name. Fast DDS cannot resolve it and
+refuses to create the node.
 
 ## Bad
 ```sh
@@ -16,6 +16,9 @@ ROS_STATIC_PEERS=10.0.0.1,10.0.0.2
 ```sh
 ROS_STATIC_PEERS=10.0.0.1;10.0.0.2
 ```
+
+## When to ignore it
+Never: no host name contains spaces or commas.
 
 ## References
 - rcl, `discovery_options.c`: peers are separated by `;`
@@ -40,8 +43,8 @@ def ros_static_peers_separator(robot: Robot) -> Iterator[Finding]:
             as_written = setting.value == setting.text
             yield finding(
                 setting.value,
-                f"'{setting.text}' has blanks or commas, which become part of a host name: no node starts with Fast "
-                "DDS",
+                f"'{setting.text}' has spaces or commas, which become part of a host name: with Fast DDS no node "
+                "starts",
                 advice=f"write {right}",
                 fix=fix("separate the peers by ';'", (setting.value, right)) if as_written else None,
             )

@@ -1,11 +1,11 @@
-"""A static peer whose name the robot cannot look up.
+"""The robot cannot resolve the name of a static peer.
 
 ## What it finds
-In a root file system with an `/etc/hosts`: a host name in `ROS_STATIC_PEERS` that stands neither there nor in
-`/etc/hostname`, and has no domain (`.local`, `.lan`) behind it; anywhere: a peer of more than 255 characters.
+In a root file system with an `/etc/hosts`: a host name in `ROS_STATIC_PEERS` without a domain (`.local`, `.lan`)
+that is neither in that file nor in `/etc/hostname`. In every tree: a peer of more than 255 characters.
 
 ## Why it matters on a robot
-Fast DDS looks every peer up when a node is created: one that cannot be resolved, and no node starts. A robot boots
+Fast DDS resolves every peer when a node is created. If one peer cannot be resolved, no node starts. A robot boots
 before the network's name server answers, if there is one at all.
 
 ## Bad
@@ -17,6 +17,10 @@ ROS_STATIC_PEERS=base-station
 ```sh
 ROS_STATIC_PEERS=10.0.0.20
 ```
+
+## When to ignore it
+When a name server on the robot itself resolves the name, or when the services start only after the network's name
+server answers.
 
 ## References
 - rmw_fastrtps, tried with the real Fast DDS 2.14: `Unable to resolve peer`
@@ -44,15 +48,15 @@ def ros_static_peers_unresolvable(robot: Robot) -> Iterator[Finding]:
             if len(peer) > 255:
                 yield finding(
                     peer,
-                    f"A peer of {len(peer)} characters is longer than 255: rmw refuses the whole list",
+                    f"A peer of {len(peer)} characters is longer than 255: rmw rejects the whole list",
                     advice="write addresses, separated by ';'",
                 )
             elif hosts is not None and NAME.fullmatch(peer) and peer.lower() not in _known(robot, hosts):
                 yield finding(
                     peer,
-                    f"Nothing on the robot says which address '{peer}' has: if it cannot be looked up, no node starts",
+                    f"Nothing on the robot gives the address of '{peer}': if it cannot be resolved, no node starts",
                     advice="write the address, or add the name to /etc/hosts",
-                    related=[note(hosts, "does not name it")],
+                    related=[note(hosts, "does not contain it")],
                 )
 
 

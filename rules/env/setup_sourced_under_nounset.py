@@ -1,11 +1,11 @@
-"""A setup file is sourced while unset variables are errors.
+"""A setup file is sourced with set -u.
 
 ## What it finds
-`source .../setup.bash` in a script after `set -u`, `set -eu...` or `set -o nounset`, when neither `set +u` stands
-between nor AMENT_TRACE_SETUP_FILES is set.
+`source .../setup.bash` in a script after `set -u`, `set -eu...` or `set -o nounset`, without a `set +u` in between.
+Silent if the script sets AMENT_TRACE_SETUP_FILES.
 
 ## Why it matters on a robot
-The setup files of ROS read variables that are not set: the script ends there, and the service with it.
+The ROS setup files read variables that are not set: the script exits there, and the service with it.
 
 ## Bad
 ```sh
@@ -19,6 +19,9 @@ set -eo pipefail
 source /opt/ros/jazzy/setup.bash
 set -u
 ```
+
+## When to ignore it
+When the environment of the script always sets AMENT_TRACE_SETUP_FILES, or the setup file is your own.
 
 ## References
 - bash(1), "set -u"
@@ -63,7 +66,7 @@ def _check(source):
         if strict is not None and words[:1] in (["source"], ["."]) and len(words) > 1 and SETUP.search(words[1]):
             yield finding(
                 command.words[1],
-                "The setup file reads unset variables: under 'set -u' the script ends here",
+                "The setup file reads unset variables: with 'set -u' the script exits here",
                 advice="source it before 'set -u', or between 'set +u' and 'set -u'",
                 related=[note(strict, "unset variables become errors here")],
             )

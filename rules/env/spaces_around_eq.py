@@ -1,11 +1,11 @@
-"""Blanks around = in an environment file.
+"""There are spaces around = in an environment file.
 
 ## What it finds
-Blanks before or behind the = of an entry in a file that a unit reads with EnvironmentFile=.
+Spaces before or after the `=` of an entry in a file that a unit reads with EnvironmentFile=.
 
 ## Why it matters on a robot
-systemd takes the entry, every shell that sources the file takes the name for a command, and docker takes
-the blanks as part of the name: the same file means three things.
+systemd accepts the entry, a shell that sources the file runs the name as a command, and docker makes the space part
+of the name: the same file means three things.
 
 ## Bad
 ```sh
@@ -16,6 +16,9 @@ ROS_DOMAIN_ID = 42
 ```sh
 ROS_DOMAIN_ID=42
 ```
+
+## When to ignore it
+When only systemd ever reads the file.
 
 ## References
 - systemd.exec(5), "EnvironmentFile="; bash(1), "PARAMETERS"
@@ -39,8 +42,8 @@ def spaces_around_eq(robot: Robot) -> Iterator[Finding]:
             if blanks:
                 yield finding(
                     entry.name,
-                    f"Blanks around the = of {entry.name}: systemd reads over them, a shell or docker does not",
-                    advice="remove the blanks",
+                    f"Spaces around the = of {entry.name}: systemd ignores them, but a shell or docker does not",
+                    advice="remove the spaces",
                     related=[note(file.readers[0].value, "the service reads it here")],
-                    fix=fix("remove the blanks", *((blank, "") for blank in blanks)),
+                    fix=fix("remove the spaces", *((blank, "") for blank in blanks)),
                 )

@@ -1,11 +1,11 @@
-"""A quote that is not closed swallows the lines behind it.
+"""A quote that is not closed swallows the lines after it.
 
 ## What it finds
-A quote that opens a value of a file that a unit reads with EnvironmentFile= and is never closed, or is
-closed only behind lines that look like entries of their own.
+A quote at the start of a value in a file that a unit reads with EnvironmentFile=, when the quote is never closed,
+or is closed only after lines that look like entries.
 
 ## Why it matters on a robot
-All lines up to the closing quote, or the end of the file, become part of one value: the variables that they
+All lines up to the closing quote, or to the end of the file, become part of one value. The variables that they
 should set are missing.
 
 ## Bad
@@ -19,6 +19,9 @@ ROS_DOMAIN_ID=42
 RMW_IMPLEMENTATION="rmw_cyclonedds_cpp"
 ROS_DOMAIN_ID=42
 ```
+
+## When to ignore it
+When the value really has several lines that look like assignments, for example an embedded configuration file.
 
 ## References
 - systemd.exec(5), "EnvironmentFile=": quoted values may span lines

@@ -1,11 +1,11 @@
 """The distribution does not read this variable.
 
 ## What it finds
-Discovery range and static peers before Iron, variables of rmw_zenoh before Jazzy, names of ROS 1 and of early ROS 2
-releases that nothing reads any more.
+Variables that the robot's distribution does not read: discovery range and static peers before Iron, variables of
+rmw_zenoh before Jazzy, and `RCUTILS_CONSOLE_STDOUT_LINE_BUFFERED`, which nothing reads any more.
 
 ## Why it matters on a robot
-The setting has no effect, and nothing says so: discovery stays as wide as it was.
+The setting has no effect, and no message says so: discovery, for example, stays as wide as it was.
 
 ## Bad
 ```sh
@@ -16,6 +16,9 @@ ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST      (on Humble)
 ```sh
 ROS_LOCALHOST_ONLY=1
 ```
+
+## When to ignore it
+When the same file also serves robots with a distribution that reads the variable.
 
 ## References
 - rcl of each distribution
@@ -33,9 +36,9 @@ from bringup_lint.api.ros import at_least
 SINCE = {
     "ROS_AUTOMATIC_DISCOVERY_RANGE": ("iron", "use ROS_LOCALHOST_ONLY"),
     "ROS_STATIC_PEERS": ("iron", "name the peers in the DDS configuration"),
-    "ZENOH_ROUTER_CONFIG_URI": ("jazzy", "rmw_zenoh comes with Jazzy"),
-    "ZENOH_SESSION_CONFIG_URI": ("jazzy", "rmw_zenoh comes with Jazzy"),
-    "ZENOH_CONFIG_OVERRIDE": ("jazzy", "rmw_zenoh comes with Jazzy"),
+    "ZENOH_ROUTER_CONFIG_URI": ("jazzy", "rmw_zenoh exists from Jazzy on"),
+    "ZENOH_SESSION_CONFIG_URI": ("jazzy", "rmw_zenoh exists from Jazzy on"),
+    "ZENOH_CONFIG_OVERRIDE": ("jazzy", "rmw_zenoh exists from Jazzy on"),
 }
 GONE = {"RCUTILS_CONSOLE_STDOUT_LINE_BUFFERED": "use RCUTILS_LOGGING_BUFFERED_STREAM"}
 

@@ -1,13 +1,12 @@
 """The workspace is sourced before the distribution.
 
 ## What it finds
-A shell that sources the setup file of a workspace first and `/opt/ros/<distro>/setup.*` after it, in a unit
-or in a script of the tree that a unit starts.
+A shell that sources the setup file of a workspace first and `/opt/ros/<distro>/setup.*` after it, in a unit or in a
+script of the tree that a unit starts.
 
 ## Why it matters on a robot
-Each setup file puts its own paths in front. Sourced last, the distribution hides every package that the
-workspace has a changed copy of: the robot runs the released navigation stack instead of the patched one,
-without a message.
+Each setup file puts its own paths first. If the distribution is sourced last, it hides every package of which the
+workspace has a modified copy: the robot silently runs the released navigation stack instead of the patched one.
 
 ## Bad
 ```bash
@@ -20,6 +19,9 @@ source /opt/ros/jazzy/setup.bash
 source /opt/ros/jazzy/setup.bash
 source /opt/rover/install/setup.bash
 ```
+
+## When to ignore it
+When the workspace has no package that also exists in the distribution. The order is still fragile.
 
 ## References
 - ROS 2 documentation, "Creating a workspace": overlay and underlay
@@ -45,7 +47,7 @@ def workspace_source_order(robot: Robot) -> Iterator[Finding]:
                 elif workspace and step.command.depth == 0 and workspace[0].command.depth == 0:
                     yield finding(
                         word,
-                        f"{word}, sourced last, hides the packages of {workspace[1]} that exist in both",
+                        f"{word} is sourced last and hides the packages of {workspace[1]} that exist in both",
                         advice="source the distribution first, then the workspace",
                         related=[
                             note(workspace[1], "the workspace is sourced here"),

@@ -1,11 +1,11 @@
-"""A configuration of zenoh that zenoh rejects.
+"""zenoh rejects its configuration.
 
 ## What it finds
-For processes that may run rmw_zenoh_cpp: a `ZENOH_ROUTER_CONFIG_URI` or `ZENOH_SESSION_CONFIG_URI` whose file is not
-there (in a root file system) or is not JSON5, and a part of `ZENOH_CONFIG_OVERRIDE` without `=`.
+For processes that may run rmw_zenoh_cpp: a `ZENOH_ROUTER_CONFIG_URI` or `ZENOH_SESSION_CONFIG_URI` whose file does
+not exist (in a root file system) or is not JSON5, and a part of `ZENOH_CONFIG_OVERRIDE` without `=`.
 
 ## Why it matters on a robot
-No session is opened and no node starts; the log only says that the logging system is not initialised.
+No session is opened and no node starts. The log only says that the logging system is not initialised.
 
 ## Bad
 ```sh
@@ -16,6 +16,9 @@ ZENOH_CONFIG_OVERRIDE=mode:"client";connect/endpoints=["tcp/10.0.0.20:7447"]
 ```sh
 ZENOH_CONFIG_OVERRIDE=mode="client";connect/endpoints=["tcp/10.0.0.20:7447"]
 ```
+
+## When to ignore it
+When a script or unit generates the file before the nodes start.
 
 ## References
 - rmw_zenoh, README: configuration
@@ -57,17 +60,17 @@ def _file(robot, variable, process):
     if source is None and robot.tree.has(variable.text) is False:
         yield finding(
             variable.value,
-            f"{variable.text} does not exist: zenoh opens no session, {process.name} starts no node",
-            advice="ship the file, or delete the variable to get the default configuration",
+            f"{variable.text} does not exist: zenoh opens no session, and {process.name} starts no node",
+            advice="install the file, or delete the variable to get the default configuration",
             related=[note(process.where, f"{process.name} gets the variable")],
         )
     problem = json5.fault(source) if source is not None and not source.template else None
     if problem is not None:
         yield finding(
             problem.where,
-            f"The file is not JSON5 ({problem.detail}): zenoh opens no session, {process.name} starts no node",
+            f"The file is not JSON5 ({problem.detail}): zenoh opens no session, and {process.name} starts no node",
             advice="start from the default file of the installed rmw_zenoh_cpp",
-            related=[note(variable.value, f"{process.name} reads it by this variable")],
+            related=[note(variable.value, f"{process.name} reads it through this variable")],
         )
 
 
@@ -82,7 +85,7 @@ def _override(robot, variable, process):
         if text and "=" not in text:
             yield finding(
                 text,
-                f"'{text}' is no key=value: zenoh opens no session, {process.name} starts no node",
+                f"'{text}' is not key=value: zenoh opens no session, and {process.name} starts no node",
                 advice="write pairs such as mode=\"client\", separated by ';'",
                 related=[note(process.where, f"{process.name} gets the variable")],
             )

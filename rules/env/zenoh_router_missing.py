@@ -1,12 +1,12 @@
-"""Nothing starts the router that the nodes wait for.
+"""Nothing starts the zenoh router that the nodes need.
 
 ## What it finds
-In a root file system: a process with `RMW_IMPLEMENTATION=rmw_zenoh_cpp` whose whole environment is known to hold no
-`ZENOH_ROUTER_CHECK_ATTEMPTS`, `ZENOH_SESSION_CONFIG_URI` or `ZENOH_CONFIG_OVERRIDE`, while no unit, launch file, script
-or compose service of the tree mentions `rmw_zenohd` or `zenohd`.
+In a root file system: a process with `RMW_IMPLEMENTATION=rmw_zenoh_cpp` whose whole environment is known and sets
+none of `ZENOH_ROUTER_CHECK_ATTEMPTS`, `ZENOH_SESSION_CONFIG_URI` and `ZENOH_CONFIG_OVERRIDE`, when no unit, launch
+file, script or compose service of the tree mentions `rmw_zenohd` or `zenohd`.
 
 ## Why it matters on a robot
-By default nodes find each other through a router on this machine: without one they do not discover each other.
+By default nodes find each other through a router on the same machine. Without one they do not discover each other.
 
 ## Bad
 ```ini
@@ -21,6 +21,9 @@ ExecStart=/opt/lawn/ros2-env ros2 run rmw_zenoh_cpp rmw_zenohd
 # lawn.service
 After=zenoh-router.service
 ```
+
+## When to ignore it
+When the router runs in a container or on an image that is not in the tree.
 
 ## References
 - rmw_zenoh, README: the zenoh router
@@ -52,7 +55,7 @@ def zenoh_router_missing(robot: Robot) -> Iterator[Finding]:
         if all(environment.defines(name) is False for name in ELSEWHERE):
             yield finding(
                 rmw.value,
-                f"No zenoh router is started on this robot: the nodes of {process.name} do not discover each other",
+                f"Nothing starts a zenoh router on this robot: the nodes of {process.name} do not discover each other",
                 advice="add a unit that runs ros2 run rmw_zenoh_cpp rmw_zenohd, and order the others after it",
                 related=[note(process.where, f"{process.name} waits for it")],
             )

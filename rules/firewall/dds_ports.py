@@ -1,14 +1,13 @@
 """The firewall does not open the ports of the DDS domain.
 
 ## What it finds
-UDP ranges that are opened for DDS (they begin at a port of some domain) but do not hold the ports of the
-domain that the tree sets with `ROS_DOMAIN_ID`: 7400 + 250 × domain, +0 and +1 for multicast, +10 + 2p and
-+11 + 2p for participant p. Rules that let in a whole subnet or interface, and trees with several domains,
-are left alone, and so are robots whose processes all read a DDS file with ports of its own.
+UDP ranges that are opened for DDS (they begin at a port of some domain) but do not contain the ports of the domain
+that the tree sets with `ROS_DOMAIN_ID`. These are 7400 + 250 × domain, +0 and +1 for multicast, +10 + 2p and +11 +
+2p for participant p. Not reported: rules that admit a whole subnet or interface, trees with several domains, and
+robots whose processes all read a DDS file with its own ports.
 
 ## Why it matters on a robot
-Discovery is dropped: from other machines the robot has no topics at all, and everything works on the robot
-itself.
+The firewall drops discovery: everything works on the robot itself, but other machines see no topics.
 
 ## Bad
 ```sh
@@ -21,6 +20,9 @@ ufw allow 7400:7700/udp
 # ROS_DOMAIN_ID=42: 7400 + 250 * 42 = 17900
 ufw allow 17900:17999/udp
 ```
+
+## When to ignore it
+When no other machine should take part in the robot's domain, and the open range is for something else.
 
 ## References
 - DDSI-RTPS 2.5, section 9.6.2, "Port mapping"
@@ -56,7 +58,7 @@ def dds_ports(robot: Robot) -> Iterator[Finding]:
             opened = ", ".join(f"{e.first}-{e.last}" if e.last > e.first else f"{e.first}" for e in ranges)
             yield finding(
                 for_dds[0].where,
-                f"The firewall opens {opened}; domain {number} needs {base} to {base + 11} and up",
+                f"The firewall opens {opened}, but domain {number} needs {base} to {base + 11} and up",
                 advice=f"open {base}:{base + 99}/udp",
                 related=[note(place, "the domain is set here")],
             )

@@ -1,11 +1,11 @@
-"""The firewall lets in everything that it does not list.
+"""The firewall accepts every packet that it does not list.
 
 ## What it finds
-A script or rule file with rules for incoming packets that neither sets a default of DROP nor ends with one.
-ufw denies by default once it is enabled.
+A script or rule file with iptables or nft rules for incoming packets that neither sets a default of DROP nor ends
+with one. ufw denies by default once it is enabled.
 
 ## Why it matters on a robot
-The rules look like a wall and are none: every other port of the robot is open.
+The rules look like protection but are none: every other port of the robot is open.
 
 ## Bad
 ```sh
@@ -17,6 +17,9 @@ iptables -A INPUT -p tcp --dport 22 -j ACCEPT
 iptables -P INPUT DROP
 iptables -A INPUT -p tcp --dport 22 -j ACCEPT
 ```
+
+## When to ignore it
+When another file that is not in the tree sets the default policy.
 
 ## References
 - robotics-security guide, firewall
@@ -37,6 +40,6 @@ def default_accept(robot: Robot) -> Iterator[Finding]:
         if uses and "ufw" not in firewall.tools and firewall.first_input is not None and not firewall.drops:
             yield finding(
                 firewall.first_input,
-                "Everything that these rules do not list is let in",
+                "The firewall accepts everything that these rules do not list",
                 advice="set the default: iptables -P INPUT DROP, or policy drop",
             )

@@ -1,11 +1,11 @@
 """IPv6 is not filtered.
 
 ## What it finds
-iptables rules for incoming packets in a tree that has neither ip6tables nor nftables `inet` rules and does
-not switch IPv6 off. ufw does both.
+iptables rules for incoming packets in a tree that has neither ip6tables nor nftables `inet` rules and does not
+disable IPv6. ufw covers both.
 
 ## Why it matters on a robot
-Every interface has a link-local IPv6 address: who is on the same network passes the firewall by using it.
+Every interface has a link-local IPv6 address. Anybody on the same network bypasses the firewall with it.
 
 ## Bad
 ```sh
@@ -17,6 +17,9 @@ iptables -P INPUT DROP
 iptables -P INPUT DROP
 ip6tables -P INPUT DROP
 ```
+
+## When to ignore it
+When the kernel is built without IPv6, or a router in front of the robot filters it.
 
 ## References
 - robotics-security guide, firewall
@@ -40,6 +43,6 @@ def no_ipv6(robot: Robot) -> Iterator[Finding]:
         if "iptables" in firewall.tools and firewall.drops and firewall.first_input is not None:
             yield finding(
                 firewall.first_input,
-                "IPv6 is unfiltered: these rules are for IPv4 only",
-                advice="add ip6tables rules, or switch IPv6 off",
+                "IPv6 is not filtered: these rules are only for IPv4",
+                advice="add ip6tables rules, or disable IPv6",
             )

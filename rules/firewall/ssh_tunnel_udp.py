@@ -1,11 +1,11 @@
 """An SSH tunnel cannot carry DDS.
 
 ## What it finds
-`ssh -L` or `ssh -R` with a port of a DDS domain: 7400 to 7450, or of the domain that the script or the tree
-sets.
+`ssh -L` or `ssh -R` with a DDS port: one of the first 51 ports of domain 0 (7400 to 7450) or of the domain that the
+tree sets.
 
 ## Why it matters on a robot
-SSH forwards TCP only; DDS discovery and data are UDP. The tunnel stands, and carries nothing.
+SSH forwards only TCP, but DDS discovery and data use UDP. The tunnel is established and carries nothing.
 
 ## Bad
 ```sh
@@ -16,6 +16,9 @@ ssh -N -L 7400:localhost:7400 robot@robot-7
 ```sh
 # a VPN, or zenoh-bridge-ros2dds over TCP
 ```
+
+## When to ignore it
+When a TCP service listens on this port, for example DDS over TCP or a discovery server with a TCP transport.
 
 ## References
 - ssh(1), -L
@@ -38,6 +41,6 @@ def ssh_tunnel_udp(robot: Robot) -> Iterator[Finding]:
         if any(base <= port <= base + 50 for base in bases):
             yield finding(
                 where,
-                f"SSH forwards TCP only, port {port} is DDS over UDP: the tunnel carries nothing",
+                f"SSH forwards only TCP, but port {port} is DDS over UDP: the tunnel carries nothing",
                 advice="use a VPN, a zenoh bridge or a DDS router over TCP",
             )

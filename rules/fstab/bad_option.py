@@ -1,12 +1,12 @@
-"""A mount option is mistyped.
+"""A mount option is misspelt.
 
 ## What it finds
-An option that the file system does not know and that differs by one or two letters from one that it does,
-for ext4, vfat, exFAT, tmpfs, overlay and options that hold for every file system. Anything else unknown is
-left alone.
+An option that the file system does not have but that differs by one or two letters from an existing one. Checked
+for ext4, vfat, exFAT, tmpfs, overlay, and for the options of all file systems. Other unknown options are not
+reported.
 
 ## Why it matters on a robot
-The kernel refuses the mount: at boot the robot ends in the emergency shell, or comes up without its data.
+The kernel rejects the mount: the boot ends in the emergency shell, or the robot comes up without its data.
 
 ## Bad
 ```
@@ -17,6 +17,9 @@ UUID=… /data ext4 defaults,nofial 0 2
 ```
 UUID=… /data ext4 defaults,nofail 0 2
 ```
+
+## When to ignore it
+When a patched kernel or a newer file system has an option with this name.
 
 ## References
 - mount(8)

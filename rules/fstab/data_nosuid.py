@@ -4,7 +4,7 @@
 A tmpfs, or a block device below /data, /mnt, /media or /srv, without `nosuid` and `nodev`.
 
 ## Why it matters on a robot
-Whoever can put a file there, by a stick or an upload, has a program that runs as root.
+Anybody who can put a file there, with a USB stick or an upload, can have a program that runs as root.
 
 ## Bad
 ```
@@ -15,6 +15,9 @@ UUID=… /data ext4 defaults,nofail 0 2
 ```
 UUID=… /data ext4 defaults,nofail,nosuid,nodev 0 2
 ```
+
+## When to ignore it
+When the mount holds programs that need setuid, such as an overlay of a root file system.
 
 ## References
 - robotics-security guide, read-only root

@@ -1,11 +1,11 @@
-"""One mount point stands twice in fstab.
+"""A mount point appears twice in fstab.
 
 ## What it finds
-Two lines with the same mount point. `none`, swap, overlays and lines with `noauto` do not count.
+Two lines with the same mount point. `none`, swap, overlays and lines with `noauto` are not counted.
 
 ## Why it matters on a robot
-systemd makes one unit for a mount point and takes the first line; with `mount -a` the second lies over the
-first. Data seems to be gone, depending on who mounted.
+systemd creates one unit for each mount point and uses the first line. With `mount -a` the second file system covers
+the first. Data seems to be gone, depending on what mounted it.
 
 ## Bad
 ```
@@ -18,6 +18,9 @@ UUID=b /data ext4 …
 UUID=a /data ext4 …
 UUID=b /maps ext4 …
 ```
+
+## When to ignore it
+When the second mount is meant to cover the first and the boot does not use systemd.
 
 ## References
 - systemd-fstab-generator(8)
@@ -44,7 +47,7 @@ def duplicate_mount(robot: Robot) -> Iterator[Finding]:
             if other is not mount:
                 yield finding(
                     target,
-                    f"{target} is mounted twice: only the first line counts at boot",
+                    f"{target} is mounted twice: only the first line applies at boot",
                     advice="delete one of the lines",
-                    related=[note(other.target, "first written here")],
+                    related=[note(other.target, "the first line")],
                 )

@@ -1,13 +1,13 @@
 """An fstab line has too few or too many fields.
 
 ## What it finds
-A line with fewer than three fields, or with something that is no number in the fifth or sixth: a comment
-behind four fields, or a path with a blank. As a warning: three fields, or more than six. A comment behind
-all six is fine.
+A line with fewer than three fields, or with a fifth or sixth field that is not a number: a comment after four
+fields, or a path with a space. Lines with three fields or more than six are a warning. A comment after all six
+fields is valid.
 
 ## Why it matters on a robot
-`mount -a` and findmnt pass over the line. systemd reads on and mounts something else than was meant: the
-first word of a path with a blank.
+`mount -a` and findmnt skip the line. systemd still reads it and mounts something else than intended: the first word
+of a path with a space.
 
 ## Bad
 ```
@@ -18,6 +18,9 @@ first word of a path with a blank.
 ```
 UUID=… /data ext4 defaults 0 2
 ```
+
+## When to ignore it
+When a tool of your own fills in the line before the robot boots.
 
 ## References
 - fstab(5)
@@ -39,16 +42,16 @@ def field_count(robot: Robot) -> Iterator[Finding]:
             count = len(mount.fields)
             wrong = next((field for field in mount.fields[4:6] if not field.isdecimal()), None)
             if count < 3 or wrong is not None:
-                what = f"has {count} fields" if wrong is None else f"has '{wrong}' where a number belongs"
+                what = f"has {count} fields" if wrong is None else f"has '{wrong}' instead of a number"
                 yield finding(
                     wrong or mount.device,
                     f"This line {what}: mount and findmnt ignore it",
-                    advice="write device, mount point, type, options, dump, pass; a blank in a path is \040",
+                    advice="write device, mount point, type, options, dump, pass; a space in a path is \040",
                 )
             elif count == 3 or count > 6:
                 yield finding(
                     mount.device,
-                    f"This line has {count} fields, fstab has 4 to 6",
+                    f"This line has {count} fields, but fstab lines have 4 to 6",
                     advice="write device, mount point, type, options, dump, pass",
                     severity="warning",
                 )

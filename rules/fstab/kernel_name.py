@@ -1,11 +1,11 @@
-"""A disk is named by the kernel.
+"""A mount uses a kernel device name that can change.
 
 ## What it finds
-`/dev/sdX` as the device of a mount. eMMC and NVMe names are mostly stable.
+`/dev/sdX` or `/dev/hdX` as the device of a mount. eMMC and NVMe names are mostly stable and not reported.
 
 ## Why it matters on a robot
-With a second disk or stick plugged in at boot, sda is sdb: the wrong file system is mounted, or the boot
-waits for one that does not come.
+If a second disk or stick is plugged in at boot, sda may become sdb: the wrong file system is mounted, or the boot
+waits for one that does not appear.
 
 ## Bad
 ```
@@ -16,6 +16,9 @@ waits for one that does not come.
 ```
 UUID=… /data ext4 defaults,nofail 0 2
 ```
+
+## When to ignore it
+When the board has exactly one disk port and no USB.
 
 ## References
 - fstab(5)
@@ -40,5 +43,5 @@ def kernel_name(robot: Robot) -> Iterator[Finding]:
                 yield finding(
                     mount.device,
                     f"{mount.device} may be another disk after the next boot",
-                    advice="name it by UUID= or LABEL=",
+                    advice="use UUID= or LABEL=",
                 )

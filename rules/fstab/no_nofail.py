@@ -1,12 +1,12 @@
 """A missing disk stops the boot.
 
 ## What it finds
-A mount of a block device other than the system's own (/, /boot, /efi, /usr, /var, /home) without `nofail`,
-`noauto` or `x-systemd.automount`.
+A mount of a block device without `nofail`, `noauto`, `_netdev` or `x-systemd.automount`. The mounts of the system
+itself (/, /boot, /efi, /usr, /var, /home, /etc, /opt, /srv, /tmp, /root, /nix, /run) are not reported.
 
 ## Why it matters on a robot
-When the disk is missing or its file system is damaged, systemd waits 90 seconds for the device and then
-opens the emergency shell: no network, no SSH, somebody must go to the robot.
+If the disk is missing or its file system is damaged, systemd waits 90 seconds for the device and then opens the
+emergency shell: no network, no SSH, somebody must go to the robot.
 
 ## Bad
 ```
@@ -17,6 +17,9 @@ UUID=… /data ext4 defaults 0 2
 ```
 UUID=… /data ext4 defaults,nofail,x-systemd.device-timeout=10s 0 2
 ```
+
+## When to ignore it
+When the robot must not come up without this file system.
 
 ## References
 - systemd.mount(5), "nofail"

@@ -1,11 +1,10 @@
 """A service writes to a read-only root.
 
 ## What it finds
-`/` is mounted `ro`, and a unit writes to a path that lies on no other mount: its `ROS_LOG_DIR`, or the file
-of `StandardOutput=`.
+`/` is mounted `ro`, and a unit writes to a path on it: its `ROS_LOG_DIR`, or the file of `StandardOutput=`.
 
 ## Why it matters on a robot
-`Read-only file system`: every node fails to open its log, or the unit ends with 209/STDOUT.
+`Read-only file system`: every node fails to open its log, or the unit fails with 209/STDOUT.
 
 ## Bad
 ```
@@ -16,6 +15,9 @@ of `StandardOutput=`.
 ```
 /dev/mmcblk0p2 / ext4 ro …   Environment=ROS_LOG_DIR=/data/log
 ```
+
+## When to ignore it
+When an overlay, which is set up outside of fstab, makes the path writable.
 
 ## References
 - robotics-security guide, read-only root
@@ -35,7 +37,7 @@ def root_ro_writable_paths(robot: Robot) -> Iterator[Finding]:
     for mount, path, where, unit in robot.read_only_writes:
         yield finding(
             where,
-            f"{unit.name} writes to {path}, and / is read-only",
+            f"{unit.name} writes to {path}, but / is read-only",
             advice="move it to a data partition or a tmpfs",
             related=[note(mount.target, "mounted read-only")],
         )

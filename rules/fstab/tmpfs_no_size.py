@@ -1,10 +1,10 @@
-"""A tmpfs may take half of the memory.
+"""A tmpfs can use half of the memory.
 
 ## What it finds
-A tmpfs without `size=` or `nr_blocks=`. `/dev/shm` and `/run` belong to systemd.
+A tmpfs without `size=` or `nr_blocks=`. `/dev/shm` and `/run` belong to systemd and are not reported.
 
 ## Why it matters on a robot
-Logs or bags that run into a tmpfs without limit push the robot into its out-of-memory killer.
+Logs or bags in a tmpfs without a limit drive the robot into the out-of-memory killer.
 
 ## Bad
 ```
@@ -15,6 +15,9 @@ tmpfs /tmp tmpfs defaults 0 0
 ```
 tmpfs /tmp tmpfs size=128M 0 0
 ```
+
+## When to ignore it
+When half of the memory is acceptable, because the robot has much more than its nodes need.
 
 ## References
 - tmpfs(5)
@@ -35,6 +38,6 @@ def tmpfs_no_size(robot: Robot) -> Iterator[Finding]:
             if mount.is_tmpfs and not mount.has("size", "nr_blocks") and mount.target not in ("/dev/shm", "/run"):
                 yield finding(
                     mount.target,
-                    f"The tmpfs on {mount.target} may take half of the memory",
-                    advice="add size=128M, or what it needs",
+                    f"The tmpfs on {mount.target} can use half of the memory",
+                    advice="add size=128M, or the size that you need",
                 )

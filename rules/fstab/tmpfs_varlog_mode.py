@@ -1,11 +1,11 @@
-"""/var/log on tmpfs is writable by everyone.
+"""Everyone can write to the tmpfs on /var/log.
 
 ## What it finds
-A tmpfs on `/var/log` without `mode=`: the default is 1777.
+A tmpfs on `/var/log` without `mode=`. The default is 1777.
 
 ## Why it matters on a robot
-logrotate refuses to rotate logs in a directory that others can write (`insecure permissions`), and every
-user can plant files there.
+logrotate refuses to rotate logs in a directory to which others can write (`insecure permissions`), and every user
+can place files there.
 
 ## Bad
 ```
@@ -16,6 +16,9 @@ tmpfs /var/log tmpfs size=128M 0 0
 ```
 tmpfs /var/log tmpfs size=128M,mode=0755 0 0
 ```
+
+## When to ignore it
+When a unit sets the mode of /var/log after the mount and before logrotate runs.
 
 ## References
 - tmpfs(5), "mode"
@@ -40,7 +43,7 @@ def tmpfs_varlog_mode(robot: Robot) -> Iterator[Finding]:
                 end = mount.last_option.span.source.span(mount.last_option.span.end, mount.last_option.span.end)
                 yield finding(
                     mount.target,
-                    "/var/log has mode 1777: everyone may write there, and logrotate refuses to rotate",
+                    "/var/log has mode 1777: everyone can write there, and logrotate refuses to rotate",
                     advice="add mode=0755",
                     fix=fix("add mode=0755", (end, ",mode=0755")),
                 )

@@ -1,13 +1,13 @@
-"""A log directory is gone after every boot.
+"""A log directory disappears at every boot.
 
 ## What it finds
-A directory below a tmpfs (`/var/log`, `/tmp`, ...) that a unit needs — as `ROS_LOG_DIR`, in
-`StandardOutput=file:` or `append:`, in `ReadWritePaths=` — and that nothing makes at boot: no tmpfiles.d
-line, no `LogsDirectory=`, no `mkdir` or `install -d` of the unit itself.
+A directory below a tmpfs (`/var/log`, `/tmp`, ...) that a unit needs (as `ROS_LOG_DIR`, in `StandardOutput=file:`
+or `append:`, in `ReadWritePaths=`) but that nothing creates at boot: no tmpfiles.d line, no `LogsDirectory=`, and
+no `mkdir` or `install -d` in the unit itself.
 
 ## Why it matters on a robot
-The directory was made by hand once and works until the next boot. Then every node fails to open its log, or
-the unit ends with 209/STDOUT or 226/NAMESPACE.
+Somebody created the directory by hand, and it works until the next boot. Then every node fails to open its log, or
+the unit fails with 209/STDOUT or 226/NAMESPACE.
 
 ## Bad
 ```
@@ -18,6 +18,9 @@ tmpfs /var/log tmpfs …      Environment=ROS_LOG_DIR=/var/log/ros2
 ```
 LogsDirectory=ros2          Environment=ROS_LOG_DIR=/var/log/ros2
 ```
+
+## When to ignore it
+When another service that is not in the tree creates the directory before this unit starts.
 
 ## References
 - systemd.exec(5), "LogsDirectory="
@@ -38,7 +41,7 @@ def varlog_tmpfs_dirs(robot: Robot) -> Iterator[Finding]:
     for mount, path, where, unit in robot.lost_directories:
         yield finding(
             where,
-            f"{path} is gone after every boot: {mount.target} is a tmpfs, and nothing makes the directory",
+            f"{path} is gone after every boot: {mount.target} is a tmpfs, and nothing creates the directory",
             advice=f"add LogsDirectory= to {unit.name}, or a tmpfiles.d line: d {path} 0755 robot robot -",
             related=[note(mount.target, "the tmpfs")],
         )

@@ -1,10 +1,10 @@
-"""Automatic updates may reboot a running robot.
+"""Automatic updates can reboot a running robot.
 
 ## What it finds
-`Unattended-Upgrade::Automatic-Reboot "true"`.
+`Unattended-Upgrade::Automatic-Reboot` with `"true"` or another value that means yes.
 
 ## Why it matters on a robot
-After a kernel update the robot reboots at once, in the middle of a mission, with motors powered.
+After a kernel update the robot reboots at once, in the middle of a mission, with powered motors.
 
 ## Bad
 ```
@@ -15,6 +15,9 @@ Unattended-Upgrade::Automatic-Reboot "true";
 ```
 Unattended-Upgrade::Automatic-Reboot "false";
 ```
+
+## When to ignore it
+When `Automatic-Reboot-Time` is in a window in which the robot is always parked and off.
 
 ## References
 - unattended-upgrades, README
@@ -41,7 +44,7 @@ def apt_auto_reboot(robot: Robot) -> Iterator[Finding]:
             if value.lower() in ("true", "1", "yes", "on", "with", "enable"):
                 yield finding(
                     value,
-                    "Automatic updates may reboot a running robot",
+                    "Automatic updates can reboot a running robot",
                     advice='write "false", and reboot when the robot is parked',
                     fix=fix("write false", (value, "false")),
                 )

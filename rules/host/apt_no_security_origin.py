@@ -1,11 +1,11 @@
 """Security updates are not installed automatically.
 
 ## What it finds
-`Unattended-Upgrade::Allowed-Origins` (or `Origins-Pattern`) without the security pocket, in a file that has
-no other.
+`Unattended-Upgrade::Allowed-Origins` (or `Origins-Pattern`) without the security pocket, in a file where no other
+block lists it.
 
 ## Why it matters on a robot
-unattended-upgrades runs every day and leaves out the updates for which it was set up.
+unattended-upgrades runs every day but skips the security updates, the main reason to set it up.
 
 ## Bad
 ```
@@ -20,6 +20,9 @@ Unattended-Upgrade::Allowed-Origins {
   "${distro_id}:${distro_codename}-security";
 };
 ```
+
+## When to ignore it
+When another file of apt.conf.d, which is not in the tree, adds the security origin.
 
 ## References
 - unattended-upgrades, README
@@ -49,6 +52,6 @@ def apt_no_security_origin(robot: Robot) -> Iterator[Finding]:
         if blocks and not any("security" in COMMENT.sub("", match[1]).lower() for match in blocks):
             yield finding(
                 source.span(blocks[0].start(), blocks[0].start() + len(blocks[0][0].split("{")[0].rstrip())),
-                "No origin of these is the security pocket: its updates are not installed",
+                "None of these origins is the security pocket: its updates are not installed",
                 advice='add "${distro_id}:${distro_codename}-security";',
             )

@@ -1,12 +1,11 @@
-"""An audit watch means exactly one path.
+"""An audit watch matches exactly one path.
 
 ## What it finds
-`-w` with a path that is only the beginning of a name (it ends with `-`, `_` or `.`) or that holds
-wildcards.
+`-w` with a path that is only the beginning of a name (it ends with `-`, `_` or `.`) or that contains wildcards.
 
 ## Why it matters on a robot
-auditd neither globs nor matches prefixes: it watches a file that does not exist, and changes of the robot's
-units are never recorded.
+auditd supports neither globs nor prefixes. It watches a file that does not exist, and never records changes to the
+robot's units.
 
 ## Bad
 ```
@@ -17,6 +16,9 @@ units are never recorded.
 ```
 -w /etc/systemd/system/ -p wa -k robot_services
 ```
+
+## When to ignore it
+When a file with exactly this name exists.
 
 ## References
 - audit.rules(7), auditctl(8), "-w"
@@ -43,6 +45,6 @@ def auditd_prefix_watch(robot: Robot) -> Iterator[Finding]:
                 folder = path.rpartition("/")[0] or "/"
                 yield finding(
                     path,
-                    f"auditd watches exactly '{path}', which is no file: no globbing, no prefix",
+                    f"auditd watches exactly '{path}', without globs or prefixes, and no such file exists",
                     advice=f"watch the folder: -w {folder}/",
                 )

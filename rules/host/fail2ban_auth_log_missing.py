@@ -1,12 +1,11 @@
 """fail2ban reads a log file that does not exist.
 
 ## What it finds
-`logpath = /var/log/auth.log` of an enabled jail while fstab puts /var/log on a tmpfs, and without `backend
-= systemd`.
+`logpath = /var/log/auth.log` of the enabled jail `[sshd]` without `backend = systemd`, when fstab mounts a tmpfs on
+/var/log.
 
 ## Why it matters on a robot
-The file is not there when fail2ban starts: `Have not found any log file for sshd jail`, and the service
-ends.
+The file does not exist when fail2ban starts: `Have not found any log file for sshd jail`, and the service exits.
 
 ## Bad
 ```ini
@@ -21,6 +20,9 @@ logpath = /var/log/auth.log
 enabled = true
 backend = systemd
 ```
+
+## When to ignore it
+When something creates the file before fail2ban starts, such as rsyslog with an order between the two units.
 
 ## References
 - jail.conf(5), "backend"
@@ -49,7 +51,7 @@ def fail2ban_auth_log_missing(robot: Robot) -> Iterator[Finding]:
         if mount is not None and mount.is_tmpfs:
             yield finding(
                 path,
-                f"{path} is not there when fail2ban starts: {mount.target} is a tmpfs",
+                f"{path} does not exist when fail2ban starts: {mount.target} is a tmpfs",
                 advice="write backend = systemd",
                 related=[note(mount.target, "the tmpfs")],
             )

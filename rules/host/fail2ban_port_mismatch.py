@@ -1,10 +1,10 @@
-"""fail2ban blocks another port than the one sshd listens on.
+"""fail2ban blocks a port on which sshd does not listen.
 
 ## What it finds
-The `port` of the jail `[sshd]` differs from every `Port` of the sshd configuration on the same robot.
+A `port` of the jail `[sshd]` that contains none of the `Port` settings of the sshd configuration on the same robot.
 
 ## Why it matters on a robot
-Attackers are banned from a port that nobody uses, and go on trying on the real one.
+Attackers are banned from a port that nobody uses, and continue on the real one.
 
 ## Bad
 ```ini
@@ -17,6 +17,9 @@ port = 22            # sshd_config: Port 2222
 [sshd]
 port = 2222          # sshd_config: Port 2222
 ```
+
+## When to ignore it
+When a router forwards the port of the jail to the port of sshd, and fail2ban bans on the router.
 
 ## References
 - jail.conf(5)
@@ -51,7 +54,7 @@ def fail2ban_port_mismatch(robot: Robot) -> Iterator[Finding]:
         new = ",".join(sorted(listens))
         yield finding(
             port,
-            f"fail2ban blocks port {port}, sshd listens on {new}",
+            f"fail2ban blocks port {port}, but sshd listens on {new}",
             advice=f"write port = {new}",
             related=[note(place, "sshd listens here") for place in ports],
             fix=fix(f"write {new}", (port, new)),

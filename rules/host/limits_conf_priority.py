@@ -1,7 +1,7 @@
-"""'priority' in limits.conf makes processes slower, rtprio is meant.
+"""'priority' in limits.conf sets the nice value, not the real-time priority.
 
 ## What it finds
-A `priority` line with a positive value: it is the nice value, not the real-time priority.
+A `priority` line with a positive value. It sets the nice value. `rtprio` limits the real-time priority.
 
 ## Why it matters on a robot
 `@realtime - priority 99` gives every process of the group the lowest priority: the control loop runs after
@@ -16,6 +16,9 @@ everything else.
 ```
 @realtime - rtprio 99
 ```
+
+## When to ignore it
+When the group is meant to run with a lower priority, such as users of a batch job.
 
 ## References
 - limits.conf(5)

@@ -1,11 +1,11 @@
-"""Everything that is written to an overlay root is lost.
+"""The persistent journal is on an overlay in memory.
 
 ## What it finds
-`overlayroot="tmpfs"` together with `Storage=persistent` of journald.
+`overlayroot="tmpfs"` together with `Storage=persistent` in the configuration of journald.
 
 ## Why it matters on a robot
-The journal is set to survive reboots and lies in memory: after a crash there is nothing to read, and it
-eats the memory of the robot.
+The journal is meant to survive reboots but is stored in memory: after a crash there is nothing to read, and it uses
+up the robot's memory.
 
 ## Bad
 ```
@@ -16,6 +16,9 @@ overlayroot="tmpfs"      Storage=persistent
 ```
 overlayroot="tmpfs"      Storage=volatile
 ```
+
+## When to ignore it
+When /var/log/journal is mounted from a data partition, by means other than the fstab of this tree.
 
 ## References
 - overlayroot.conf
@@ -43,7 +46,7 @@ def overlayroot_persistent_journal(robot: Robot) -> Iterator[Finding]:
             if storage is not None and storage[1] == "persistent":
                 yield finding(
                     storage[0],
-                    "The journal is not persistent: the root is an overlay in memory",
+                    "The journal does not survive a reboot: the root is an overlay in memory",
                     advice="put /var/log/journal on a data partition, or write Storage=volatile",
                     related=[note(source.located(*overlay.span(1)), "the overlay")],
                 )

@@ -1,11 +1,11 @@
-"""The robot gets network services that it does not need.
+"""Network services are installed that the robot does not use.
 
 ## What it finds
-A script or Dockerfile that installs avahi-daemon, cups, snapd, modemmanager, bluetooth or bluez, in a tree
-in which nothing else speaks of it: no `.local` name, no gamepad, no modem.
+A script or Dockerfile that installs avahi-daemon, cups, snapd, modemmanager, bluetooth or bluez, when nothing else
+in the tree refers to it: no `.local` name, no gamepad, no modem.
 
 ## Why it matters on a robot
-Every service that listens is one more way in, and ModemManager talks to serial devices that are no modems.
+Every service that listens is one more way in. ModemManager also talks to serial devices that are not modems.
 
 ## Bad
 ```sh
@@ -16,6 +16,10 @@ apt-get install -y avahi-daemon cups
 ```sh
 apt-get purge -y avahi-daemon cups
 ```
+
+## When to ignore it
+When operators use the service in a way that the tree does not show, for example to find the robot by its `.local`
+name.
 
 ## References
 - robotics-security guide
@@ -48,6 +52,6 @@ def packages_unneeded(robot: Robot) -> Iterator[Finding]:
             if uses and not any(re.search(uses, other.text, re.I) for other in others):
                 yield finding(
                     word,
-                    f"Nothing in this tree uses {word}: one more service that listens on the robot",
-                    advice=f"leave it out, or purge it: apt-get purge -y {word}",
+                    f"Nothing in this tree uses {word}: it is one more service that listens on the robot",
+                    advice=f"do not install it, or purge it: apt-get purge -y {word}",
                 )

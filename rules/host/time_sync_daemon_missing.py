@@ -1,12 +1,12 @@
-"""No time daemon runs on the robot.
+"""No time daemon is enabled on the robot.
 
 ## What it finds
-A whole root file system in which none of chrony, systemd-timesyncd, ntpsec, ntpd, ptp4l and phc2sys is
-enabled.
+A whole root file system in which none of chrony, systemd-timesyncd, ntpsec, ntpd, openntpd, ptp4l, phc2sys and
+timemaster is enabled.
 
 ## Why it matters on a robot
-The clocks of the robot's computers drift apart: TF throws away transforms from the future, bags cannot be
-merged, certificates seem invalid.
+The clocks of the robot's computers drift apart: TF drops transforms from the future, bags cannot be merged, and
+certificates seem invalid.
 
 ## Bad
 ```
@@ -17,6 +17,9 @@ merged, certificates seem invalid.
 ```
 systemctl enable chrony
 ```
+
+## When to ignore it
+When the robot has one computer without a network, or when a container or a receiver's own program sets the clock.
 
 ## References
 - systemd-timesyncd.service(8)

@@ -4,7 +4,7 @@
 A configuration file with bytes that are not UTF-8, in UTF-16, or with NUL bytes.
 
 ## Why it matters on a robot
-systemd drops lines that are not UTF-8, XML and YAML readers refuse the whole file, and nothing says so at the time the
+systemd drops lines that are not UTF-8, and XML and YAML readers reject the whole file. Nothing reports it when the
 file is edited: editors on other systems save UTF-16 or Latin-1 without asking.
 
 ## Bad
@@ -16,6 +16,9 @@ Description=Antrieb für Räder        (saved as Latin-1)
 ```
 Description=Antrieb für Räder        (saved as UTF-8)
 ```
+
+## When to ignore it
+When the program that reads the file expects this encoding.
 
 ## References
 - systemd.syntax(7): "Files are expected to be encoded in UTF-8"

@@ -1,10 +1,10 @@
 """A suppression comment gives no reason.
 
 ## What it finds
-`bringup-lint: ignore[...]` without ` -- reason` behind it.
+`bringup-lint: ignore[...]` without a ` -- reason` after it.
 
 ## Why it matters on a robot
-The next person cannot tell a decision from a shortcut.
+The next person cannot distinguish a decision from a shortcut.
 
 ## Bad
 ```ini
@@ -17,6 +17,9 @@ Restart=always
 # bringup-lint: ignore[systemd/restart-unlimited] -- the safety node must retry for ever
 Restart=always
 ```
+
+## When to ignore it
+Never: write the reason, which takes no longer than a second comment.
 
 ## References
 - the README, "Suppressing findings"

@@ -1,10 +1,10 @@
-"""A rule or a parser failed inside.
+"""A rule or a parser has failed.
 
 ## What it finds
-An exception in bringup-lint itself. The run goes on without the rule or the file, and ends with exit code 3.
+An exception in bringup-lint itself. The run continues without the rule or the file, and exits with code 3.
 
 ## Why it matters on a robot
-What the rule would have found is missing from the report.
+The report lacks the findings of the failed rule.
 
 ## Bad
 ```
@@ -15,6 +15,9 @@ error[lint/internal-error]: rule systemd/network-target failed: TypeError in net
 ```
 All checks ran.
 ```
+
+## When to ignore it
+Never: report the defect. Until it is fixed, `--ignore` with the failing rule skips it.
 
 ## References
 - the issue tracker: please report the line with the file that caused it

@@ -1,11 +1,11 @@
-"""A file named on the command line is of no known kind.
+"""The kind of a file on the command line is unknown.
 
 ## What it finds
-A file that was given by name and that no family recognises by its name or content. Files met while walking a folder are
-passed over without a word.
+A file that was given by name but that no family recognises by its name or content. Unknown files in a folder are
+skipped silently.
 
 ## Why it matters on a robot
-A typing mistake in a hook or a CI job would otherwise check nothing and succeed.
+A typing error in a hook or a CI job would otherwise check nothing and succeed.
 
 ## Bad
 ```
@@ -16,6 +16,9 @@ $ bringup-lint robot.servce
 ```
 $ bringup-lint robot.service
 ```
+
+## When to ignore it
+When a tool such as pre-commit passes a fixed list of files and some of them are not configuration.
 
 ## References
 - the README, "What it reads"
@@ -33,4 +36,4 @@ from bringup_lint.api import rule
 def unknown_kind(robot: Robot) -> Iterator[Finding]:
     for problem in robot.problems:
         if problem.code == "unknown-kind":
-            yield finding(problem.where, "Nothing was checked: this is no kind of file that bringup-lint knows")
+            yield finding(problem.where, "Nothing was checked: bringup-lint does not know this kind of file")

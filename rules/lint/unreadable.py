@@ -1,11 +1,11 @@
 """A file cannot be read.
 
 ## What it finds
-A file or folder that was named or met and cannot be read: no permission, a FIFO or device in the place of a file, a
-file beyond the size limit, a file that vanished during the run.
+A file or folder that cannot be read: no permission, a FIFO or device instead of a file, a file above the size
+limit, or a file that disappeared during the run.
 
 ## Why it matters on a robot
-What is not read is not checked: a mistake in it stays unseen.
+A file that is not read is not checked: a mistake in it stays hidden.
 
 ## Bad
 ```
@@ -16,6 +16,9 @@ $ chmod 000 /etc/systemd/system/robot.service
 ```
 $ chmod 644 /etc/systemd/system/robot.service
 ```
+
+## When to ignore it
+When the user of the run deliberately has no access to the file, such as a private key. Check it in a run as root.
 
 ## References
 - open(2)

@@ -1,11 +1,11 @@
-"""A suppression comment hits nothing.
+"""A suppression comment has no effect.
 
 ## What it finds
-A name in `bringup-lint: ignore[...]` or `ignore-file[...]` for which no finding was silenced, although its rules ran.
+A name in `bringup-lint: ignore[...]` or `ignore-file[...]` that suppressed no finding, although its rules ran.
 
 ## Why it matters on a robot
-The defect is gone, or the comment stands on the wrong line or misspells the rule: then the finding that somebody
-decided about is reported again, or a new one would be silenced unseen.
+Either the defect is fixed, or the comment is on the wrong line or misspells the rule. Then the accepted finding is
+reported again, or the comment would silently suppress a new one.
 
 ## Bad
 ```ini
@@ -20,6 +20,9 @@ ExecStart=/usr/bin/robot-driver
 # bringup-lint: ignore[systemd/root-user] -- the driver needs raw sockets
 ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch base driver.launch.py'
 ```
+
+## When to ignore it
+When the finding depends on the environment, for example on a file that only some checkouts have.
 
 ## References
 - the README, "Suppressing findings"

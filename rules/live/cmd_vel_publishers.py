@@ -1,12 +1,12 @@
-"""Several running nodes publish velocity commands on one topic.
+"""Several running nodes publish one velocity command.
 
 ## What it finds
-Topics called `cmd_vel`, and topics with `cmd_vel` in their name that carry `Twist` or `TwistStamped`, with publishers
-in more than one node, tools included. The servers of nav2, of which the behaviour tree lets one act at a time, count
-as one.
+Topics called `cmd_vel`, and topics with `cmd_vel` in their name that carry `Twist` or `TwistStamped`, with
+publishers in more than one node. Tools count too. The servers of nav2 count as one, because the behavior tree lets
+only one of them act at a time.
 
 ## Why it matters on a robot
-The base obeys whoever spoke last: a stop is followed by a go. Nothing arbitrates, nothing warns.
+The base obeys the message that arrived last: a stop is followed by a go. Nothing arbitrates, and nothing warns.
 
 ## Bad
 ```yaml
@@ -22,6 +22,10 @@ endpoints:
 - {topic: /cmd_vel_nav, publisher: /velocity_smoother, type: geometry_msgs/msg/Twist}
 - {topic: /cmd_vel, publisher: /twist_mux, type: geometry_msgs/msg/Twist}
 ```
+
+## When to ignore it
+When the nodes take turns by design, for example through a lifecycle state, and you have tested that only one
+publishes at a time.
 
 ## References
 - twist_mux, README
@@ -51,8 +55,8 @@ def cmd_vel_publishers(robot: Robot) -> Iterator[Finding]:
         names = ", ".join(str(each.node) for each in (first, *others))
         yield finding(
             observed.named_at(first),
-            f"{len(sources)} nodes publish {topic.name} ({names}): the base obeys whoever spoke last",
-            advice="give each a topic of its own and let a mux with priorities (twist_mux) publish the result",
+            f"{len(sources)} nodes publish {topic.name} ({names}): the base obeys the last message",
+            advice="give each its own topic and let a mux with priorities (twist_mux) publish the result",
             related=[note(observed.named_at(each), f"{each.node} publishes it too") for each in others],
         )
 

@@ -1,13 +1,13 @@
-"""The nodes run on another domain than the files say.
+"""The nodes run on a domain other than the configured one.
 
 ## What it finds
-A tree whose files agree on one `ROS_DOMAIN_ID`, no node of the robot on that domain, and nodes of the robot on
-another one that the files mention, on the default 0, or on the one that this program was told to look at. Also single
-nodes that must run on the domain in the files and run on another one.
+A tree whose files agree on one `ROS_DOMAIN_ID`, while no node of the robot runs on that domain. The nodes run on
+another domain that the files mention, on the default domain 0, or on the domain that was given on the command line.
+Single nodes that run on another domain than the files say are also reported.
 
 ## Why it matters on a robot
-The variable did not reach the processes: an env file that the unit does not load, a shell that was not sourced
-again. Robot and operator station are on two networks that cannot see each other.
+The variable did not reach the processes: the unit does not load the environment file, or a shell was not sourced
+again. The robot and the operator station are on two networks that cannot see each other.
 
 ## Bad
 ```ini
@@ -20,6 +20,9 @@ ROS_DOMAIN_ID=42
 # ros2.env, loaded by every unit: the nodes run on domain 42
 ROS_DOMAIN_ID=42
 ```
+
+## When to ignore it
+When you started the nodes by hand on another domain for a test.
 
 ## References
 - ROS 2 documentation, "The ROS_DOMAIN_ID"
@@ -50,15 +53,15 @@ def domain_mismatch(robot: Robot) -> Iterator[Finding]:
                 configured.where,
                 f"{file} says domain {configured.number}, where no node of the robot runs; "
                 f"{count(nodes)} on domain {domain}",
-                advice="see that every unit, container and shell that starts nodes loads this file",
+                advice="make every unit, container and shell that starts nodes load this file",
                 related=[note(node.name, f"runs on domain {domain}") for node in nodes[:3]],
             )
     elif observed.graph.domain == configured.number:
         for (entry, domain), nodes in observed.astray.items():
             yield finding(
                 entry.where,
-                f"{count(nodes)} on domain {domain}, not on {configured.number} as {file} says",
-                advice=f"see that {entry.who or 'whoever starts this'} loads {file}",
+                f"{count(nodes)} on domain {domain}, but {file} says {configured.number}",
+                advice=f"make {entry.who or 'whatever starts this'} load {file}",
                 related=[
                     note(configured.where, "the domain of the others"),
                     *(note(node.name, f"runs on domain {domain}") for node in nodes[:3]),
@@ -71,5 +74,5 @@ def count(nodes):
 
 
 def belongs(observed, node):
-    """Whether a node is the robot's, as far as the files tell names."""
+    """Whether a node is the robot's, as far as the files name their nodes."""
     return observed.expected.named(node.name) is not None or not observed.expected.nodes

@@ -1,13 +1,13 @@
-"""The running nodes are not secured as the files say.
+"""The running nodes are not secured as configured.
 
 ## What it finds
-The tree switches SROS2 on (`ROS_SECURITY_ENABLE=true`), and yet this program, without any credentials, sees the
-robot's nodes; and nodes that run in another enclave than the one that their launch file selects.
+Two contradictions with the files. The tree enables SROS2 (`ROS_SECURITY_ENABLE=true`), but this program sees the
+robot's nodes without any credentials. A node runs in another enclave than the one that its launch file selects.
 
 ## Why it matters on a robot
-A participant that enforces security is invisible to one without credentials. Who can be seen can be commanded:
-the variables did not reach the processes, or the strategy is permissive. A node in the enclave `/` has the
-rights of no one, or of all.
+A participant that enforces security is invisible without credentials. A visible node accepts commands from anybody:
+the variables did not reach the processes, or the strategy is permissive. A node in another enclave has the wrong
+permissions.
 
 ## Bad
 ```yaml
@@ -22,6 +22,9 @@ secured: true
 nodes:
 - {name: /motor, enclave: /motor}
 ```
+
+## When to ignore it
+When security is disabled on purpose during commissioning.
 
 ## References
 - ROS 2 design, "ROS 2 Security Enclaves"
@@ -45,9 +48,9 @@ def enclave_unsecured(robot: Robot) -> Iterator[Finding]:
         count = "1 node" if len(seen) == 1 else f"{len(seen)} nodes"
         yield finding(
             observed.security,
-            f"Security is switched on here, and {count} of domain {observed.graph.domain} can be seen without "
-            f"credentials ({some})",
-            advice="see that the variables reach the processes, and set ROS_SECURITY_STRATEGY=Enforce",
+            f"Security is enabled here, but {count} of domain {observed.graph.domain} can be seen without credentials "
+            f"({some})",
+            advice="make sure that the variables reach the processes, and set ROS_SECURITY_STRATEGY=Enforce",
             related=[note(node.name, "seen without credentials") for node in seen[:3]],
         )
     for node in {str(node.name): node for node in observed.nodes}.values():
@@ -58,6 +61,6 @@ def enclave_unsecured(robot: Robot) -> Iterator[Finding]:
         yield finding(
             selected,
             f"{node.name} runs in the enclave {node.enclave}, not in {selected}",
-            advice="start it from this file, with the arguments as they stand here",
+            advice="start it from this file, with the arguments that it contains",
             related=[note(node.enclave, "the enclave that it runs in"), *known.chain],
         )

@@ -1,14 +1,19 @@
 """A running lifecycle node is not active.
 
 ## What it finds
-Lifecycle nodes of the running graph in another state than `active`, and those that do not tell their state within
-2 s. Nodes whose lifecycle manager is told not to start them (`autostart` false) are left out. For nodes that the
-files do not name, and while a transition is going on, it is a warning; for inactive nodes that the files do not
-name, such as controllers in reserve, an information.
+Lifecycle nodes of the running graph that are in another state than `active`, or that do not report their state
+within 2 s. Nodes whose lifecycle manager does not start them (`autostart` false) are not reported.
+
+| node | severity |
+|---|---|
+| named in the files, in a final state | error |
+| in a transition, or without an answer | warning |
+| not named in the files, in another state than inactive | warning |
+| not named in the files, inactive (such as a controller in reserve) | info |
 
 ## Why it matters on a robot
-The process runs and the node is listed; it publishes nothing and refuses every goal. A manager that gave up at
-the first failing node leaves all nodes behind it unconfigured.
+The process runs and the node is listed, but it publishes nothing and rejects every goal. A manager that gave up at
+the first failing node leaves all later nodes unconfigured.
 
 ## Bad
 ```yaml
@@ -21,6 +26,10 @@ nodes:
 nodes:
 - {name: /map_server, enclave: /, state: active}
 ```
+
+## When to ignore it
+When the node is meant to be inactive at the moment, for example a docking server that is activated only near the
+dock.
 
 ## References
 - ROS 2 design, "Managed nodes"
@@ -53,11 +62,11 @@ def lifecycle_not_active(robot: Robot) -> Iterator[Finding]:
         related = [note(node.state, "its state")] if where.source is not node.name.span.source else []
         yield finding(
             where,
-            f"{node.name} does not tell its lifecycle state within 2 s"
+            f"{node.name} does not report its lifecycle state within 2 s"
             if silent
-            else f"{node.name} is {node.state}, not active: it runs and does nothing",
-            advice="look at its log for the transition that failed"
-            + (f", and at that of {manager.node.label()}" if manager else ""),
-            related=[*([note(entry.name, "a lifecycle manager is to activate it")] if entry else []), *related],
+            else f"{node.name} is {node.state}, not active: it runs but does nothing",
+            advice="look in its log for the transition that failed"
+            + (f", and in the log of {manager.node.label()}" if manager else ""),
+            related=[*([note(entry.name, "a lifecycle manager should activate it")] if entry else []), *related],
             severity="info" if not ours and node.state == "inactive" else "error" if ours and settled else "warning",
         )

@@ -5,8 +5,8 @@ Fully qualified names that the running graph shows more than once.
 
 ## Why it matters on a robot
 Parameters and services reach one of the two by chance, lifecycle managers and monitors see one node, and both
-publish. Most often a node was started twice: by a unit and by hand, or by two launch files. A node that was
-killed stays visible until its lease ends, up to 20 s with Fast DDS.
+publish. Most often a node was started twice: by a unit and by hand, or by two launch files. A node that was killed
+stays visible until its lease ends, up to 20 s with Fast DDS.
 
 ## Bad
 ```yaml
@@ -21,6 +21,9 @@ nodes:
 - {name: /lidar_front/driver, enclave: /}
 - {name: /lidar_rear/driver, enclave: /}
 ```
+
+## When to ignore it
+Never for two processes that both run. A node that was just killed disappears from the next run.
 
 ## References
 - https://github.com/ros2/launch_ros/issues/124
@@ -45,8 +48,8 @@ def node_duplicate(robot: Robot) -> Iterator[Finding]:
         lines = nodes if where.source is not name.span.source else nodes[1:]
         yield finding(
             where,
-            f"{len(nodes)} nodes called {name} run: parameters and services go to any of them",
-            advice="stop the one that is too many; one that was killed disappears by itself within 20 s",
+            f"{len(nodes)} nodes called {name} run: parameter and service calls reach any of them by chance",
+            advice="stop the surplus one; a node that was killed disappears within 20 s",
             related=[
                 *(note(each.where, "started here too") for each in starts[:3]),
                 *(note(node.name, "it runs") for node in lines[:5]),

@@ -1,15 +1,17 @@
-"""A node that the files start does not run.
+"""A node that the files start is not running.
 
 ## What it finds
-Nodes that are started on every boot (by a launch file that an installed unit or a compose service runs, without
-condition or under one that holds by default) and that the running graph does not show. Without a unit or
-service the only launch file of the tree counts, or what `--launch` names. Programs that do their work and end
-are left out; so are other robots and variants in a repository: the units of one place, and the services of one
-compose file, count when a node that only they start is there, or when nothing is there at all.
+Nodes that start on every boot but that the running graph does not show. A node starts on every boot if an installed
+unit or a compose service runs its launch file, and its condition is absent or true by default. Without a unit or
+service, the only launch file of the tree counts, or the one that `--launch` names.
+
+Programs that finish their work and exit are not reported. Neither are other robots and variants in a repository:
+the units of one folder, and the services of one compose file, count when a node that only they start is running, or
+when nothing runs at all.
 
 ## Why it matters on a robot
-The process list looks full and the robot misses an eye: the node crashed, was never started, or answers to
-another name or namespace than everything that waits for it.
+The process list looks complete, but the robot is blind on one side. The node crashed, was never started, or has
+another name or namespace than everything that waits for it expects.
 
 ## Bad
 ```yaml
@@ -23,6 +25,9 @@ nodes:
 - {name: /lidar/driver, enclave: /}
 - {name: /slam, enclave: /}
 ```
+
+## When to ignore it
+When the node is stopped on purpose, or runs only in some missions.
 
 ## References
 - ROS 2 documentation, "Understanding nodes"
@@ -49,7 +54,7 @@ def node_missing(robot: Robot) -> Iterator[Finding]:
         yield finding(
             entry.where,
             f"None of the {count} nodes that the files start runs on domain {domain}",
-            advice="see whether anything was started at all, and in which domain",
+            advice="check whether anything was started at all, and in which domain",
             related=[note(node.where, f"{node.name} is started here") for node in nodes[:5]],
         )
         return
@@ -58,7 +63,7 @@ def node_missing(robot: Robot) -> Iterator[Finding]:
             other = observed.namesake(node.name)
             yield finding(
                 node.where,
-                f"{node.name} does not run on domain {domain}" + (f"; {other.name} does" if other else ""),
+                f"{node.name} is not running on domain {domain}" + (f"; {other.name} is" if other else ""),
                 advice="use the same name and namespace on both sides" if other else CRASHED,
                 related=[*node.chain, *([note(other.name, "this one runs")] if other else [])],
             )

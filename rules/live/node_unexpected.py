@@ -1,13 +1,13 @@
-"""A node runs that the files do not start.
+"""A node is running that the files do not start.
 
 ## What it finds
-Running nodes that no launch file, unit or compose service of the tree names. Hidden nodes, tools (rviz, rqt,
-rosbag, the daemon of ros2cli), nodes of libraries and nodes that a known node brings along do not count. Silent
-as soon as the files leave the name of a node open: then it may be that one.
+Running nodes that no launch file, unit or compose service of the tree names. Not reported: hidden nodes, tools
+(rviz, rqt, rosbag, the daemon of ros2cli), nodes of libraries, and nodes that a known node creates. Silent as soon
+as the files leave the name of one node open, because the running node may be that one.
 
 ## Why it matters on a robot
-A left-over of yesterday's test, a second robot or a colleague's laptop in the same domain publishes, and the
-robot obeys it as well.
+A leftover of yesterday's test, a second robot or a colleague's laptop publishes in the same domain, and the robot
+obeys it as well.
 
 ## Bad
 ```yaml
@@ -21,6 +21,9 @@ nodes:
 nodes:
 - {name: /lidar/driver, enclave: /}
 ```
+
+## When to ignore it
+When the node is a tool of yours that the linter does not know.
 
 ## References
 - ROS 2 documentation, "The ROS_DOMAIN_ID"
@@ -48,7 +51,7 @@ def node_unexpected(robot: Robot) -> Iterator[Finding]:
         same = [each for each in observed.expected.nodes if each.name.rpartition("/")[2] == node.bare]
         yield finding(
             node.name,
-            f"{node.name} runs on domain {observed.graph.domain}, and no file starts it",
+            f"{node.name} runs on domain {observed.graph.domain}, but no file starts it",
             advice="find out who started it; if it belongs to the robot, start it from a launch file",
             related=[note(each.where, f"this one is {each.name}") for each in same[:1]],
         )

@@ -1,11 +1,11 @@
-"""A running publisher and subscription never match because of their quality of service.
+"""The quality of service of a running publisher and subscription does not match.
 
 ## What it finds
-Publishers and subscriptions of the same topic and type of which the publisher offers less than the subscription
-asks for: reliability, durability, deadline, liveliness or lease duration, as `rmw` compares them.
+Publishers and subscriptions of the same topic and type where the publisher offers less than the subscription
+requests: reliability, durability, deadline, liveliness or lease duration, as `rmw` compares them.
 
 ## Why it matters on a robot
-Both are there, the topic is listed, and not one message arrives. The only hint is one line in the log of either
+Both exist and the topic is listed, but not one message arrives. The only hint is one line in the log of either
 side.
 
 ## Bad
@@ -21,6 +21,9 @@ endpoints:
 - {topic: /scan, publisher: /lidar/driver, type: sensor_msgs/msg/LaserScan, reliability: best_effort}
 - {topic: /scan, subscription: /slam, type: sensor_msgs/msg/LaserScan, reliability: best_effort}
 ```
+
+## When to ignore it
+When the subscription belongs to a diagnostic tool, or when another publisher of the topic matches it.
 
 ## References
 - ROS 2 documentation, "Quality of Service settings", compatibilities
@@ -46,12 +49,12 @@ def qos_incompatible(robot: Robot) -> Iterator[Finding]:
             related = [
                 note(observed.profile_at(publisher), f"{publisher.node} publishes"),
                 note(publisher.topic, f"offers {offers}"),
-                note(subscription.topic, f"asks for {asks}"),
+                note(subscription.topic, f"requests {asks}"),
             ]
             yield finding(
                 where,
                 f"{subscription.node} gets nothing on {topic.name}: "
-                f"it asks for {asks}, {publisher.node} offers {offers}",
+                f"it requests {asks}, but {publisher.node} offers {offers}",
                 advice="give both sides the same profile; for sensor data that is best effort",
                 related=[each for each in related if each.span != where],
             )

@@ -1,11 +1,11 @@
 """A subscription waits for a topic that is published under a slightly different name.
 
 ## What it finds
-Topics with subscriptions and no publisher, when the graph has one other topic of the same type whose name
-differs by a slip of the pen, or only by its namespace. Numbered names do not count as slips.
+Topics with subscriptions and no publisher, when the graph has exactly one other topic of the same type whose name
+differs by a typing error or only by its namespace. Names that differ only in a number are not reported.
 
 ## Why it matters on a robot
-Nothing fails: the subscriber waits for ever. In the graph tools both names look right at a glance.
+Nothing fails: the subscriber waits forever. In the graph tools both names look right at a glance.
 
 ## Bad
 ```yaml
@@ -20,6 +20,9 @@ endpoints:
 - {topic: /scan_filtered, publisher: /filter, type: sensor_msgs/msg/LaserScan}
 - {topic: /scan_filtered, subscription: /slam, type: sensor_msgs/msg/LaserScan}
 ```
+
+## When to ignore it
+When both names are intended and the publisher is not running at the moment.
 
 ## References
 - ROS 2 documentation, "Remapping names"
@@ -49,7 +52,7 @@ def topic_typo(robot: Robot) -> Iterator[Finding]:
                 note(place, said)
                 for place, said in (
                     (observed.named_at(publisher), f"{publisher.node} publishes {topic}"),
-                    (subscription.topic, "waited for"),
+                    (subscription.topic, "subscribed"),
                     (topic, "published"),
                 )
                 if place

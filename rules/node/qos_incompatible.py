@@ -64,7 +64,9 @@ def qos_incompatible(robot: Robot) -> Iterator[Finding]:
             f"but {subscription.node.label()} requests '{conflict.asked}': no message ever arrives",
             severity="warning" if subscription.shown else None,
             advice=f"give both sides the same {conflict.policy}, or let the subscription request less",
-            chain=robot.provenance.chain_to_node(own.node.started, note(own.qos_place, f"{own.node.label()} {words[id(own)]} it")),
+            chain=robot.provenance.chain_to_node(
+                own.node.started, note(own.qos_place, f"{own.node.label()} {words[id(own)]} it")
+            ),
             related=[
                 note(other.qos_place, f"{other.node.label()} {words[id(other)]} it here"),
                 note(own.node.started.span, f"{own.node.label()} is started here"),

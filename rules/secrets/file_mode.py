@@ -1,12 +1,12 @@
-"""A file with secrets is open to others.
+"""Other users can read a file with secrets.
 
 ## What it finds
-In a root file system: environment files with secrets that others may read or the group may write, private
-keys of SSH and SROS2 that group or others may read.
+In a root file system: environment files with secrets that others can read or change or the group can write, and
+private keys of SSH and SROS2 that the group or others can read.
 
 ## Why it matters on a robot
-Every account on the robot, also the one that the camera service runs under, can read the password or act as
-the robot. sshd does not start with a host key that others may read.
+Every account on the robot, including the one of the camera service, can read the password or impersonate the robot.
+sshd does not start with a host key that others can read.
 
 ## Bad
 ```ini
@@ -17,6 +17,9 @@ the robot. sshd does not start with a host key that others may read.
 ```ini
 -rw-r----- root robot /etc/robot/secrets.env
 ```
+
+## When to ignore it
+When the values are examples, or the key is a test key that opens nothing.
 
 ## References
 - sshd(8), "FILES"
@@ -37,7 +40,7 @@ def file_mode(robot: Robot) -> Iterator[Finding]:
         if source.mode is not None and source.judged and source.mode & 0o077 and not is_group_of_keys(source):
             yield finding(
                 source,
-                f"{source.basename} is a private key, and others may read it (mode {source.mode:04o})",
+                f"{source.basename} is a private key, and others can read it (mode {source.mode:04o})",
                 advice=f"chmod 600 {source.robot_path or source.name}",
             )
     told = set()
@@ -49,11 +52,11 @@ def file_mode(robot: Robot) -> Iterator[Finding]:
         if source.mode & 0o027:
             yield finding(
                 source,
-                f"{source.basename} holds secrets, and others may read or change it (mode {source.mode:04o})",
+                f"{source.basename} contains secrets, and others can read or change it (mode {source.mode:04o})",
                 advice=f"chmod 640 {source.robot_path or source.name}, owned by root",
             )
 
 
 def is_group_of_keys(source):
-    """Keystores whose keys only the group of the nodes may read."""
+    """Keystores whose keys only the group of the nodes can read."""
     return source.kind == "sros2-key" and "/private/" not in source.name and not source.mode & 0o037

@@ -1,17 +1,18 @@
-"""A password, key or token in clear text.
+"""A password, key or token is stored in clear text.
 
 ## What it finds
-A value whose name (`..._PASSWORD`, `..._TOKEN`, `--api-key`) or form (keys of AWS, GitHub, GitLab, Slack,
-Stripe, a private key, a password in a URL) shows a secret, in `Environment=` and command lines of units, in
-environment files, compose files, Dockerfiles, parameter files and launch files. In the sources of Python nodes and in
-scripts also, where such a name is set to a literal of letters and digits. Variables, paths of credential files,
-stand-ins such as `<your-password>` and sample files are left out, and so are environment files that only root and a
-group can read.
+A value whose name (`..._PASSWORD`, `..._TOKEN`, `--api-key`) or form (keys of AWS, GitHub, GitLab, Slack or Stripe,
+a private key, a password in a URL) shows that it is a secret. Checked are `Environment=` and command lines of
+units, environment files, compose files, Dockerfiles, parameter files and launch files. In Python nodes and scripts,
+literals of letters and digits with such a name are checked too.
+
+Not reported: variables, paths of credential files, placeholders such as `<your-password>`, and environment files
+that only root and a group can read. A weak or well-known value is a warning, and a sample value is info.
 
 ## Why it matters on a robot
-What a unit sets can be read by every local user with `systemctl show`, and by everybody who sees the
-process list when it is an argument. What is in a repository or an image is in every copy of it, on every
-robot, for ever. One robot that is lost gives away the fleet.
+Every local user can read the settings of a unit with `systemctl show`, and can read arguments in the process list.
+Anything in a repository or an image is in every copy of it, on every robot, forever. One lost robot exposes the
+fleet.
 
 ## Bad
 ```ini
@@ -24,6 +25,9 @@ Environment=MQTT_PASSWORD=...
 [Service]
 LoadCredential=mqtt-password:/etc/rover/mqtt-password
 ```
+
+## When to ignore it
+When the value protects nothing, such as a test account or a public API key. Say so in the reason.
 
 ## References
 - systemd.exec(5), "LoadCredential=" and the warning at "Environment="
@@ -40,7 +44,7 @@ WHO = {
     "unit": "every local user can read it with systemctl show",
     "command": "every local user can read it in the process list and with systemctl show",
     "env-file": "everybody who has a copy of this file has it",
-    "compose": "everybody who has a copy of this file, or may inspect the container, has it",
+    "compose": "everybody who has a copy of this file, or can inspect the container, has it",
     "image": "it stays in the layers of the image, for everybody who can pull it",
     "params": "everybody who has a copy of this file has it, and every participant can ask the node for it",
     "launch": "everybody who has a copy of this file has it",

@@ -1,11 +1,11 @@
-"""One SSH key opens several robots or accounts.
+"""One SSH key opens several robots.
 
 ## What it finds
-The same public key in the authorized_keys of several robots of the tree.
+The same public key in the authorized_keys files of several robots of the tree.
 
 ## Why it matters on a robot
-Whoever gets hold of the one private key, from a laptop or from one robot that was stolen, has all of them;
-and it cannot be withdrawn for one alone.
+Anybody who gets the one private key, from a laptop or from a stolen robot, has access to all robots. The key cannot
+be withdrawn for one robot alone.
 
 ## Bad
 ```ini
@@ -18,6 +18,9 @@ robots/heron/authorized_keys: ssh-ed25519 AAAA... fleet
 robots/tern/authorized_keys:  ssh-ed25519 AAAA... operator@tern
 robots/heron/authorized_keys: ssh-ed25519 BBBB... operator@heron
 ```
+
+## When to ignore it
+When the key belongs to a person or a hardware token and is allowed to open every robot.
 
 ## References
 - sshd(8), "AUTHORIZED_KEYS FILE FORMAT"
@@ -48,14 +51,14 @@ def ssh_key_shared(robot: Robot) -> Iterator[Finding]:
             if first.span.source is not source and source.judged and machine(first) != machine(place):
                 yield finding(
                     place.span.source.span(place.span.start, place.span.start + 12),
-                    "The same key opens another robot of this tree: who has it has all of them",
-                    advice="a key for each robot, or an SSH CA",
-                    related=[note(first.span.source.span(first.span.start, first.span.start + 12), "here too")],
+                    "The same key opens another robot of this tree: its owner has access to all of them",
+                    advice="use a separate key for each robot, or an SSH CA",
+                    related=[note(first.span.source.span(first.span.start, first.span.start + 12), "the same key")],
                 )
 
 
 def machine(place):
-    """What stands before the path on the robot, or the folder."""
+    """The part of the name before the path on the robot, or else the folder."""
     source = place.span.source
     path = source.robot_path
     return source.name.removesuffix(path.lstrip("/")) if path else source.name.rpartition("/")[0]

@@ -239,7 +239,7 @@ def test_what_was_launched_is_taken_from_the_command_line(tmp_path: Path) -> Non
     assert (silent.stdout, silent.code) == ("", 0)
     assert "name it with --launch" in silent.stderr
     run = lint("live", "--launch", "sea.launch.py", *options, cwd=tmp_path)
-    assert "error[live/node-missing] /sea does not run on domain 3" in run.stdout
+    assert "error[live/node-missing] /sea is not running on domain 3" in run.stdout
     unknown = lint("live", "--launch", "air.launch.py", *options, cwd=tmp_path)
     assert unknown.code == 2
     assert unknown.stderr == "bringup-lint: --launch 'air.launch.py': this is not one launch file of the tree\n"
