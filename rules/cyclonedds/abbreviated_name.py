@@ -23,7 +23,7 @@ Inline, the name works until another one starts with the same letters.
 Inline, if the robot stays on one version of the library. In a file never.
 
 ## References
-- Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
+- Cyclone DDS 0.10.5 and 11.0.1, tested with the real library
 """
 
 from collections.abc import Iterator

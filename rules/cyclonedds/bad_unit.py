@@ -23,7 +23,7 @@ The library reports `unrecognised unit` or `unit is required` and creates no par
 Never: the library refuses the file, and no node starts.
 
 ## References
-- Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
+- Cyclone DDS 0.10.5 and 11.0.1, tested with the real library
 """
 
 from collections.abc import Iterator

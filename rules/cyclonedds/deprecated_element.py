@@ -28,7 +28,7 @@ node starts.
 If the same file must also work with an older version of the library that knows only the old name.
 
 ## References
-- Cyclone DDS 0.10.5 and 11.0.1, tried with the real library; 0.9.1
+- Cyclone DDS 0.10.5 and 11.0.1, tested with the real library; 0.9.1
 """
 
 from collections.abc import Iterator

@@ -20,7 +20,7 @@ The library reports `neither 'any' nor a less than 2**32-1` and creates no parti
 Never: the library refuses the file, and no node starts.
 
 ## References
-- Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
+- Cyclone DDS 0.10.5 and 11.0.1, tested with the real library
 """
 
 from collections.abc import Iterator

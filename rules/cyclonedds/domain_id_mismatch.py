@@ -23,8 +23,8 @@ with multicast and default settings.
 If the file is shared by several processes, and this one should run with the defaults.
 
 ## References
-- Cyclone DDS 0.10.5 and 11.0.1, tried with the real library: an unknown element below Id 42 passes on
-  domain 0
+- Cyclone DDS 0.10.5 and 11.0.1, tested with the real library: an unknown element below Id 42 is accepted
+  in domain 0
 """
 
 from collections.abc import Iterator

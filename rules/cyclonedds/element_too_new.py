@@ -30,7 +30,7 @@ If the robot has another version of the library than its distribution, for examp
 workspace.
 
 ## References
-- 0.7.0, 0.9.1, 0.10.5, 11.0.1, tried with the real libraries; 0.8.2 from its source
+- 0.7.0, 0.9.1, 0.10.5, 11.0.1, tested with the real libraries; 0.8.2 from its source
 - https://github.com/ros2/rmw_cyclonedds/issues/467
 """
 

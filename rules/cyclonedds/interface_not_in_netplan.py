@@ -29,7 +29,7 @@ starts. This happens as soon as a network card is renamed or replaced.
 If something other than netplan creates the interface on the robot, such as a VPN client or a driver.
 
 ## References
-- Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
+- Cyclone DDS 0.10.5 and 11.0.1, tested with the real library
 - https://github.com/tier4/edge-auto-jetson/pull/82
 """
 

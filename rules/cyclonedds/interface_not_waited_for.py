@@ -29,7 +29,7 @@ If the service restarts until the interface is up (`Restart=on-failure`) and tha
 
 ## References
 - netplan YAML reference, "optional"
-- Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
+- Cyclone DDS 0.10.5 and 11.0.1, tested with the real library
 - https://github.com/tier4/edge-auto-jetson/pull/82
 """
 

@@ -1,4 +1,4 @@
-"""Robot traffic goes over Wi-Fi.
+"""DDS uses a Wi-Fi interface.
 
 ## What it finds
 Cyclone DDS names an interface that the robot's netplan configures below `wifis:`. The finding is information,

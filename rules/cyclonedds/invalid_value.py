@@ -27,7 +27,7 @@ The library stops at the value and creates no participant: no ROS node starts.
 Never: the library refuses the file, and no node starts.
 
 ## References
-- Cyclone DDS 0.10.5 and 11.0.1, tried with the real library: every setting with some fifty values
+- Cyclone DDS 0.10.5 and 11.0.1, tested with the real library: every setting with about fifty values
 """
 
 from collections.abc import Iterator

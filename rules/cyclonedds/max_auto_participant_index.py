@@ -25,7 +25,7 @@ participant index`. Which process that is changes with every boot.
 If some of the processes are alternatives that never run at the same time, so that the count is too high.
 
 ## References
-- Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
+- Cyclone DDS 0.10.5 and 11.0.1, tested with the real library
 - DDSI-RTPS 2.5, section 9.6.2.3: port 7400 + 250 x domain + 2 x participant + 10
 - https://github.com/ros2/rmw_cyclonedds/issues/458
 """

@@ -26,7 +26,7 @@ the library only prints a warning at every start of every process.
 If the number really is meant in bytes or milliseconds, and you accept the warning at every start.
 
 ## References
-- Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
+- Cyclone DDS 0.10.5 and 11.0.1, tested with the real library
 """
 
 from collections.abc import Iterator

@@ -28,7 +28,7 @@ The library reports `do not pass deprecated configuration` and creates no partic
 Never: the library refuses the file, and no node starts.
 
 ## References
-- Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
+- Cyclone DDS 0.10.5 and 11.0.1, tested with the real library
 - https://github.com/eclipse-cyclonedds/cyclonedds/issues/1528
 """
 

@@ -27,11 +27,12 @@ process uses random ports: the robot starts without an error, and its nodes do n
 ```
 
 ## When to ignore it
-If every peer is listed with its port and the processes use fixed participant ports.
+If the robot runs a single process and all its peers have a fixed participant index: it contacts them, and
+they answer to its random port.
 
 ## References
-- Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
-- rmw_cyclonedds (Jazzy), the configuration that it puts before the user's
+- Cyclone DDS 0.10.5 and 11.0.1, tested with the real library
+- rmw_cyclonedds (Jazzy), the configuration that it reads before the user's
 """
 
 from collections.abc import Iterator

@@ -23,7 +23,7 @@ process aborts: no ROS node starts.
 Never: no version of the library contacts such a peer.
 
 ## References
-- Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
+- Cyclone DDS 0.10.5 and 11.0.1, tested with the real library
 """
 
 from collections.abc import Iterator

@@ -28,7 +28,7 @@ If the limit is raised on the robot outside the tree, for example by the host of
 script.
 
 ## References
-- Cyclone DDS 0.10.5 and 11.0.1, tried with the real library: 8192 kB passes and 8193 kB fails with rmem_max
+- Cyclone DDS 0.10.5 and 11.0.1, tested with the real library: 8192 kB passes and 8193 kB fails with rmem_max
   4194304
 - https://github.com/eclipse-cyclonedds/cyclonedds/pull/1001
 - socket(7), SO_RCVBUF

@@ -29,7 +29,7 @@ While you debug discovery on this robot. A missing folder is harmless only if so
 starts.
 
 ## References
-- Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
+- Cyclone DDS 0.10.5 and 11.0.1, tested with the real library
 """
 
 from collections.abc import Iterator

@@ -21,7 +21,7 @@ The library stops at the attribute and creates no participant: no ROS node start
 If the robot uses a fork or a build of your own that knows the attribute. Otherwise never.
 
 ## References
-- Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
+- Cyclone DDS 0.10.5 and 11.0.1, tested with the real library
 """
 
 from collections.abc import Iterator

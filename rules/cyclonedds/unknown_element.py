@@ -28,7 +28,7 @@ The library stops at the first unknown element and creates no participant: no RO
 If the robot uses a fork or a build of your own that knows the element. Otherwise never.
 
 ## References
-- Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
+- Cyclone DDS 0.10.5 and 11.0.1, tested with the real library
 - https://github.com/eclipse-cyclonedds/cyclonedds/issues/2201
 """
 

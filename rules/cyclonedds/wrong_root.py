@@ -25,7 +25,7 @@ The library does not know the element and creates no participant: no ROS node st
 Never: the library refuses the file, and no node starts.
 
 ## References
-- Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
+- Cyclone DDS 0.10.5 and 11.0.1, tested with the real library
 """
 
 from collections.abc import Iterator

@@ -21,7 +21,7 @@ The library stops at the first error and creates no participant, so no ROS node 
 Never for an error: no node starts. A DOCTYPE is harmless if an editor needs it.
 
 ## References
-- Cyclone DDS 0.10.5 and 11.0.1, tried with the real library
+- Cyclone DDS 0.10.5 and 11.0.1, tested with the real library
 - https://github.com/iRobotEducation/create3_docs/issues/455
 """
 

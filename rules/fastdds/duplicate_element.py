@@ -22,7 +22,7 @@ status is 0, and only a line on the terminal reports the error.
 Never: the library ignores the whole file.
 
 ## References
-- Fast DDS 2.14.5, tried with the real library
+- Fast DDS 2.14.5, tested with the real library
 """
 
 from collections.abc import Iterator

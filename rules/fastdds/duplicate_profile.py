@@ -24,7 +24,7 @@ effect.
 Never: the second one has no effect. Delete it if the first one is right.
 
 ## References
-- Fast DDS 2.14.5, tried with the real library
+- Fast DDS 2.14.5, tested with the real library
 """
 
 from collections.abc import Iterator

@@ -23,7 +23,7 @@ status is 0, and only a line on the terminal reports the error.
 Never: the library ignores the whole file.
 
 ## References
-- Fast DDS 2.14.5, tried with the real library; TinyXML-2, XMLElement::GetText
+- Fast DDS 2.14.5, tested with the real library; TinyXML-2, XMLElement::GetText
 """
 
 from collections.abc import Iterator

@@ -26,7 +26,7 @@ The setting has no effect. For unsupported QoS and tags the library also logs an
 If the file is shared with a DDS tool that does read the setting.
 
 ## References
-- Fast DDS 2.14.5, tried with the real library
+- Fast DDS 2.14.5, tested with the real library
 """
 
 from collections.abc import Iterator

@@ -29,7 +29,7 @@ should detect lost robots quickly.
 Never: the library refuses to create the participant.
 
 ## References
-- Fast DDS 2.14.5, tried with the real library: exit status 1
+- Fast DDS 2.14.5, tested with the real library: exit status 1
 """
 
 from collections.abc import Iterator

@@ -21,7 +21,7 @@ Editors and checkers that use the schema reject the file, and real mistakes are 
 If you do not use an editor or checker with the schema.
 
 ## References
-- Fast DDS 2.14.5, tried with the real library
+- Fast DDS 2.14.5, tested with the real library
 """
 
 from collections.abc import Iterator

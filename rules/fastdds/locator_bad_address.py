@@ -27,7 +27,7 @@ is never reached.
 Never: the library does not use such a locator.
 
 ## References
-- Fast DDS 2.14.5, tried with the real library
+- Fast DDS 2.14.5, tested with the real library
 """
 
 from collections.abc import Iterator

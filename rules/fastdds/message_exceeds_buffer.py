@@ -26,7 +26,7 @@ The library cannot register the transport and creates no participant: no ROS nod
 Never: the library cannot create the participant.
 
 ## References
-- Fast DDS 2.14.5, tried with the real library: exit status 1
+- Fast DDS 2.14.5, tested with the real library: exit status 1
 """
 
 from collections.abc import Iterator
@@ -71,7 +71,7 @@ def message_exceeds_buffer(robot: Robot) -> Iterator[Finding]:
             if kind.text.startswith("UDP") and size is not None and size > 65500:
                 text = transport.find("maxMessageSize").text
                 message = (
-                    f"{size} bytes are more than a UDP message holds (65500): no participant can be "
+                    f"{size} bytes are more than a UDP message can carry (65500): no participant can be "
                     "created, no node starts"
                 )
                 yield finding(text, message, advice="write 65500 or less")

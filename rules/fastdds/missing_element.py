@@ -1,4 +1,4 @@
-"""A Fast DDS element lacks a required part.
+"""A Fast DDS element has no content or misses a required part.
 
 ## What it finds
 An element that is empty or does not have a part that the library requires: `durability` without `kind`, a
@@ -24,7 +24,7 @@ status is 0, and only a line on the terminal reports the error.
 Never: the library ignores the whole file.
 
 ## References
-- Fast DDS 2.14.5, tried with the real library
+- Fast DDS 2.14.5, tested with the real library
 """
 
 from collections.abc import Iterator

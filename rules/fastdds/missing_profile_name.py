@@ -21,7 +21,7 @@ in it applies.
 Never: the library does not load the profile.
 
 ## References
-- Fast DDS 2.14.5, tried with the real library
+- Fast DDS 2.14.5, tested with the real library
 """
 
 from collections.abc import Iterator

@@ -23,7 +23,7 @@ profiles applies.
 If a program of your own loads the profile by its name, and the file is not meant for ROS 2 nodes.
 
 ## References
-- Fast DDS 2.14.5, tried with the real library: silently accepted
+- Fast DDS 2.14.5, tested with the real library: silently accepted
 """
 
 from collections.abc import Iterator

@@ -24,7 +24,7 @@ The library cannot create the default participant: no ROS node starts.
 Never: the library cannot create the participant.
 
 ## References
-- Fast DDS 2.14.5, tried with the real library: exit status 1
+- Fast DDS 2.14.5, tested with the real library: exit status 1
 """
 
 from collections.abc import Iterator

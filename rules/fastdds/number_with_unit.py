@@ -22,7 +22,7 @@ If the text is not a number, the library ignores the whole file.
 Never: the library does not know units.
 
 ## References
-- Fast DDS 2.14.5, tried with the real library
+- Fast DDS 2.14.5, tested with the real library
 """
 
 from collections.abc import Iterator

@@ -23,7 +23,7 @@ The library lowers the value without a message: large messages such as point clo
 If a provisioning script outside the tree raises the limit on the robot.
 
 ## References
-- Fast DDS 2.14.5, tried with the real library: 100 MB accepted with a limit of 4 MiB
+- Fast DDS 2.14.5, tested with the real library: 100 MB accepted with a limit of 4 MiB
 """
 
 from collections.abc import Iterator

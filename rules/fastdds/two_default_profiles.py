@@ -22,7 +22,7 @@ The library uses only one of them, and no message says which.
 Never: which profile applies is not documented. Keep the mark on the one that you want.
 
 ## References
-- Fast DDS 2.14.5, tried with the real library: accepted silently
+- Fast DDS 2.14.5, tested with the real library: accepted silently
 """
 
 from collections.abc import Iterator

@@ -29,7 +29,7 @@ status is 0, and only a line on the terminal reports the error.
 If the robot has another version of Fast DDS than its distribution, and that version accepts the element.
 
 ## References
-- Fast DDS 2.14.5, tried with the real library
+- Fast DDS 2.14.5, tested with the real library
 - XMLElementParser.cpp of 2.6, 2.14, 3.2 and 3.6
 """
 

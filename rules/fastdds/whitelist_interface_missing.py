@@ -25,7 +25,7 @@ The library filters out all whitelisted interfaces: it creates the node, but the
 If something other than netplan assigns the address on the robot, such as a VPN client or a script.
 
 ## References
-- Fast DDS 2.14.5, tried with the real library
+- Fast DDS 2.14.5, tested with the real library
 """
 
 from collections.abc import Iterator

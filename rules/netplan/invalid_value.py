@@ -60,7 +60,7 @@ SHAPES = {
 
 
 def _explain(code: str, where: str, detail: str) -> tuple[str, str]:
-    """What netplan says to a problem, and what to do."""
+    """How to describe a problem, and what to do about it."""
     if code == "wrong-shape":
         return f"{SHAPES[detail]} is expected here", f"write {SHAPES[detail]}"
     if code == "type-changed":

@@ -28,7 +28,7 @@ environment:
 If the mounted folder is itself laid out as a keystore, with an `enclaves` folder of its own inside.
 
 ## References
-- rcl, security.c; tried with the real rcl of Jazzy
+- rcl, security.c; tested with the real rcl of Jazzy
 """
 
 import re

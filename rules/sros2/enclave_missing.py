@@ -24,7 +24,7 @@ If the enclave is created on the robot when it is provisioned, and the keystore 
 it.
 
 ## References
-- rcl, security.c; tried with the real rcl of Jazzy
+- rcl, security.c; tested with the real rcl of Jazzy
 """
 
 import re

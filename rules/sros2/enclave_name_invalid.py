@@ -19,10 +19,10 @@ ros2 run lawn driver --ros-args --enclave /lawn/driver
 ```
 
 ## When to ignore it
-Never: no version of rcl accepts the name.
+Never: the process ends, or rcl looks for an enclave that does not exist.
 
 ## References
-- rcl, security.c; tried with the real rcl of Jazzy
+- rcl, security.c; tested with the real rcl of Jazzy
 """
 
 import re

@@ -30,7 +30,7 @@ Node(package="lawn", executable="driver", ros_arguments=["--enclave", "/lawn/dri
 If one identity for the whole robot is intended and the keystore on the robot has an enclave for `/`.
 
 ## References
-- rcl, security.c; tried with the real rcl of Jazzy
+- rcl, security.c; tested with the real rcl of Jazzy
 """
 
 from collections.abc import Iterator

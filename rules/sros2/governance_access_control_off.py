@@ -22,7 +22,7 @@ During commissioning, while the permissions are still being collected, on a netw
 can reach. For topics that are meant to be open to all authenticated nodes, narrow the topic rule instead.
 
 ## References
-- Cyclone DDS 0.10.5 with security, tried with the real library
+- Cyclone DDS 0.10.5 with security, tested with the real library
 - OMG DDS Security 1.1, clause 9.4.1.2
 """
 

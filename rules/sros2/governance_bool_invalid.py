@@ -23,7 +23,7 @@ Only for the warning: if all computers of the robot run a middleware that accept
 doing so.
 
 ## References
-- Cyclone DDS 0.10.5 with security, tried with the real library
+- Cyclone DDS 0.10.5 with security, tested with the real library
 - OMG DDS Security 1.1, clause 9.4.1.2
 """
 

@@ -28,7 +28,7 @@ The plugin answers `Could not find domain` (code 141): no participant is created
 If the keystore belongs to another robot or computer that runs in a domain the document covers.
 
 ## References
-- Cyclone DDS 0.10.5 with security, tried with the real library
+- Cyclone DDS 0.10.5 with security, tested with the real library
 - OMG DDS Security 1.1, clause 9.4.1.2
 """
 

@@ -27,7 +27,7 @@ Cyclone DDS rejects the document (code 110): no participant is created and no no
 Never: Cyclone DDS rejects the document as a whole.
 
 ## References
-- Cyclone DDS 0.10.5 with security, tried with the real library
+- Cyclone DDS 0.10.5 with security, tested with the real library
 - OMG DDS Security 1.1, clause 9.4.1.2
 """
 

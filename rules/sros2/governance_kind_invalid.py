@@ -22,7 +22,7 @@ The library cannot parse the governance document (code 137): no participant is c
 Never: the libraries refuse the whole document.
 
 ## References
-- Cyclone DDS 0.10.5 with security, tried with the real library
+- Cyclone DDS 0.10.5 with security, tested with the real library
 - OMG DDS Security 1.1, clause 9.4.1.2
 """
 

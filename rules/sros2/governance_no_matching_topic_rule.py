@@ -26,7 +26,7 @@ The library cannot create a topic without a rule (code 142): the node ends with 
 If the grant is left over and no node uses the topic. The finding for `ros_discovery_info` is always right.
 
 ## References
-- Cyclone DDS 0.10.5 with security, tried with the real library
+- Cyclone DDS 0.10.5 with security, tested with the real library
 - OMG DDS Security 1.1, clause 9.4.1.2
 """
 

@@ -30,7 +30,7 @@ If the data may be public and forging it does no harm, such as camera images for
 would cost too much CPU time.
 
 ## References
-- Cyclone DDS 0.10.5 with security, tried with the real library
+- Cyclone DDS 0.10.5 with security, tested with the real library
 - OMG DDS Security 1.1, clause 9.4.1.2
 """
 

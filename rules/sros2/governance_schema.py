@@ -29,7 +29,7 @@ starts. Examples often omit `enable_liveliness_protection`.
 Only for the order of elements, if every computer of the robot uses Cyclone DDS.
 
 ## References
-- Cyclone DDS 0.10.5 with security, tried with the real library
+- Cyclone DDS 0.10.5 with security, tested with the real library
 - OMG DDS Security 1.1, clause 9.4.1.2
 """
 

@@ -22,7 +22,7 @@ If an unsecured tool must take part, such as a diagnostic laptop, every topic th
 `rtps_protection_kind` is NONE.
 
 ## References
-- Cyclone DDS 0.10.5 with security, tried with the real library
+- Cyclone DDS 0.10.5 with security, tested with the real library
 - OMG DDS Security 1.1, clause 9.4.1.2.3
 """
 

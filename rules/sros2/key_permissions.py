@@ -26,7 +26,7 @@ If the robot has no users and services but those of ROS, or if the mode in the t
 robot because an installer sets it.
 
 ## References
-- sros2, tried with the real tool
+- sros2, tested with the real tool
 """
 
 from collections.abc import Iterator

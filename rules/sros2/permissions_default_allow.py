@@ -22,7 +22,7 @@ While the permissions are still being collected on a network that only the devel
 debugging enclave that is not deployed.
 
 ## References
-- Cyclone DDS 0.10.5 with security, tried with the real library
+- Cyclone DDS 0.10.5 with security, tested with the real library
 - OMG DDS Security 1.1, clause 9.4.1.3
 """
 

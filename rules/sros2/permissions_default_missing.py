@@ -21,7 +21,7 @@ start.
 If every computer of the robot uses Cyclone DDS and the default should be DENY.
 
 ## References
-- Cyclone DDS 0.10.5 with security, tried with the real library
+- Cyclone DDS 0.10.5 with security, tested with the real library
 - OMG DDS Security 1.1, clause 9.4.1.3
 """
 

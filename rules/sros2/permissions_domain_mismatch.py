@@ -29,7 +29,7 @@ If the enclave belongs to a process that runs in another domain, such as a bridg
 shares the keystore.
 
 ## References
-- Cyclone DDS 0.10.5 with security, tried with the real library
+- Cyclone DDS 0.10.5 with security, tested with the real library
 - OMG DDS Security 1.1, clause 9.4.1.3
 """
 

@@ -21,7 +21,7 @@ set up on the same day.
 If the document is a sample or a test fixture that no robot uses.
 
 ## References
-- Cyclone DDS 0.10.5 with security, tried with the real library
+- Cyclone DDS 0.10.5 with security, tested with the real library
 - OMG DDS Security 1.1, clause 9.4.1.3
 """
 

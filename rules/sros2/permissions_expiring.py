@@ -20,7 +20,7 @@ After that day the participant is rejected (code 147) and the node no longer sta
 If permissions are deliberately short-lived and a job renews and deploys them in time.
 
 ## References
-- Cyclone DDS 0.10.5 with security, tried with the real library
+- Cyclone DDS 0.10.5 with security, tested with the real library
 - OMG DDS Security 1.1, clause 9.4.1.3
 """
 

@@ -24,7 +24,7 @@ If the enclave belongs to a DDS program that does not use ROS 2.
 
 ## References
 - rmw_dds_common; https://github.com/ros2/sros2/issues/242
-- Cyclone DDS 0.10.5 with security, tried with the real library
+- Cyclone DDS 0.10.5 with security, tested with the real library
 """
 
 from collections.abc import Iterator

@@ -25,7 +25,7 @@ If every node of the enclave disables the two publishers in its NodeOptions (`en
 
 ## References
 - https://github.com/ros2/sros2/issues/65
-- Cyclone DDS 0.10.5 with security, tried with the real library
+- Cyclone DDS 0.10.5 with security, tested with the real library
 """
 
 from collections.abc import Iterator
@@ -50,6 +50,6 @@ def permissions_missing_node_infrastructure(robot: Robot) -> Iterator[Finding]:
         if lacks:
             yield finding(
                 grant.subject,
-                f"{grant.enclave} cannot publish {' and '.join(lacks)}: an ordinary node throws when it is created",
+                f"{grant.enclave} cannot publish {' and '.join(lacks)}: a normal node throws when it is created",
                 advice=f"add {' and '.join(lacks)} to publish, and sign the document again",
             )

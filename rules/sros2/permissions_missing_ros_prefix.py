@@ -24,7 +24,7 @@ If the topic belongs to a DDS program that does not use ROS 2, or to a node with
 
 ## References
 - ROS 2 design, "Topic and Service name mapping to DDS"
-- Cyclone DDS 0.10.5 with security, tried with the real library
+- Cyclone DDS 0.10.5 with security, tested with the real library
 """
 
 import re

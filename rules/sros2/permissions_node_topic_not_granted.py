@@ -25,7 +25,7 @@ are not those that are deployed.
 
 ## References
 - ROS 2 design, "ROS 2 DDS-Security integration"
-- Cyclone DDS 0.10.5 with security, tried with the real library
+- Cyclone DDS 0.10.5 with security, tested with the real library
 """
 
 from collections.abc import Iterator

@@ -24,7 +24,7 @@ with a date in the past, and rejects all permissions until its time is set.
 If the permissions are prepared for a later date and are not deployed before it.
 
 ## References
-- Cyclone DDS 0.10.5 with security, tried with the real library
+- Cyclone DDS 0.10.5 with security, tested with the real library
 - OMG DDS Security 1.1, clause 9.4.1.3
 """
 

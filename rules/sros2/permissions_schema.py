@@ -26,7 +26,7 @@ The security plugin rejects the document: no node of the enclave starts.
 Never: the plugin rejects the whole document.
 
 ## References
-- Cyclone DDS 0.10.5 with security, tried with the real library
+- Cyclone DDS 0.10.5 with security, tested with the real library
 - OMG DDS Security 1.1, clause 9.4.1.3
 """
 

@@ -26,7 +26,7 @@ If the certificate is not in the tree and deliberately has another common name t
 certificate from a company's own authority may have.
 
 ## References
-- Cyclone DDS 0.10.5 with security, tried with the real library
+- Cyclone DDS 0.10.5 with security, tested with the real library
 - OMG DDS Security 1.1, clause 9.4.1.3
 """
 

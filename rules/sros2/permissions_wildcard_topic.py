@@ -30,7 +30,7 @@ For a tool that has to publish any topic, such as a rosbag player, if its enclav
 robot.
 
 ## References
-- Cyclone DDS 0.10.5 with security, tried with the real library
+- Cyclone DDS 0.10.5 with security, tested with the real library
 - OMG DDS Security 1.1, clause 9.4.1.3
 """
 

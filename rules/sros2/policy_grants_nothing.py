@@ -27,10 +27,10 @@ denied when the robot runs, and the node ends with an exception.
 ```
 
 ## When to ignore it
-Never: sros2 writes the name as it is, and no node can have it.
+Never: the permissions that sros2 creates from it match no endpoint.
 
 ## References
-- sros2, how permissions are made of a policy
+- sros2, creation of permissions from a policy
 - ROS 2 design, "Topic and Service name mapping to DDS"
 """
 

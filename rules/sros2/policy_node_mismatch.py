@@ -32,7 +32,7 @@ If the profile is for another launch of the same enclave, and this node is only 
 without security.
 
 ## References
-- sros2, how permissions are made of a policy
+- sros2, creation of permissions from a policy
 """
 
 from collections.abc import Iterator

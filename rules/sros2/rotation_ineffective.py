@@ -24,7 +24,7 @@ ros2 security create_permission /etc/lawn/keystore /lawn/driver policy.xml
 If the script only creates enclaves that do not exist yet, and another one renews them.
 
 ## References
-- sros2, create_enclave, tried with the real tool
+- sros2, create_enclave, tested with the real tool
 """
 
 import re

@@ -25,7 +25,7 @@ useful only for attacks with entities, because its declarations are never loaded
 Never: no library can read the document.
 
 ## References
-- Cyclone DDS 0.10.5 with security, tried with the real library
+- Cyclone DDS 0.10.5 with security, tested with the real library
 - OMG DDS Security 1.1, clause 9.4.1
 """
 

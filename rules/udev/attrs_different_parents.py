@@ -61,7 +61,7 @@ def attrs_different_parents(robot: Robot) -> Iterator[Finding]:
             interface.value if interface else second.span,
             f"The rule never fires: {owners}",
             advice=_advice(interface),
-            related=[note((first if interface is not first else second).span, "must hold on the same device")],
+            related=[note((first if interface is not first else second).span, "this key has to match the same device")],
             fix=_fix(interface, first if interface is not first else second, line),
         )
 

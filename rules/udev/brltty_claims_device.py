@@ -48,15 +48,15 @@ def brltty_claims_device(robot: Robot) -> Iterator[Finding]:
             if claim is not None:
                 yield finding(
                     where,
-                    f"brltty takes the adapter {usb_id}: its ttyUSB appears and vanishes",
+                    f"brltty claims the adapter {usb_id}: its ttyUSB appears and vanishes",
                     advice=f"mask {claim.source.basename} in /etc/udev/rules.d, or remove brltty",
-                    related=[note(claim.span, "claims the adapter")],
+                    related=[note(claim.span, "claims the adapter here")],
                     severity="error",
                 )
             elif jammy and robot.udev.is_claimed_on_jammy(usb_id):
                 yield finding(
                     where,
-                    f"brltty of Ubuntu 22.04 takes the adapter {usb_id}: its ttyUSB appears and vanishes",
+                    f"brltty of Ubuntu 22.04 claims the adapter {usb_id}: its ttyUSB appears and vanishes",
                     advice="mask 85-brltty.rules in /etc/udev/rules.d, or remove brltty",
                     severity="info",
                 )

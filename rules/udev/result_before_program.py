@@ -4,7 +4,7 @@
 `RESULT`, `%c` or `$result` where neither the same line nor an earlier one has a `PROGRAM`.
 
 ## Why it matters on a robot
-The result is empty: the match fails, or the link lacks its last part and several devices share it.
+The result is empty: the match fails, or the link has no last part and several devices share it.
 
 ## Bad
 ```udev

@@ -52,7 +52,7 @@ _ADVICE = {
         "save the file without a byte order mark",
     ),
     "invalid-attribute": ("udev does not accept the braces here", ""),
-    "bad-test-mode": ("TEST takes an octal mode in its braces", "write octal digits"),
+    "bad-test-mode": ("TEST accepts an octal mode in its braces", "write octal digits"),
     "assignment-of-any-case": ("The prefix i is valid only with == and !=", "delete the prefix"),
     "any-case-not-allowed": ("This key does not accept the prefix i", "delete the prefix"),
     "unknown-builtin": ("udev has no such builtin", "name a builtin that udev(7) lists"),
