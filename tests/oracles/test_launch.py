@@ -1,7 +1,4 @@
-"""Node lists against ROS's own launch: needs an interpreter with launch, launch_ros, launch_xml and launch_yaml.
-
-Its path is taken from BRINGUP_LINT_ROS_PYTHON; without it, or when it lacks the packages, the tests are skipped.
-"""
+"""Node lists against ROS's own launch: the same nodes from the same files."""
 
 from __future__ import annotations
 
@@ -10,8 +7,6 @@ import os
 import subprocess
 from functools import cache
 from pathlib import Path
-
-import pytest
 
 from bringup_lint.discover.walk import discover
 from bringup_lint.graph.launch.resolve import text_of
@@ -25,11 +20,13 @@ from bringup_lint.model.launch_values import ParameterFile
 from bringup_lint.model.launch_values import TypedValue
 from bringup_lint.model.launch_values import Value
 from bringup_lint.robot import Robot
+from tests.oracles.answers import Oracle
+from tests.oracles.ros_python import PYTHON
+from tests.oracles.ros_python import tool
 
 FOLDER = Path(__file__).parent / "launch_files"
 PACKAGE = FOLDER / "demo_robot"
 FILES = sorted(path for path in (PACKAGE / "launch").iterdir() if path.name[0] in "abc" and path.name[1].isdigit())
-PYTHON = os.environ.get("BRINGUP_LINT_ROS_PYTHON", "")
 
 
 @cache
@@ -37,25 +34,22 @@ def robot() -> Robot:
     return Robot(discover([str(FOLDER)]))
 
 
-@pytest.fixture(scope="session")
-def reference(tmp_path_factory: pytest.TempPathFactory) -> dict:
+def reference(names: list[str], prefix: Path) -> list[list[dict]]:
     """What ROS's launch starts, for every file."""
-    if not PYTHON:
-        pytest.skip("BRINGUP_LINT_ROS_PYTHON is not set")
-    prefix = tmp_path_factory.mktemp("prefix")
     index = prefix / "share" / "ament_index" / "resource_index" / "packages"
     index.mkdir(parents=True)
     (index / PACKAGE.name).touch()
     (prefix / "share" / PACKAGE.name).symlink_to(PACKAGE)
     runner = Path(__file__).parent / "launch_runner.py"
-    command = [PYTHON, str(runner), str(prefix), *map(str, FILES)]
+    files = [str(PACKAGE / "launch" / name) for name in names]
     environment = {key: value for key, value in os.environ.items() if key != "PYTHONPATH"}
+    command = [PYTHON, str(runner), str(prefix), *files]
     run = subprocess.run(command, capture_output=True, text=True, env=environment, check=False)
-    if "ModuleNotFoundError" in run.stderr:
-        pytest.skip(run.stderr.splitlines()[-1])
     assert run.returncode == 0, run.stderr
     text = run.stdout.replace(str(prefix / "share" / PACKAGE.name), "SHARE").replace(str(PACKAGE), "SHARE")
-    return {key.replace("SHARE", str(PACKAGE)): value for key, value in json.loads(text).items()}
+    found = json.loads(text)
+    assert not [each["error"] for each in found.values() if "error" in each]
+    return [found[file.replace(str(PACKAGE), "SHARE")]["nodes"] for file in files]
 
 
 def path_text(value: Value) -> str | None:
@@ -121,15 +115,20 @@ def loose(value):
     )
 
 
-@pytest.mark.parametrize("path", FILES, ids=lambda path: path.name)
-def test_same_nodes_as_launch(path: Path, reference: dict) -> None:
-    expected = reference[str(path)]
-    assert "error" not in expected, expected["error"]
+def started(name: str) -> list[dict]:
+    """What we say that a file starts."""
     launch = robot().launch
-    (file,) = [file for file in launch.files if Path(file.source.name).name == path.name]
-    started = [
-        node
+    (file,) = [file for file in launch.files if Path(file.source.name).name == name]
+    return [
+        described(node)
         for node in launch.expansion(file).nodes
         if node.by_default and node.is_node and not any(isinstance(around, EventHandler) for around in node.context)
     ]
-    assert loose([described(node) for node in started]) == loose(expected["nodes"])
+
+
+def test_same_nodes_as_launch(answers: Oracle, tmp_path: Path) -> None:
+    names = [path.name for path in FILES]
+    given = answers.of("launch/nodes", tool(), names, lambda names: reference(names, tmp_path / "prefix"))
+    assert len(given.pairs) == len(FILES)
+    for name, nodes in given.pairs:
+        assert loose(started(name)) == loose(nodes), name

@@ -1,7 +1,4 @@
-"""The environment of every process that ROS's own launch starts, against ours: needs an interpreter with launch.
-
-Its path is taken from BRINGUP_LINT_ROS_PYTHON; without it, or when it lacks the packages, the tests are skipped.
-"""
+"""The environment of every process that ROS's own launch starts, against ours."""
 
 from __future__ import annotations
 
@@ -21,13 +18,16 @@ from bringup_lint.graph.systemd.environment import Environment
 from bringup_lint.graph.systemd.environment import Variable
 from bringup_lint.robot import Robot
 from bringup_lint.source import Source
+from tests.oracles.answers import Oracle
+from tests.oracles.ros_python import PYTHON
+from tests.oracles.ros_python import tool
 
 HERE = Path(__file__).parent
-PYTHON = os.environ.get("BRINGUP_LINT_ROS_PYTHON", "")
 BASE = {"BASE": "here", "LIST": "/a", "ROS_DOMAIN_ID": "1"}
 """What the launch process itself has."""
 NAMES = (*BASE, "ONE", "TWO")
-BRED = 60
+OF_SHELL = ("PWD", "OLDPWD", "SHLVL", "_", "PYTHONUNBUFFERED", "OVERRIDE_LAUNCH_PROCESS_OUTPUT")
+MADE = 60
 HEAD = """from launch import LaunchDescription
 from launch.actions import AppendEnvironmentVariable, ExecuteProcess, GroupAction, PopEnvironment, PushEnvironment
 from launch.actions import ResetEnvironment, SetEnvironmentVariable, TimerAction, UnsetEnvironmentVariable
@@ -44,18 +44,24 @@ def generate_launch_description():
 """
 
 
-def real(files: list[Path]) -> dict[str, dict]:
-    if not PYTHON:
-        pytest.skip("BRINGUP_LINT_ROS_PYTHON is not set")
+def real(files: list[Path]) -> list[dict[str, dict[str, str]]]:
+    """File by file, a process to its variables, without those that the launch process got from the machine."""
     keep = {key: value for key, value in os.environ.items() if key not in ("PYTHONPATH", *NAMES)}
     flags = {"FLAG0": "true", "FLAG1": "false"}
     environment = {"AMENT_PREFIX_PATH": str(Path(PYTHON).parent.parent), **keep, **BASE, **flags}
     command = [PYTHON, str(HERE / "launch_environment_runner.py"), *map(str, files)]
     run = subprocess.run(command, capture_output=True, text=True, env=environment, check=False)
-    if run.returncode != 0 and "ModuleNotFoundError" in run.stderr:
-        pytest.skip(run.stderr.splitlines()[-1])
     assert run.returncode == 0, run.stderr
-    return json.loads(run.stdout.splitlines()[-1])
+    found = json.loads(run.stdout.splitlines()[-1])
+    assert not [path for path, run in found.items() if run["code"] != 0]
+    machine = {key for key in {**environment, **dict.fromkeys(OF_SHELL)} if key not in NAMES}
+    return [
+        {
+            process: {name: value for name, value in sorted(values.items()) if name not in machine}
+            for process, values in sorted(found[str(path)]["processes"].items())
+        }
+        for path in files
+    ]
 
 
 def ours(files: list[Path]) -> dict[str, dict[str, Environment]]:
@@ -78,35 +84,36 @@ def process_name(node) -> str:
     return text_of(node.arguments[-1]).rpartition(" ")[2].strip("'")
 
 
-def differences(files: list[Path]) -> tuple[int, int, list]:
+def differences(pairs: list[tuple[Path, dict[str, dict[str, str]]]]) -> tuple[int, int, list]:
     """How many values were compared, how many of them we do not know, and those that differ."""
-    expected, found = real(files), ours(files)
+    found = ours([path for path, _ in pairs])
     compared = unknown = 0
     wrong = []
-    for path, run in expected.items():
-        assert run["code"] == 0, path
-        assert run["processes"].keys() == found[path].keys(), path
-        for process, values in run["processes"].items():
-            environment = found[path][process]
-            for name in {*NAMES, *(name for chains in found[path].values() for name in chains.chains)}:
+    for path, processes in pairs:
+        assert processes.keys() == found[str(path)].keys(), path
+        for process, values in processes.items():
+            environment = found[str(path)][process]
+            for name in {*NAMES, *(name for chains in found[str(path)].values() for name in chains.chains)}:
                 compared += 1
                 said = environment.text(name)
                 if name in environment and said is None:
                     unknown += 1
                 elif said != values.get(name):
-                    wrong.append((Path(path).name, process, name, said, values.get(name)))
+                    wrong.append((path.name, process, name, said, values.get(name)))
     return compared, unknown, wrong
 
 
-def test_every_way_to_change_it() -> None:
-    files = sorted((HERE / "launch_environment").glob("*.launch.*"))
-    compared, unknown, wrong = differences(files)
+def test_every_way_to_change_it(answers: Oracle) -> None:
+    folder = HERE / "launch_environment"
+    names = sorted(path.name for path in folder.glob("*.launch.*"))
+    given = answers.of("launch/actions", tool(), names, lambda names: real([folder / name for name in names]))
+    compared, unknown, wrong = differences([(folder / name, processes) for name, processes in given.pairs])
     assert wrong == []
     assert unknown == 0
     assert compared > 100
 
 
-def bred(chance: random.Random, unsure: bool = False) -> str:
+def random_description(chance: random.Random, unsure: bool = False) -> str:
     """``unsure``: some changes depend on a variable that only the real launch knows."""
     maybe = ", condition=IfCondition(EnvironmentVariable('FLAG'))" if unsure else ""
     numbers = count()
@@ -140,13 +147,22 @@ def bred(chance: random.Random, unsure: bool = False) -> str:
     return f"{HEAD}        {body},\n        probe('end'),\n    ])\n"
 
 
+def written(folder: Path, texts: list[str]) -> list[Path]:
+    folder.mkdir()
+    files = [folder / f"random{number:02}.launch.py" for number in range(len(texts))]
+    for path, text in zip(files, texts, strict=True):
+        path.write_text(text, "utf-8")
+    return files
+
+
 @pytest.mark.parametrize(("unsure", "share"), [(False, 0.01), (True, 0.4)], ids=["sure", "unsure"])
-def test_bred_descriptions(unsure: bool, share: float, tmp_path: Path) -> None:
+def test_random_descriptions(unsure: bool, share: float, answers: Oracle, tmp_path: Path) -> None:
     chance = random.Random(11)
-    files = [tmp_path / f"bred{number:02}.launch.py" for number in range(BRED)]
-    for number, path in enumerate(files):
-        path.write_text(bred(chance, unsure).replace("'FLAG'", f"'FLAG{number % 2}'"))
-    compared, unknown, wrong = differences(files)
+    texts = [random_description(chance, unsure).replace("'FLAG'", f"'FLAG{number % 2}'") for number in range(MADE)]
+    record = "launch/unsure" if unsure else "launch/sure"
+    given = answers.of(record, tool(), texts, lambda texts: real(written(tmp_path / "real", texts)))
+    files = written(tmp_path / "ours", [text for text, _ in given.pairs])
+    compared, unknown, wrong = differences(list(zip(files, (answer for _, answer in given.pairs), strict=True)))
     print(f"{compared} values compared, {unknown} not known to us")
     assert wrong == []
     assert unknown <= compared * share

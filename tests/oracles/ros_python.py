@@ -1,0 +1,20 @@
+"""The interpreter that has ROS's own launch: BRINGUP_LINT_ROS_PYTHON names it."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+from functools import cache
+
+PYTHON = os.environ.get("BRINGUP_LINT_ROS_PYTHON", "")
+_VERSION = "import launch, launch_xml, launch_yaml, importlib.metadata as m; print(m.version('launch'))"
+
+
+@cache
+def tool() -> str:
+    """Such as ``launch 3.4.3``; without the number where no interpreter is named, or where it lacks the packages."""
+    if not PYTHON:
+        return "launch"
+    environment = {key: value for key, value in os.environ.items() if key != "PYTHONPATH"}
+    run = subprocess.run([PYTHON, "-c", _VERSION], capture_output=True, text=True, env=environment, check=False)
+    return f"launch {run.stdout.strip()}".strip()
