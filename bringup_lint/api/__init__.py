@@ -21,10 +21,25 @@ from bringup_lint.finding import Severity
 from bringup_lint.finding import span_of
 from bringup_lint.robot import Robot
 from bringup_lint.source import Located
+from bringup_lint.source import Problem
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 
-__all__ = ["Edit", "Finding", "Located", "Robot", "Source", "Span", "finding", "fix", "note", "rule"]
+__all__ = [
+    "Edit",
+    "Finding",
+    "Fix",
+    "Located",
+    "Problem",
+    "Related",
+    "Robot",
+    "Source",
+    "Span",
+    "finding",
+    "fix",
+    "note",
+    "rule",
+]
 
 Place = Located | Span | Source
 Check = Callable[[Robot], Iterator[Finding]]

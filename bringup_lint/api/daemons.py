@@ -1,4 +1,4 @@
-"""The rules that journald.conf, system.conf and logind.conf share: what their daemons cannot read."""
+"""journald.conf, system.conf and logind.conf: their effective settings, and the rules that they share."""
 
 from __future__ import annotations
 

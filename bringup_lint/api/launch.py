@@ -1,8 +1,11 @@
-"""The words of the launch model that rules use: ``from bringup_lint.api import launch``."""
+"""Launch files: actions, values, and what a launch file starts."""
 
 from __future__ import annotations
 
 from bringup_lint.facts.ros.node_roles import lifecycle_names
+from bringup_lint.graph.launch.expansion import Expansion
+from bringup_lint.graph.launch.expansion import Used
+from bringup_lint.graph.launch.lifecycle import Managed
 from bringup_lint.graph.launch.lifecycle import Manager
 from bringup_lint.graph.launch.lifecycle import full_name
 from bringup_lint.graph.launch.lifecycle import managers
@@ -17,12 +20,15 @@ from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.supervision.launched_processes import check_of
 from bringup_lint.graph.supervision.launched_processes import respawns
 from bringup_lint.graph.supervision.launched_processes import watched
+from bringup_lint.graph.workspace import Package
+from bringup_lint.model.launch import Action
 from bringup_lint.model.launch import ComposableNode
 from bringup_lint.model.launch import DeclareArgument
 from bringup_lint.model.launch import Emit
 from bringup_lint.model.launch import EventHandler
 from bringup_lint.model.launch import Group
 from bringup_lint.model.launch import Include
+from bringup_lint.model.launch import LaunchFile
 from bringup_lint.model.launch import LoadComponents
 from bringup_lint.model.launch import Log
 from bringup_lint.model.launch import Node
@@ -49,12 +55,14 @@ from bringup_lint.model.launch_values import ParameterFile
 from bringup_lint.model.launch_values import PathJoin
 from bringup_lint.model.launch_values import TypedValue
 from bringup_lint.model.launch_values import Unknown
+from bringup_lint.model.launch_values import Value
 from bringup_lint.model.launch_values import literal
 from bringup_lint.model.launch_values import same
 from bringup_lint.model.launch_values import understood
 from bringup_lint.model.launch_values import walk
 
 __all__ = [
+    "Action",
     "Argument",
     "Choice",
     "Command",
@@ -66,18 +74,22 @@ __all__ = [
     "Emit",
     "Env",
     "EventHandler",
+    "Expansion",
     "FileDir",
     "Group",
     "Include",
+    "LaunchFile",
     "ListValue",
     "Literal",
     "LoadComponents",
     "Log",
+    "Managed",
     "Manager",
     "Node",
     "Opaque",
     "Operation",
     "Other",
+    "Package",
     "PackageShare",
     "ParameterFile",
     "PathJoin",
@@ -88,6 +100,8 @@ __all__ = [
     "Timer",
     "TypedValue",
     "Unknown",
+    "Used",
+    "Value",
     "check_of",
     "exclusive",
     "full_name",

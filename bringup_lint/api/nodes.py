@@ -1,4 +1,4 @@
-"""The words of the node sources that rules use: ``from bringup_lint.api import nodes``."""
+"""The sources of nodes: callbacks, shutdown, safe states."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""ROS distributions and the values of ROS variables."""
+"""ROS distributions, and the values of ROS variables."""
 
 from __future__ import annotations
 

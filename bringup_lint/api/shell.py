@@ -1,9 +1,11 @@
-"""Shell scripts."""
+"""Shell scripts and their commands."""
 
 from __future__ import annotations
 
+from bringup_lint.model.shell import Command
 from bringup_lint.parsers.shell import shell_commands
 
 __all__ = [
+    "Command",
     "shell_commands",
 ]

@@ -1,4 +1,4 @@
-"""The words of the topic layer that rules use: ``from bringup_lint.api import topics``."""
+"""Topics: endpoints, velocity commands, misspelt names."""
 
 from __future__ import annotations
 

@@ -1,9 +1,15 @@
-"""Edits of YAML files."""
+"""YAML documents and their edits."""
 
 from __future__ import annotations
 
 from bringup_lint.graph.yaml_edits import first_key
+from bringup_lint.model.yaml_node import Mapping
+from bringup_lint.model.yaml_node import Scalar
+from bringup_lint.model.yaml_node import Sequence
 
 __all__ = [
+    "Mapping",
+    "Scalar",
+    "Sequence",
     "first_key",
 ]

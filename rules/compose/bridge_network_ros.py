@@ -34,6 +34,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.compose import Service
 
 OTHER_WAYS = ("ROS_DISCOVERY_SERVER", "ROS_STATIC_PEERS", "CYCLONEDDS_URI", "ZENOH_ROUTER_CONFIG_URI")
 
@@ -54,7 +55,7 @@ def bridge_network_ros(robot: Robot) -> Iterator[Finding]:
                 )
 
 
-def _apart(robot, services):
+def _apart(robot: Robot, services: list[Service]) -> Iterator[Finding]:
     host = [service for service in services if service.is_on_host_network]
     for service in services:
         if not host or service.network_mode is not None or _finds_others(robot, service):
@@ -67,7 +68,7 @@ def _apart(robot, services):
         )
 
 
-def _finds_others(robot, service) -> bool:
+def _finds_others(robot: Robot, service: Service) -> bool:
     if len(robot.compose.env_files(service)) < len(service.env_files) or service.restart == "no":
         return True
     rmw = robot.compose.variables(service, "RMW_IMPLEMENTATION")

@@ -36,6 +36,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.compose import Service
 
 DEFAULTS = {"ROS_DOMAIN_ID": "0", "RMW_IMPLEMENTATION": "rmw_fastrtps_cpp"}
 
@@ -61,7 +62,7 @@ def domain_id_partial(robot: Robot) -> Iterator[Finding]:
                 )
 
 
-def _comparable(one, other) -> bool:
+def _comparable(one: Service, other) -> bool:
     """The image of the second brings no setting of its own: it is that of the first, or an official one."""
     image = other.image or ""
     return one is not other and (image == one.image or image.partition(":")[0] in ("ros", "osrf/ros"))

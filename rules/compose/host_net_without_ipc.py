@@ -35,6 +35,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.compose import Service
 
 TRANSPORTS = (
     "FASTRTPS_DEFAULT_PROFILES_FILE",
@@ -63,7 +64,7 @@ def host_net_without_ipc(robot: Robot) -> Iterator[Finding]:
             )
 
 
-def _is_fast_dds(robot, service) -> bool:
+def _is_fast_dds(robot: Robot, service: Service) -> bool:
     if len(robot.compose.env_files(service)) < len(service.env_files):
         return False
     if robot.compose.variables(service, *TRANSPORTS):
@@ -72,7 +73,7 @@ def _is_fast_dds(robot, service) -> bool:
     return not rmw or all("fastrtps" in value for _, value in rmw)
 
 
-def _shares_memory(service) -> bool:
+def _shares_memory(service: Service) -> bool:
     ipc = service.scalar("ipc")
     shared = any(volume.target == "/dev/shm" for volume in service.volumes)
     return shared or (ipc is not None and ipc not in ("private", "none"))

@@ -36,10 +36,12 @@ If the service restarts until the interface is up (`Restart=on-failure`) and tha
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Related
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.dds import Configuration
 
 
 @rule("error", confidence="medium", symptoms=["does not match an available interface"])
@@ -63,7 +65,7 @@ def interface_not_waited_for(robot: Robot) -> Iterator[Finding]:
                 )
 
 
-def _order(robot, configuration):
+def _order(robot: Robot, configuration: Configuration) -> list[Related]:
     """What the units that read the file wait for instead."""
     units = {reader.unit.name: reader.unit for reader in robot.dds.readers(configuration) if reader.unit}
     words = [(unit, word) for unit in units.values() for word in unit.words("After") if "network" in word]

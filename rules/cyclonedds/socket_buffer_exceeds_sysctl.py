@@ -37,10 +37,13 @@ script.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Related
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.dds import Configuration
+from bringup_lint.api.host import KernelParameter
 
 
 @rule(
@@ -71,9 +74,9 @@ def socket_buffer_exceeds_sysctl(robot: Robot) -> Iterator[Finding]:
             )
 
 
-def _limit(limit):
+def _limit(limit: KernelParameter | None) -> list[Related]:
     return [note(limit.value, "the limit")] if limit else []
 
 
-def _readers(robot, configuration):
+def _readers(robot: Robot, configuration: Configuration) -> list[Related]:
     return [note(reader.uri, f"{reader.who} reads the file") for reader in robot.dds.readers(configuration)[:3]]

@@ -32,10 +32,13 @@ When a package that is not in the tree, for example the driver of the vendor, in
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Related
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.host import DeviceUse
+from bringup_lint.api.udev import Link
 
 
 @rule("error", symptoms=["Timed out waiting for device", "No such file or directory: '/dev/"])
@@ -57,7 +60,7 @@ def link_undefined(robot: Robot) -> Iterator[Finding]:
         )
 
 
-def _made(robot: Robot, use, near):
+def _made(robot: Robot, use: DeviceUse, near: Link | None) -> list[Related]:
     if near:
         return [note(near.name, f"creates {near.path}")]
     folder = use.path.rpartition("/")[0]
@@ -65,7 +68,7 @@ def _made(robot: Robot, use, near):
     return [note(link.name, f"a rule for {folder} is here") for link in links[:1]]
 
 
-def _same(robot: Robot, use):
+def _same(robot: Robot, use: DeviceUse) -> list[Related]:
     """The other places that name the same path."""
     others = [each.path for each in robot.devices.uses if each.path == use.path and each.path is not use.path]
     return [note(path, "also used here") for path in others[:3]]

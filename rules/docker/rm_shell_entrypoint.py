@@ -32,10 +32,12 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.docker import Stage
 from bringup_lint.api.docker import commands_of
 
 SHELLS = frozenset(f"{folder}/{shell}" for folder in ("/bin", "/usr/bin") for shell in ("sh", "bash", "dash"))
@@ -69,7 +71,7 @@ def rm_shell_entrypoint(robot: Robot) -> Iterator[Finding]:
                     break
 
 
-def _users(stage):
+def _users(stage: Stage) -> Iterator[tuple[str, str, Located]]:
     """What starts the container through a shell: the shell, a word for it, and where that is said."""
     entrypoint, command = stage.last("ENTRYPOINT"), stage.last("CMD")
     if entrypoint is None and re.match(r"(?:osrf/)?ros:", stage.origin):

@@ -31,11 +31,13 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 from bringup_lint.api.docker import commands_of
 from bringup_lint.api.ros import distros_since
+from bringup_lint.api.shell import Command
 
 UBUNTU_24 = re.compile(
     r"(?:^|/)(?:ubuntu:(?:2[3-9]\.|noble|questing|plucky|resolute|latest)|ubuntu$"
@@ -67,7 +69,7 @@ def uid_1000_conflict(robot: Robot) -> Iterator[Finding]:
                     )
 
 
-def _takes_1000(command):
+def _takes_1000(command: Command) -> Located | None:
     if command.name not in OPTIONS or {"-o", "--non-unique"} & set(command.words):
         return None
     short, long, _ = OPTIONS[command.name]

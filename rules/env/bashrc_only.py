@@ -37,10 +37,12 @@ name is still better.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Unit
 
 
 @rule("warning", symptoms=["ros2: command not found", "No module named 'ros2cli'", "Package not found"])
@@ -71,7 +73,7 @@ def bashrc_only(robot: Robot) -> Iterator[Finding]:
             )
 
 
-def _message(unit, word, interactive):
+def _message(unit: Unit, word: Located, interactive: list[Located]) -> str:
     if interactive:
         return (
             f"{unit.name} takes its ROS environment from the .bashrc of an interactive shell, "

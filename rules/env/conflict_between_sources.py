@@ -76,7 +76,7 @@ def conflict_between_sources(robot: Robot) -> Iterator[Finding]:
                 )
 
 
-def _overruled(name, found):
+def _overruled(name: str, found):
     """Launch files that give a whole robot another value than its unit or service says."""
     seen = set()
     for process, variable in found:
@@ -95,7 +95,7 @@ def _overruled(name, found):
             )
 
 
-def _known(process, name):
+def _known(process, name: str):
     variable = process.environment.get(name)
     if variable is None or not variable.text or BRIDGE.search(process.name):
         return None

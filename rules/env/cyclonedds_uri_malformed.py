@@ -29,6 +29,8 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Fix
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -65,7 +67,7 @@ def _fault(uri: str, expands: bool) -> str | None:
     return None
 
 
-def _fix(where):
+def _fix(where: Located) -> Fix | None:
     if re.match(r"file:/(?!/)", where):
         return fix("write three slashes", (where, where.replace("file:/", "file:///", 1)))
     return None

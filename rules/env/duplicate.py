@@ -33,10 +33,13 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.environment import UsedEnvFile
+from bringup_lint.api.systemd import Unit
 
 _SECRET = re.compile(r"PASS|SECRET|TOKEN|KEY|PSK", re.I)
 
@@ -49,7 +52,7 @@ def duplicate(robot: Robot) -> Iterator[Finding]:
         yield from _across(robot, unit)
 
 
-def _within(file):
+def _within(file: UsedEnvFile) -> Iterator[Finding]:
     last = {str(entry.name): entry for entry in file.model.entries}
     for entry in file.entries:
         final = last[entry.name]
@@ -69,7 +72,7 @@ def _within(file):
         )
 
 
-def _across(robot, unit):
+def _across(robot: Robot, unit: Unit) -> Iterator[Finding]:
     """Environment= and files, or two files of one unit; only the setting that loses against another origin."""
     environment = robot.units.environment(unit)
     for name, chain in environment.chains.items():
@@ -88,5 +91,5 @@ def _across(robot, unit):
         )
 
 
-def _shown(name, value):
+def _shown(name: Located | str, value: str | None) -> str:
     return "" if _SECRET.search(name) or len(value) > 40 else f" ({value})"

@@ -37,6 +37,8 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Unit
+from bringup_lint.api.systemd import Units
 
 PATH = "/etc/environment"
 OF_ROS = re.compile(r"(?:ROS|RMW|CYCLONEDDS|FASTRTPS|FASTDDS|RCUTILS)_|AMENT_PREFIX_PATH$")
@@ -60,7 +62,7 @@ def etc_environment(robot: Robot) -> Iterator[Finding]:
             )
 
 
-def _is_blind(units, unit, name):
+def _is_blind(units: Units, unit: Unit, name: str) -> bool:
     if unit.manager == "user" or any(PATH in text for process in units.processes(unit) for text in process.texts):
         return False
     if any(file.path in (PATH, None) for file in units.environment_files(unit)):

@@ -32,10 +32,12 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.environment import UsedEnvFile
 
 _SHELL = re.compile(r"\$(?:\{[A-Za-z_]\w*[^}]*\}|[A-Za-z_]\w*|\()|`[^`]+`")
 _SECRET = re.compile(r"PASS|SECRET|TOKEN|KEY|PSK", re.I)
@@ -61,7 +63,7 @@ def expansion(robot: Robot) -> Iterator[Finding]:
                 )
 
 
-def _again(robot, file, name):
+def _again(robot: Robot, file: UsedEnvFile, name: Located) -> bool:
     """Whether a unit that reads the file hands the variable to a shell, which expands the text once more."""
     uses = f"${{{name}}}"
     return any(uses in line for reader in file.readers for key in _KEYS for line in reader.unit.values(key, "Service"))

@@ -29,6 +29,7 @@ When the `#` is part of the value, for example in a title. Quotes around the val
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -61,5 +62,5 @@ def inline_comment(robot: Robot) -> Iterator[Finding]:
             )
 
 
-def _shortened(text):
+def _shortened(text: Located) -> str:
     return text if len(text) <= 30 else f"{text[:27]}..."

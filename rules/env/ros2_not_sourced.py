@@ -38,11 +38,14 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Fix
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Process
+from bringup_lint.api.systemd import Step
 
 ENOUGH = ("AMENT_PREFIX_PATH", "PYTHONPATH", "LD_LIBRARY_PATH", "BASH_ENV")
 INTERPRETER = re.compile(r"python[0-9.]*$")
@@ -98,18 +101,18 @@ def ros2_not_sourced(robot: Robot) -> Iterator[Finding]:
                 )
 
 
-def sources_only(process):
+def sources_only(process: Process) -> bool:
     """Whether the line sources setup files and does nothing with them."""
     last = process.steps[-1].command.name
     return bool(process.setup_files) and last in ("source", ".")
 
 
-def hidden(process, step, ros):
+def hidden(process: Process, step, ros):
     """Whether something that runs before the program and is not in the tree may source a setup file."""
     return process.opaque and (process.steps.index(step) > 0 or ros.command is not step.command)
 
 
-def _fix(process, step):
+def _fix(process: Process, step: Step) -> Fix | None:
     match = DISTRO.match(process.program)
     if step.depth or not match or "'" in process.line or process.prefixes:
         return None

@@ -27,6 +27,8 @@ When all processes of the robot get exactly the same text, so that they all join
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Fix
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -48,5 +50,5 @@ def ros_domain_id_misparsed(robot: Robot) -> Iterator[Finding]:
             )
 
 
-def _as_read(value, number: int):
+def _as_read(value: Located, number: int) -> Fix:
     return fix(f"write {number}, as it is read now", (value, str(number)), safe=False)

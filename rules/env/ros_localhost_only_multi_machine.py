@@ -38,7 +38,10 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.environment import RosProcess
 from bringup_lint.api.ros import at_least
+from bringup_lint.api.systemd import Environment
+from bringup_lint.api.systemd import Variable
 
 RANGE = "ROS_AUTOMATIC_DISCOVERY_RANGE"
 
@@ -64,13 +67,13 @@ def ros_localhost_only_multi_machine(robot: Robot) -> Iterator[Finding]:
         )
 
 
-def _names_interface(robot, process):
+def _names_interface(robot: Robot, process: RosProcess) -> bool:
     """Whether a Cyclone DDS file overrules the variable."""
     places = ("General/Interfaces/NetworkInterface", "General/NetworkInterfaceAddress")
     return any(domain.found(place) for domain in robot.dds.domains_of(process) for place in places)
 
 
-def _limit(environment, newer):
+def _limit(environment: Environment, newer: bool | None) -> Variable | None:
     """The setting that keeps discovery on this machine."""
     if newer is not False and environment.text(RANGE) == "OFF":
         return environment.get(RANGE)

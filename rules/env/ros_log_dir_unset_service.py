@@ -33,10 +33,12 @@ starts.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Unit
 
 SETS = ("ROS_LOG_DIR", "ROS_HOME", "HOME")
 
@@ -60,7 +62,7 @@ def ros_log_dir_unset_service(robot: Robot) -> Iterator[Finding]:
             )
 
 
-def _homeless(robot, unit):
+def _homeless(robot: Robot, unit: Unit) -> tuple[Located | None, str] | tuple[Located, str] | None:
     """The place that says that the service has no home, and why."""
     if unit.unsure_of("User", "DynamicUser", section="Service"):
         return None

@@ -34,6 +34,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.environment import RosProcess
 
 
 @rule("error", tags=["CWE-1188"])
@@ -49,7 +50,7 @@ def ros_security_keystore_without_enable(robot: Robot) -> Iterator[Finding]:
             )
 
 
-def _is_unset(robot, process):
+def _is_unset(robot: Robot, process: RosProcess) -> bool:
     """Neither the process's own environment nor what launch may do to it unseen sets the variable."""
     name = "ROS_SECURITY_ENABLE"
     unseen = not robot.ros.is_settled(process) and robot.sros2.in_launch(name)

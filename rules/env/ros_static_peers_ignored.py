@@ -35,6 +35,8 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.ros import at_least
+from bringup_lint.api.systemd import Environment
+from bringup_lint.api.systemd import Variable
 
 
 @rule("warning")
@@ -56,7 +58,7 @@ def ros_static_peers_ignored(robot: Robot) -> Iterator[Finding]:
             )
 
 
-def _reason(environment):
+def _reason(environment: Environment) -> Variable | None:
     if environment.text("ROS_LOCALHOST_ONLY") == "1":
         return environment.get("ROS_LOCALHOST_ONLY")
     if environment.text("ROS_AUTOMATIC_DISCOVERY_RANGE") in ("OFF", "SYSTEM_DEFAULT"):

@@ -31,6 +31,7 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
@@ -60,7 +61,7 @@ def ros_static_peers_unresolvable(robot: Robot) -> Iterator[Finding]:
                 )
 
 
-def _known(robot, hosts):
+def _known(robot: Robot, hosts: Source) -> set[str]:
     """The names that the robot itself can look up."""
     own = robot.tree.find("/etc/hostname")
     lines = (line.partition("#")[0].split()[1:] for line in hosts.text.splitlines())

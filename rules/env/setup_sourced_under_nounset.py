@@ -33,6 +33,7 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
@@ -48,7 +49,7 @@ def setup_sourced_under_nounset(robot: Robot) -> Iterator[Finding]:
             yield from _check(source)
 
 
-def _check(source):
+def _check(source: Source) -> Iterator[Finding]:
     strict = None
     for command in shell_commands(source):
         words = [str(word) for word in command.words]

@@ -34,6 +34,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.environment import UsedEnvFile
 
 
 @rule("error")
@@ -49,7 +50,7 @@ def unterminated_quote(robot: Robot) -> Iterator[Finding]:
                 yield _finding(file, entry.name, count)
 
 
-def _finding(file, where, count):
+def _finding(file: UsedEnvFile, where, count: int):
     rest = f"swallows the next {count} lines" if count > 1 else "swallows the next line" if count else "is never closed"
     return finding(
         where,

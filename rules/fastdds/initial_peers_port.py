@@ -33,10 +33,12 @@ If no more than four of the processes run at the same time.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.xml import Element
 
 RANGE = 4
 
@@ -61,7 +63,7 @@ def initial_peers_port(robot: Robot) -> Iterator[Finding]:
                     )
 
 
-def _without_port(peers):
+def _without_port(peers: Element) -> Iterator[Located]:
     for locator in peers.walk():
         address = locator.find("address")
         if address is not None and locator.find("port") is None:

@@ -37,6 +37,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.environment import RosProcess
 
 FASTDDS = ("rmw_fastrtps_cpp", "rmw_fastrtps_dynamic_cpp")
 OTHERWISE = (
@@ -68,7 +69,7 @@ def shm_docker(robot: Robot) -> Iterator[Finding]:
                 )
 
 
-def _shares_by_default(process):
+def _shares_by_default(process: RosProcess) -> bool:
     """Whether it surely runs Fast DDS on the host's network, as far as its environment shows."""
     environment, service = process.environment, process.service
     if not service.is_on_host_network or any(name in environment for name in OTHERWISE):

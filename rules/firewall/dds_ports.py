@@ -64,7 +64,7 @@ def dds_ports(robot: Robot) -> Iterator[Finding]:
             )
 
 
-def uses_default_ports(robot: Robot):
+def uses_default_ports(robot: Robot) -> bool:
     """Whether a process surely keeps to the usual ports: every file with others is read by other processes."""
     if any("portBase" in source.text for source in robot.of_kind("fastdds")):
         return False

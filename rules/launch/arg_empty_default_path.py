@@ -62,7 +62,7 @@ def arg_empty_default_path(robot: Robot) -> Iterator[Finding]:
                 )
 
 
-def paths(action):
+def paths(action: launch.Action):
     """The values of an action that are used as a path, with what happens when they are empty."""
     for source in getattr(action, "parameters", ()):
         if isinstance(source, launch.ParameterFile):
@@ -78,5 +78,5 @@ def paths(action):
                 yield value, "the included file gets no parameter file"
 
 
-def names(value):
+def names(value: launch.Value) -> set[str]:
     return {str(each.name) for each in launch.walk(value) if isinstance(each, launch.Argument)}

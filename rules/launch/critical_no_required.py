@@ -30,6 +30,7 @@ when its topic falls silent, or a device the robot can drive safely without.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Related
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
@@ -68,7 +69,7 @@ def critical_no_required(robot: Robot) -> Iterator[Finding]:
             )
 
 
-def starts(robot: Robot, entry):
+def starts(robot: Robot, entry: launch.LaunchFile) -> list[Related]:
     """The commands that launch the file, and the restart policies that do not see the end of a node."""
     related = []
     for command in robot.launch.commands:

@@ -55,7 +55,7 @@ def hardcoded_path(robot: Robot) -> Iterator[Finding]:
                         )
 
 
-def values(action):
+def values(action: launch.Action):
     if isinstance(action, launch.DeclareArgument):
         yield from filter(None, [action.default])
     elif isinstance(action, launch.Include):

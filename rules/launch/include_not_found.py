@@ -55,7 +55,7 @@ def include_not_found(robot: Robot) -> Iterator[Finding]:
     yield from commands(robot)
 
 
-def commands(robot: Robot):
+def commands(robot: Robot) -> Iterator[Finding]:
     for command in robot.launch.commands:
         package = robot.launch.workspace.packages.get(command.package or "")
         if package is None or command.file is not None or not package.installs_known or "$" in command.target:

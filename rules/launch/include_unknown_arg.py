@@ -29,6 +29,7 @@ When one call serves several versions of the included file, and only some of the
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -53,7 +54,7 @@ def include_unknown_arg(robot: Robot) -> Iterator[Finding]:
             yield from unknown(robot, [name for name, _ in command.arguments], command.file)
 
 
-def unknown(robot, names, target):
+def unknown(robot: Robot, names: list[Located], target: launch.LaunchFile) -> Iterator[Finding]:
     inner = robot.launch.expansion(target)
     if inner.open or robot.launch.reads_unseen(inner.files):
         return

@@ -64,7 +64,7 @@ def lifecycle_unknown_node(robot: Robot) -> Iterator[Finding]:
                 yield from described(robot, manager, managed, bare)
 
 
-def alone(robot, managers):
+def alone(robot: Robot, managers: list[launch.Manager]):
     """A manager in a launch file of its own: its nodes come from the other files of the robot, if some of them do."""
     if any(launch.outside(expansion) for expansion in robot.launch.expansions):
         return
@@ -78,7 +78,7 @@ def alone(robot, managers):
                 yield from described(robot, manager, managed, {})
 
 
-def described(robot, manager, managed, bare):
+def described(robot: Robot, manager: launch.Manager, managed: launch.Managed, bare):
     last = managed.fqn.rpartition("/")[2]
     near = [last] if last in bare else nearest(last, bare, 3)
     if last in bare:

@@ -58,5 +58,5 @@ def node_duplicate_name(robot: Robot) -> Iterator[Finding]:
             )
 
 
-def loops(node):
+def loops(node: launch.Started) -> bool:
     return any(condition.kind == "loop" for condition in node.conditions)

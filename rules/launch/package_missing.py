@@ -31,6 +31,8 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Fix
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -75,7 +77,7 @@ def package_missing(robot: Robot) -> Iterator[Finding]:
             )
 
 
-def dependency(owner, package):
+def dependency(owner: launch.Package, package: Located) -> Fix | None:
     end = owner.manifest.end
     if end is None:
         return None

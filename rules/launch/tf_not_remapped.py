@@ -66,5 +66,5 @@ def tf_not_remapped(robot: Robot) -> Iterator[Finding]:
                 )
 
 
-def moves_tf(node):
+def moves_tf(node: launch.Started) -> bool:
     return any(launch.literal_text(src) in ("/tf", "tf", None) for src, _ in node.remappings)

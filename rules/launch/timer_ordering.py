@@ -63,7 +63,7 @@ def timer_ordering(robot: Robot) -> Iterator[Finding]:
             )
 
 
-def announced(robot, file, timer):
+def announced(robot: Robot, file: launch.LaunchFile, timer: launch.Timer) -> Iterator[Finding]:
     """A timer that only says that checks have passed, while nobody looks at their results."""
     expansion = robot.launch.expansion(file)
     checks = [node for node in expansion.nodes if node.file is file and launch.check_of(node)]

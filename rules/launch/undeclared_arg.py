@@ -39,6 +39,8 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.launch import Expansion
+from bringup_lint.api.launch import Used
 from bringup_lint.api.spelling import nearest
 
 OWN = ("ros_namespace", "ros_remaps", "global_params")
@@ -66,7 +68,7 @@ def undeclared_arg(robot: Robot) -> Iterator[Finding]:
             )
 
 
-def grade(robot, expansion, used, missing):
+def grade(robot: Robot, expansion: Expansion, used: Used, missing: set[str]) -> str | None:
     """A file that reads many configurations of others, or that another file names in a way that leads nowhere here, is
     meant to be included."""
     if len(missing) > 2 or robot.launch.is_named_elsewhere(expansion.entry):

@@ -38,6 +38,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.launch import LaunchFile
 
 
 @rule("warning")
@@ -62,7 +63,7 @@ def unused_arg(robot: Robot) -> Iterator[Finding]:
             )
 
 
-def mentioned(robot, file, name):
+def mentioned(robot: Robot, file: LaunchFile, name: str) -> int:
     """In Python only quoted names count: a variable may be called like the argument."""
     if file.format != "python":
         return robot.launch.mentions(file, name)

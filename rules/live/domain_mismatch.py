@@ -35,6 +35,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.live import Observed
 
 
 @rule("error")
@@ -73,6 +74,6 @@ def count(nodes):
     return f"{nodes[0].name} runs" if len(nodes) == 1 else f"{len(nodes)} nodes run"
 
 
-def belongs(observed, node):
+def belongs(observed: Observed | None, node):
     """Whether a node is the robot's, as far as the files name their nodes."""
     return observed.expected.named(node.name) is not None or not observed.expected.nodes

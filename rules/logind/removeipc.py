@@ -43,6 +43,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Unit
 
 FALSE = {"no", "false", "off", "0", "n", "f"}
 
@@ -74,7 +75,7 @@ def removeipc(robot: Robot) -> Iterator[Finding]:
         )
 
 
-def uses_no_shared_memory(robot, unit):
+def uses_no_shared_memory(robot: Robot, unit: Unit) -> bool:
     environment = robot.units.environment(unit)
     transports = environment.text("FASTDDS_BUILTIN_TRANSPORTS")
     rmw = environment.text("RMW_IMPLEMENTATION")

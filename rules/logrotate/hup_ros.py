@@ -35,11 +35,15 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Fix
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.logrotate import Script
+from bringup_lint.api.logrotate import Stanza
+from bringup_lint.api.shell import Command
 
 HUP = re.compile(r"(?:-|--signal[= ]|-s ?)(?:SIG)?HUP\b|(?<=\s)-1\b", re.I)
 ROS = re.compile(r"\bros2\b|/opt/ros/|_node\b|\bros2?_")
@@ -71,17 +75,17 @@ def hup_ros(robot: Robot) -> Iterator[Finding]:
                 )
 
 
-def named(command):
+def named(command: Command) -> set[str]:
     words = {str(word) for word in command.words[1:]}
     return words | {f"{word}.service" for word in words} if command.name == "systemctl" else frozenset()
 
 
-def unknown(robot, command):
+def unknown(robot: Robot, command: Command) -> bool:
     """Whether systemctl signals a unit that the tree does not hold."""
     units = [word for word in named(command) if word.endswith(".service")]
     return bool(units) and command.name == "systemctl" and not any(robot.units.candidates(name) for name in units)
 
 
-def change(stanza, script):
+def change(stanza: Stanza, script: Script) -> Fix:
     text = "" if stanza.own("copytruncate") else "copytruncate"
     return fix("replace the script with copytruncate", (script.span, text))

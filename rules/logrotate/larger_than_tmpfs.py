@@ -43,6 +43,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.logrotate import Stanza
 
 UNITS = {"": 1, "k": 1024, "m": 1024**2, "g": 1024**3}
 
@@ -68,7 +69,7 @@ def larger_than_tmpfs(robot: Robot) -> Iterator[Finding]:
             )
 
 
-def kept(stanza):
+def kept(stanza: Stanza) -> int:
     """How many rotated files stay as large as they were."""
     rotate, compressed = stanza.get("rotate"), stanza.get("compress", "nocompress")
     if rotate is None or not rotate.value.isdigit():

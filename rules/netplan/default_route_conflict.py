@@ -37,6 +37,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.netplan import Plan
 
 
 @rule(
@@ -66,7 +67,7 @@ def default_route_conflict(robot: Robot) -> Iterator[Finding]:
         yield from _beside_dhcp(plan)
 
 
-def _beside_dhcp(plan):
+def _beside_dhcp(plan: Plan) -> Iterator[Finding]:
     static = next((route for route in plan.default_routes if route[1] == 4 and route[2] == "main"), None)
     for interface in plan.interfaces.values():
         flag = interface.flag("dhcp4")

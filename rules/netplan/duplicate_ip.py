@@ -34,6 +34,8 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.netplan import Interface
+from bringup_lint.api.netplan import Plan
 
 
 @rule("error")
@@ -54,7 +56,7 @@ def duplicate_ip(robot: Robot) -> Iterator[Finding]:
                     )
 
 
-def apart(plan, one, other) -> bool:
+def apart(plan: Plan, one, other: Interface) -> bool:
     """Whether two interfaces live in routing domains of their own."""
     masters = plan.masters
     domains = [masters.get(str(interface.name)) for interface in (one, other)]

@@ -35,6 +35,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.netplan import Address
 
 
 @rule("warning")
@@ -62,5 +63,5 @@ def overlapping_subnets(robot: Robot) -> Iterator[Finding]:
             seen += [(interface, address) for address in interface.addresses if _counts(address)]
 
 
-def _counts(address) -> bool:
+def _counts(address: Address) -> bool:
     return address.ip is not None and not address.ip.is_link_local and address.ip.network.num_addresses >= 4

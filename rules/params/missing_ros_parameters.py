@@ -38,6 +38,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.params import ParameterFile
 
 _FOLDERS = ("config", "cfg", "conf", "param", "params")
 
@@ -76,5 +77,5 @@ def missing_ros_parameters(robot: Robot) -> Iterator[Finding]:
         )
 
 
-def in_config(file):
+def in_config(file: ParameterFile) -> bool:
     return any(folder in _FOLDERS for folder in file.source.name.split("/")[:-1])

@@ -31,10 +31,12 @@ When the file is a template that a script fills in before a node loads it.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Fix
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.params import ParameterFile
 
 _WHAT = {
     "tab": "YAML does not allow tabs in the indentation",
@@ -67,7 +69,7 @@ def not_wellformed(robot: Robot) -> Iterator[Finding]:
         )
 
 
-def _spaces(robot: Robot, file):
+def _spaces(robot: Robot, file: ParameterFile) -> Fix | None:
     """Spaces for every tab in the indentation, if every usual tab width gives the same structure."""
     width = robot.params.tab_width(file)
     if width is None:

@@ -39,9 +39,12 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
+from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.params import Parameter
 from bringup_lint.api.spelling import nearest
 
 _ENTITY = re.compile(r"(?:publisher|subscription)(?:_\w+)?\Z")
@@ -67,7 +70,7 @@ def qos_override_invalid(robot: Robot) -> Iterator[Finding]:
             yield finding(where, message, advice=advice)
 
 
-def _wrong(parts, parameter):
+def _wrong(parts: list[str], parameter: Parameter) -> tuple[str, str, Located] | tuple[str, str, Span]:
     name = parameter.name.removeprefix("qos_overrides.")
     key, value = parameter.key, parameter.value
     topic = parts[0]

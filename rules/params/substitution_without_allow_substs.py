@@ -31,7 +31,9 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Fix
 from bringup_lint.api import Robot
+from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
@@ -64,7 +66,7 @@ def substitution_without_allow_substs(robot: Robot) -> Iterator[Finding]:
                 )
 
 
-def _allowed(where):
+def _allowed(where: Span) -> Fix | None:
     """Only for a Python launch file that imports the class already."""
     text = where.source.text
     if (

@@ -30,6 +30,7 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
@@ -57,6 +58,6 @@ def file_mode(robot: Robot) -> Iterator[Finding]:
             )
 
 
-def is_group_of_keys(source):
+def is_group_of_keys(source: Source) -> bool:
     """Keystores whose keys only the group of the nodes can read."""
     return source.kind == "sros2-key" and "/private/" not in source.name and not source.mode & 0o037

@@ -38,6 +38,7 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -47,7 +48,7 @@ from bringup_lint.api import rule
 _COMMANDS = ("rt/cmd_vel", "rt/robot/cmd_vel", "rt/emergency_stop")
 
 
-def _commands(robot, expression):
+def _commands(robot: Robot, expression: Located) -> bool:
     """Whether a rule's topics move or stop the robot."""
     words = r"cmd|vel|stop|command|joint|traj|brake|motor"
     return any(robot.sros2.matches(name, expression) for name in _COMMANDS) or bool(re.search(words, expression))

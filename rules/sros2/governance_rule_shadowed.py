@@ -32,6 +32,7 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -58,7 +59,7 @@ def governance_rule_shadowed(robot: Robot) -> Iterator[Finding]:
                     )
 
 
-def _covers(robot, wide, narrow):
+def _covers(robot: Robot, wide, narrow: Located):
     if wide == "*" or wide == narrow:
         return True
     return not re.search(r"[*?\[]", narrow) and robot.sros2.matches(narrow, wide)

@@ -36,12 +36,14 @@ Only for the order of elements, if every computer of the robot uses Cyclone DDS.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Fix
 from bringup_lint.api import Robot
 from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
 from bringup_lint.api.schema import Code
+from bringup_lint.api.schema import Remark
 
 
 @rule("error", fix="unsafe", symptoms=["Found topic rule in Governance file without", "code: 110"])
@@ -80,11 +82,11 @@ def governance_schema(robot: Robot) -> Iterator[Finding]:
             )
 
 
-def _place(remark):
+def _place(remark: Remark) -> str:
     return f" before {remark.before.local}" if remark.before is not None else ""
 
 
-def _insertion(remark):
+def _insertion(remark: Remark) -> Fix | None:
     """Switch on what is missing, on a line of its own."""
     if not remark.detail.startswith("enable_") or remark.before is None:
         return None

@@ -31,6 +31,7 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -55,7 +56,7 @@ def permissions_missing_ros_prefix(robot: Robot) -> Iterator[Finding]:
                 )
 
 
-def _corrected(topic):
+def _corrected(topic: Located) -> str | None:
     if re.match(r"(?:rt|rq|rr)//", topic):
         return re.sub(r"/+", "/", topic)
     if re.match(r"(?:rt|rq|rr|rs|ra|rp)/|ros_discovery_info$|DCPS|r?[*?\[]|r[tqr]?[*?\[]", topic) or not topic:

@@ -41,6 +41,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.sros2 import PolicyEnclave
 
 
 @rule("warning", tags=["CWE-732"])
@@ -61,7 +62,7 @@ def permissions_wildcard_topic(robot: Robot) -> Iterator[Finding]:
             yield from _of_policy(enclave)
 
 
-def _of_policy(enclave):
+def _of_policy(enclave: PolicyEnclave) -> Iterator[Finding]:
     rights = (right for profile in enclave.profiles for right in profile.rights)
     wide = [
         right.name

@@ -42,6 +42,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.sros2 import Right
 
 PREFIXED = re.compile(r"/?r[tqr]/(.+)")
 
@@ -79,11 +80,11 @@ def policy_grants_nothing(robot: Robot) -> Iterator[Finding]:
 WAYS = {"topics": ("publish", "subscribe"), "services": ("reply", "request"), "actions": ("call", "execute")}
 
 
-def _quoted(right) -> str:
+def _quoted(right: Right) -> str:
     return f"'{right.name.strip()}'" if right.name.strip() else f"This {right.kind}"
 
 
-def _fault(right) -> tuple[str, str]:
+def _fault(right: Right) -> tuple[str, str]:
     """What is wrong with the name, and how it should be."""
     name = right.name.strip()
     if not name:

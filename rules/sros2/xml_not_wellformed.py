@@ -36,6 +36,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 from bringup_lint.api.schema import Code
+from bringup_lint.api.schema import Remark
 
 
 @rule("error", symptoms=["Can not parse governance file", "Can not parse permissions file"])
@@ -48,7 +49,7 @@ def xml_not_wellformed(robot: Robot) -> Iterator[Finding]:
                 yield _finding(remark, "The policy", "ros2 security creates no permissions from it", "")
 
 
-def _finding(remark, what, consequence, afterwards):
+def _finding(remark: Remark, what: str, consequence: str, afterwards: str) -> Finding:
     if remark.detail.startswith("doctype"):
         message = "A DOCTYPE is not allowed here: its declarations are never loaded, and it enables entity attacks"
         return finding(remark.where, message, advice="delete the DOCTYPE", severity="warning")

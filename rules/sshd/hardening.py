@@ -41,6 +41,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.sshd import Sshd
 
 SETTINGS = (
     ("X11Forwarding", "no", {"yes"}, "X11 forwarding is on", "no"),
@@ -85,7 +86,7 @@ def hardening(robot: Robot) -> Iterator[Finding]:
             yield finding(sshd.where, "Every account may log in", advice="add AllowUsers with those that need it")
 
 
-def found(sshd, name, what, better):
+def found(sshd: Sshd, name: str, what: str, better: str) -> Iterator[Finding]:
     option = sshd.get(name)
     if option is None or option.span.source.judged:
         yield finding(

@@ -31,11 +31,13 @@ When PAM asks for a one-time code instead of the password.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Fix
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.sshd import Option
 
 
 @rule("error", fix="safe", tags=["CWE-287"])
@@ -62,7 +64,7 @@ def kbdint_auth(robot: Robot) -> Iterator[Finding]:
         )
 
 
-def _fix(option, password):
+def _fix(option: Option | None, password: Option) -> Fix:
     if option is not None:
         return fix("set KbdInteractiveAuthentication no", (option.value, "no"))
     end = password.span.source.span(password.span.end, password.span.end)

@@ -31,11 +31,14 @@ Never: systemd drops the word, and the dependency does not exist.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
 from bringup_lint.api.spelling import nearest
+from bringup_lint.api.systemd import Line
+from bringup_lint.api.systemd import ValueProblem
 
 
 @rule("error", fix="safe", symptoms=["Failed to add dependency on"])
@@ -48,7 +51,7 @@ def bad_unit_name_in_dep(robot: Robot) -> Iterator[Finding]:
                 yield _finding(robot, line, problem)
 
 
-def _finding(robot, line, problem):
+def _finding(robot: Robot, line: Line, problem: ValueProblem) -> Finding:
     name = problem.where
     message = f"'{name}' in {line.key}= is not a unit name: systemd ignores it"
     if problem.suggestion:
@@ -61,7 +64,7 @@ def _finding(robot, line, problem):
     return finding(name, message, advice="write the whole name with its suffix, such as .service or .target")
 
 
-def _completed(robot, name):
+def _completed(robot: Robot, name: Located) -> str | None:
     """The one unit of the tree that was meant: the same stem, or a near miss."""
     known = {unit.name for unit in robot.units.all}
     same = [unit for unit in known if unit.rpartition(".")[0] == name]

@@ -35,11 +35,15 @@ resource that the other one uses.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Fix
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Assignment
+from bringup_lint.api.systemd import Unit
 
 DEPENDS = ("Requires", "BindsTo", "PartOf")
 
@@ -69,7 +73,7 @@ def before_for_shutdown_order(robot: Robot) -> Iterator[Finding]:
                 )
 
 
-def _fix(unit, line, word):
+def _fix(unit: Unit, line: Assignment, word: Located) -> Fix:
     if any(unit.naming("After", word)):
         return fix(f"remove Before={word}", line.without(word))
     if line.value.split() == [word]:

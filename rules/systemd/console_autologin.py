@@ -34,9 +34,11 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Process
 
 SERIAL = re.compile(r"(?:/dev/)?tty(?:S|AMA|THS|USB|ACM|GS|mxc|PS)\d")
 
@@ -59,7 +61,7 @@ def console_autologin(robot: Robot) -> Iterator[Finding]:
             )
 
 
-def autologin(process):
+def autologin(process: Process) -> Located | None:
     """The user that agetty logs in."""
     if process.program.rpartition("/")[2] not in ("agetty", "getty"):
         return None

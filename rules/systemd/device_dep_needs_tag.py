@@ -35,11 +35,13 @@ When a rule outside of this tree, for example from the vendor's package, adds th
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.udev import Link
 
 _KEYS = ("BindsTo", "Requires", "Requisite", "Wants", "After")
 
@@ -56,7 +58,7 @@ def device_dep_needs_tag(robot: Robot) -> Iterator[Finding]:
                     yield _finding(word, links[0])
 
 
-def _finding(word, link):
+def _finding(word: Located, link: Link) -> Finding:
     return finding(
         word,
         f'{word} never becomes active: systemd tracks such devices only with TAG+="systemd"',

@@ -37,6 +37,7 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -76,7 +77,7 @@ def env_undefined_in_exec(robot: Robot) -> Iterator[Finding]:
                     )
 
 
-def _becomes(word, match):
+def _becomes(word: Located, match: re.Match[str]) -> str:
     start = max(word.rfind(blank, 0, match.start()) for blank in " \t\n;") + 1
     ends = [at for blank in " \t\n;" if (at := word.find(blank, match.end())) != -1]
     end = min(ends, default=len(word))

@@ -35,10 +35,12 @@ for shell keywords.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Fix
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Command
 
 _PROGRAMS = ("ros2", "colcon", "rviz2", "rosrun", "roslaunch", "roscore", "gz", "ign")
 _SHELL_WORDS = (
@@ -73,7 +75,7 @@ def exec_bare_ros2(robot: Robot) -> Iterator[Finding]:
                 yield finding(program, message, advice=advice, fix=_wrapped(robot, command))
 
 
-def _wrapped(robot, command):
+def _wrapped(robot: Robot, command: Command) -> Fix | None:
     text = command.where.span.text
     if robot.target.ros is None or command.prefixes or {"'", "\\", "\n"} & set(text):
         return None

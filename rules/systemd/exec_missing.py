@@ -37,6 +37,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Unit
 from bringup_lint.api.systemd import directives
 
 
@@ -50,7 +51,7 @@ def exec_missing(robot: Robot) -> Iterator[Finding]:
             yield finding(unit.where, f"{unit.name} {reason}: systemd refuses the unit", advice="add ExecStart=")
 
 
-def _refused(unit):
+def _refused(unit: Unit) -> str:
     stops = unit.has("ExecStop")
     acts = unit.get("SuccessAction", "Unit") not in (None, "none")
     kind = unit.get("Type")
@@ -62,7 +63,7 @@ def _refused(unit):
     return "" if remains or acts else "has only ExecStop= and not RemainAfterExit=yes"
 
 
-def _misplaced(unit):
+def _misplaced(unit: Unit) -> bool:
     """Whether an Exec line is where systemd does not read it, which another rule reports."""
     known = directives.sections()
     for file in unit.files:

@@ -33,10 +33,13 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Fix
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Command
 
 _OPERATOR = re.compile(r"&&|\|\|?|&|[0-9]?>{1,2}(?:&[0-9]|[\w./-]+)?|&>{1,2}[\w./-]*|<<?[\w./-]*")
 _SUBSTITUTION = re.compile(r"\$\([^)]|`")
@@ -77,17 +80,17 @@ def exec_shell_syntax(robot: Robot) -> Iterator[Finding]:
                     break
 
 
-def _has_shell(names):
+def _has_shell(names: list[str]) -> bool:
     """Whether a shell reads one of the arguments, as in ``env bash -c ...`` or ``sudo -u robot sh -c ...``."""
     shells = [at for at, name in enumerate(names) if name in _SHELLS]
     return any(name.startswith("-") and "c" in name for at in shells[:1] for name in names[at + 1 :])
 
 
-def _shortened(word):
+def _shortened(word: Located) -> str:
     return word if len(word) <= 30 else f"{word[:27]}..."
 
 
-def _wrapped(command):
+def _wrapped(command: Command) -> Fix | None:
     text = command.where.span.text
     if command.prefixes or {"'", "\\", "\n"} & set(text):
         return None

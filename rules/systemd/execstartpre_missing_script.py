@@ -41,12 +41,15 @@ on the robot before the service starts.
 
 import re
 from collections.abc import Iterator
+from typing import Any
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Related
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Process
 from bringup_lint.api.systemd import forgotten
 from bringup_lint.api.systemd import is_there
 
@@ -88,7 +91,9 @@ def execstartpre_missing_script(robot: Robot) -> Iterator[Finding]:
                 )
 
 
-def _problems(robot, process):
+def _problems(
+    robot: Robot, process: Process
+) -> Iterator[tuple[str, str, list[Related]] | tuple[str, str, tuple[Any, Any]]]:
     program = str(process.program)
     source = robot.tree.find(program)
     if source is None:

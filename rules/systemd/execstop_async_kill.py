@@ -70,7 +70,7 @@ def execstop_async_kill(robot: Robot) -> Iterator[Finding]:
             )
 
 
-def _signal(words):
+def _signal(words: list[str]) -> str:
     text = " ".join(words).partition("$")[0].strip().rstrip("\\").strip()
     match = SIGNAL.search(text) or re.search(r"-s\s+(\w+)$", text)
     name = {"2": "INT", "15": "TERM", "9": "KILL", "1": "HUP", "3": "QUIT"}.get(match[1], match[1]) if match else "TERM"

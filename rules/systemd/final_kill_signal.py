@@ -32,10 +32,13 @@ When killing the process would be more dangerous than leaving it, for example wh
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Fix
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Unit
 from bringup_lint.api.systemd import delete_lines
 
 
@@ -63,6 +66,6 @@ def final_kill_signal(robot: Robot) -> Iterator[Finding]:
             )
 
 
-def _without(unit, key, value):
+def _without(unit: Unit, key: str, value: Located | None) -> Fix | None:
     lines = [line for line in unit.assignments(key, "Service") if line.value is value]
     return fix("let systemd send SIGKILL at the end", *map(delete_lines, lines)) if unit.editable else None

@@ -34,11 +34,14 @@ When another package ships the target.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
 from bringup_lint.api.spelling import nearest
+from bringup_lint.api.systemd import Unit
+from bringup_lint.api.systemd import Units
 
 COMMON = (
     "multi-user.target",
@@ -86,7 +89,7 @@ def install_bad_target(robot: Robot) -> Iterator[Finding]:
                     )
 
 
-def _is_missing(units, name, unit):
+def _is_missing(units: Units, name: Located, unit: Unit) -> bool:
     if name.endswith(".target") and not units.robot.tree.complete:
         return units.exists(name, unit) is False and not units.is_made(name)
     return units.is_missing(name, unit)

@@ -44,6 +44,8 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Line
+from bringup_lint.api.systemd import ValueProblem
 
 
 @rule("error", fix="safe", symptoms=["Failed to parse", "Invalid memory limit", "is not absolute", "ignoring:"])
@@ -64,7 +66,7 @@ CODES = frozenset(
 )
 
 
-def _finding(line, problem):
+def _finding(line: Line, problem: ValueProblem) -> Finding:
     where = problem.where
     shown = where if line.directive.type != "environment" else where.partition("=")[0]
     shown = shown if len(shown) <= 60 else f"{shown[:57]}..."

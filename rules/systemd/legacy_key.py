@@ -43,6 +43,8 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Legacy
+from bringup_lint.api.systemd import Line
 from bringup_lint.api.systemd import delete_lines
 from bringup_lint.api.systemd import directives
 from bringup_lint.api.systemd import move_lines
@@ -64,7 +66,7 @@ def legacy_key(robot: Robot) -> Iterator[Finding]:
             yield finding(line.value, message, advice=f"write {old.replacement}", fix=change)
 
 
-def _key(line, old):
+def _key(line: Line, old: Legacy) -> Finding:
     key = line.key
     if old.effect == "ignored":
         advice = f"remove the line: {old.replacement}= replaces it" if old.replacement else "remove the line"

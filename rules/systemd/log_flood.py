@@ -30,6 +30,7 @@ While you debug this service, on a robot that is not in operation.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -51,7 +52,7 @@ def log_flood(robot: Robot) -> Iterator[Finding]:
                     )
 
 
-def _debug(words):
+def _debug(words: list[Located]) -> Located | None:
     for before, word in zip(["", *words], words, strict=False):
         if word.lower() in ("log_level:=debug", "--log-level=debug") or (
             before == "--log-level" and word.lower() == "debug"

@@ -42,11 +42,16 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
+from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Assignment
+from bringup_lint.api.systemd import Unit
+from bringup_lint.api.systemd import Units
 
 ONLINE = "network-online.target"
 EARLY = ("network.target", "network-pre.target", "NetworkManager.service", "systemd-networkd.service")
@@ -96,7 +101,9 @@ def network_target(robot: Robot) -> Iterator[Finding]:
         )
 
 
-def _edits(units, unit, line, word):
+def _edits(
+    units: Units, unit: Unit, line: Assignment, word: Located
+) -> Iterator[tuple[Located, str] | tuple[Span, str]]:
     ordered = list(unit.naming("After", word))
     if word == "network.target":
         yield word, ONLINE

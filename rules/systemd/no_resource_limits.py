@@ -37,6 +37,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Unit
 
 LIMITS = ("MemoryMax", "MemoryHigh", "MemoryLimit", "CPUQuota")
 
@@ -56,7 +57,7 @@ def no_resource_limits(robot: Robot) -> Iterator[Finding]:
         )
 
 
-def _limited_slice(robot, unit):
+def _limited_slice(robot: Robot, unit: Unit) -> bool:
     """Whether the slice has a limit, or is not known."""
     name = unit.get("Slice", "Service")
     found = robot.units.find(name, unit) if name else None

@@ -47,6 +47,8 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Unit
+from bringup_lint.api.systemd import Units
 
 WAITERS = ("chrony-wait.service", "systemd-time-wait-sync.service", "ntpsec-wait.service")
 DAEMONS = (
@@ -85,12 +87,12 @@ def no_time_sync_gate(robot: Robot) -> Iterator[Finding]:
         )
 
 
-def configures(robot, path):
+def configures(robot: Robot, path: str) -> bool | re.Match[str] | None:
     source = robot.tree.find(path)
     return source is not None and source.robot_path == path and re.search(r"^\s*[^#;!%\s\[]", source.text, re.M)
 
 
-def gated(units, unit):
+def gated(units: Units, unit: Unit) -> bool:
     if any(WAITS.search(text) for process in units.processes(unit) for text in process.texts):
         return True
     for waiter in WAITERS:

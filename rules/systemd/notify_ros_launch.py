@@ -36,13 +36,18 @@ When a wrapper that is not in this tree is the main process and sends READY=1 it
 """
 
 from collections.abc import Iterator
+from typing import Any
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Fix
+from bringup_lint.api import Related
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Supervision
+from bringup_lint.api.systemd import Unit
 from bringup_lint.api.systemd import duration
 
 
@@ -78,7 +83,7 @@ def notify_ros_launch(robot: Robot) -> Iterator[Finding]:
         )
 
 
-def _chain(robot, service):
+def _chain(robot: Robot, service: Supervision) -> tuple[Any, Any] | tuple[Related, Any]:
     """From the unit to the code of the node whose message is refused."""
     for ros in [service.main.ros] if service.main.ros else []:
         for node, said in robot.notify.speakers(ros):
@@ -86,7 +91,7 @@ def _chain(robot, service):
     return ()
 
 
-def _fix(unit, service, robot):
+def _fix(unit: Unit, service: Supervision, robot: Robot) -> Fix:
     if not robot.notify.sources:
         return fix("set Type=exec", (service.type.at, "exec"), safe=False)
     if service.access.at:

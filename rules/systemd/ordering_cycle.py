@@ -50,6 +50,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Cycle
 
 
 @rule(
@@ -78,7 +79,7 @@ def ordering_cycle(robot: Robot) -> Iterator[Finding]:
         )
 
 
-def _effect(cycle):
+def _effect(cycle: Cycle) -> str:
     if cycle.fatal:
         return "each of them is required, so the start fails"
     if cycle.root is None:

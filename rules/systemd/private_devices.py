@@ -40,12 +40,14 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.supervision import devices_of
+from bringup_lint.api.systemd import Unit
 from bringup_lint.api.systemd import delete_lines
 from bringup_lint.api.systemd import flag
 
@@ -78,7 +80,7 @@ def private_devices(robot: Robot) -> Iterator[Finding]:
         )
 
 
-def _closed(unit):
+def _closed(unit: Unit) -> tuple[str, Located] | tuple[str, Located | None] | None:
     """The setting that closes /dev, and its value."""
     private = flag(unit, "PrivateDevices")
     if private.value:

@@ -39,6 +39,7 @@ When the nodes of this service communicate only within the service.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -78,7 +79,7 @@ def private_network(robot: Robot) -> Iterator[Finding]:
             )
 
 
-def _allowed(values):
+def _allowed(values: list[Located]) -> set[str] | None:
     """The families that are allowed; None when only some are refused, or nothing is said."""
     allowed, refused = set(), False
     for value in values:
@@ -90,7 +91,7 @@ def _allowed(values):
     return None if refused or not values else allowed - {"none"}
 
 
-def _missing(families, local):
+def _missing(families: set[str], local: bool) -> list[str]:
     if not families & {"AF_INET", "AF_INET6"} and not local:
         return ["AF_INET"]
     return [] if "AF_NETLINK" in families else ["AF_NETLINK"]

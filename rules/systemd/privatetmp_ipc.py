@@ -37,6 +37,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Unit
 from bringup_lint.api.systemd import flag
 
 SHARED = re.compile(r"<SharedMemory\b[^>]*>(?:(?!</SharedMemory>).)*?<Enable>\s*true\s*</Enable>", re.S | re.I)
@@ -58,7 +59,7 @@ def privatetmp_ipc(robot: Robot) -> Iterator[Finding]:
             break
 
 
-def _uses(unit, robot):
+def _uses(unit: Unit, robot: Robot):
     for process in robot.units.started(unit):
         for step in process.steps:
             for word in step.command.words:

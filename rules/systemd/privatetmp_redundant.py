@@ -32,11 +32,14 @@ When a drop-in on some robots sets PrivateTmp=no.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Fix
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Unit
 from bringup_lint.api.systemd import flag
 from bringup_lint.api.systemd import paths
 
@@ -58,7 +61,7 @@ def privatetmp_redundant(robot: Robot) -> Iterator[Finding]:
                 )
 
 
-def _without(unit, word):
+def _without(unit: Unit, word: Located) -> Fix | None:
     for line in unit.assignments("ReadWritePaths"):
         others = [other for other in line.value.words() if other.span != word.span]
         if len(others) < len(list(line.value.words())):

@@ -40,10 +40,14 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Sandbox
+from bringup_lint.api.systemd import Unit
+from bringup_lint.api.systemd import View
 from bringup_lint.api.systemd import paths
 from bringup_lint.api.systemd import sandbox
 
@@ -96,7 +100,7 @@ def protecthome_workspace(robot: Robot) -> Iterator[Finding]:
             )
 
 
-def _is_closed(box, closed, path):
+def _is_closed(box: Sandbox, closed: list[View], path: str) -> bool:
     """Whether ProtectHome= has the last word on a path."""
     view = box.view(path)
     if view is None:
@@ -108,7 +112,7 @@ def _is_closed(box, closed, path):
     )
 
 
-def _needed(unit, box, robot):
+def _needed(unit: Unit, box: Sandbox, robot: Robot) -> Iterator[tuple[Located, str]]:
     folder = unit.get("WorkingDirectory")
     if folder == "~":
         home, _ = box.home()

@@ -49,11 +49,17 @@ directory for the user.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Fix
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
+from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import LogDirectory
+from bringup_lint.api.systemd import Sandbox
+from bringup_lint.api.systemd import Unit
 from bringup_lint.api.systemd import is_made
 from bringup_lint.api.systemd import sandbox
 
@@ -92,14 +98,16 @@ def protectsystem_log_dir(robot: Robot) -> Iterator[Finding]:
         )
 
 
-def _related(unit, box, log, where):
+def _related(unit: Unit, box: Sandbox, log: LogDirectory | None, where):
     parts = [(log.at, "the log directory"), (unit.get("User"), "the user that must write there")]
     if where is log.at:
         parts.append((unit.where, f"{unit.name} logs there"))
     return [note(at, text) for at, text in parts if at is not None and at is not where]
 
 
-def _verdict(unit, robot, box, log):
+def _verdict(
+    unit: Unit, robot: Robot, box: Sandbox, log: LogDirectory
+) -> tuple[Located | Span, str, str] | tuple[Located, str, str] | None:
     ends = f'every node of {unit.name} exits with "Failed to get logging directory"'
     if log.path is None:
         return (
@@ -138,12 +146,12 @@ def _verdict(unit, robot, box, log):
     return None
 
 
-def _foreign(unit, path):
+def _foreign(unit: Unit, path: str):
     """Whether the directory is where only root may create one."""
     return unit.get("User") not in (None, "root", "0") and path.startswith(OF_ROOT)
 
 
-def _fix(unit, log):
+def _fix(unit: Unit, log: LogDirectory | None) -> Fix | None:
     name = (log.path or "").removeprefix("/var/log/")
     if log.at is not None and name != log.path and "/" not in name:
         return fix("let systemd create it", unit.new_line("Service", f"LogsDirectory={name}"), safe=False)

@@ -94,7 +94,7 @@ def readwritepaths_missing(robot: Robot) -> Iterator[Finding]:
                 )
 
 
-def _advice(path, device):
+def _advice(path: str, device: bool) -> str:
     if not device:
         for base, key in BASES.items():
             name = path.removeprefix(base)

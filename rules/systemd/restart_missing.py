@@ -40,10 +40,13 @@ restarts the processes.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Fix
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Unit
+from bringup_lint.api.systemd import Units
 
 TOOLS = "cli"
 
@@ -68,13 +71,13 @@ def restart_missing(robot: Robot) -> Iterator[Finding]:
         )
 
 
-def _stays(units, unit):
+def _stays(units: Units, unit: Unit) -> bool:
     """Whether it starts more than tools such as ros2 topic, which end by themselves."""
     kinds = {found.kind for process in units.started(unit) for _, found in process.ros}
     return kinds != {TOOLS}
 
 
-def _restart(unit):
+def _restart(unit: Unit) -> Fix:
     edits = [unit.new_line("Service", "Restart=always\nRestartSec=2")]
     if not (unit.has("StartLimitBurst", "Unit") or unit.has("StartLimitIntervalSec", "Unit")):
         edits.insert(0, unit.new_line("Unit", "StartLimitIntervalSec=60\nStartLimitBurst=5"))

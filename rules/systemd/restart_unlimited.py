@@ -55,11 +55,16 @@ import math
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Fix
+from bringup_lint.api import Located
+from bringup_lint.api import Related
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import RestartPolicy
+from bringup_lint.api.systemd import Unit
 from bringup_lint.api.systemd import duration
 
 SLOW = 60.0
@@ -100,7 +105,7 @@ def restart_unlimited(robot: Robot) -> Iterator[Finding]:
         )
 
 
-def _verdict(policy, unit, ros, launch):
+def _verdict(policy: RestartPolicy, unit: Unit, ros: bool, launch):
     name, every = unit.name, duration(policy.longest)
     if policy.never_trips:
         if policy.steps and policy.longest >= SLOW:
@@ -141,7 +146,7 @@ def _verdict(policy, unit, ros, launch):
     return None, ""
 
 
-def _parts(policy, where):
+def _parts(policy: RestartPolicy, where: Located | None) -> list[Related]:
     lines = [
         (policy.restart_at, "enables the restarts"),
         (policy.delay_at, "the delay"),
@@ -152,7 +157,7 @@ def _parts(policy, where):
     return [note(at, text) for at, text in lines if at is not None and at is not where]
 
 
-def _limit(unit, policy):
+def _limit(unit: Unit, policy: RestartPolicy) -> Fix | None:
     burst = policy.burst or 5
     span = math.ceil(burst * (policy.longest + 10) / 30) * 30
     edits, missing = [], []

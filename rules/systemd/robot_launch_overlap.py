@@ -47,6 +47,8 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Ros
+from bringup_lint.api.systemd import Unit
 
 WHOLE = re.compile(r"(?:\w+_)?(?:bringup|robot|full|all|system|stack|main)(?:\.launch)?\.(?:py|xml|ya?ml)$")
 LAYER = re.compile(
@@ -89,7 +91,7 @@ def robot_launch_overlap(robot: Robot) -> Iterator[Finding]:
         yield from _umbrella(robot, stack, [(unit, ros) for unit, ros in started if ros.where.span not in told])
 
 
-def _umbrella(robot, stack, started):
+def _umbrella(robot: Robot, stack: list[Unit], started: list[tuple[Unit, Ros]]) -> Iterator[Finding]:
     """A service for the whole robot beside services for its layers, told by the names of launch files of one
     package."""
     units = robot.units
@@ -112,11 +114,11 @@ def _umbrella(robot, stack, started):
             )
 
 
-def same(one, other):
+def same(one: Ros, other):
     return one.target == other.target and one.package == other.package and set(one.arguments) == set(other.arguments)
 
 
-def included(robot, outer, inner):
+def included(robot: Robot, outer: Ros, inner):
     """The unconditional include by which the launch file of one command leads to that of the other."""
     entry = robot.launch.named(outer.package, outer.target)
     wanted = robot.launch.named(inner.package, inner.target)

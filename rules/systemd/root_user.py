@@ -45,11 +45,16 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Fix
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Process
+from bringup_lint.api.systemd import Unit
+from bringup_lint.api.systemd import Units
 
 ROOT = (None, "root", "0")
 HOME = re.compile(r"/home/([^/]+)/")
@@ -100,11 +105,11 @@ def root_user(robot: Robot) -> Iterator[Finding]:
             break
 
 
-def is_on(value):
+def is_on(value: Located | None) -> bool:
     return value is not None and value.lower() in ("yes", "true", "on", "1", "y", "t")
 
 
-def changes_user(process):
+def changes_user(process: Process) -> bool:
     names = {word.rpartition("/")[2] for step in process.steps for word in step.command.words[:1]}
     names |= {
         word.rpartition("/")[2]
@@ -115,7 +120,7 @@ def changes_user(process):
     return bool(names & (DROPPERS | CONTAINERS))
 
 
-def runs(robot, unit, process):
+def runs(robot: Robot, unit: Unit, process: Process) -> tuple[str, Located, str] | tuple[None, None, None]:
     """What it runs that needs no root, where, and how sure that is."""
     if process.mentions_ros:
         where = process.ros[0][1].where if process.ros else process.program
@@ -143,7 +148,7 @@ def runs(robot, unit, process):
     return None, None, None
 
 
-def _fix(units, unit, user):
+def _fix(units: Units, unit: Unit, user: Located | None) -> Fix | None:
     others = {
         str(other.get("User")) for other in units.ros if other.get("User") not in ROOT and "%" not in other.get("User")
     }

@@ -37,10 +37,15 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Process
+from bringup_lint.api.systemd import Step
+from bringup_lint.api.systemd import Unit
+from bringup_lint.api.systemd import Variable
 
 DISTRO = re.compile(r"/opt/ros/([a-z]+)(?:/|$)")
 
@@ -61,7 +66,15 @@ def ros_distro_mismatch(robot: Robot) -> Iterator[Finding]:
                     break
 
 
-def _finding(unit, process, step, word, distro, chosen, named):
+def _finding(
+    unit: Unit,
+    process: Process,
+    step: Step,
+    word: Located,
+    distro,
+    chosen: tuple[Located, str],
+    named: bool | Variable | None,
+):
     there = note(chosen[0], f"names {chosen[1]}")
     start = [note(process.program, f"{unit.name} starts it here")] if step.script else []
     if named and named.text == chosen[1] and step.script:
@@ -79,7 +92,7 @@ def _finding(unit, process, step, word, distro, chosen, named):
     )
 
 
-def paths(process):
+def paths(process: Process) -> Iterator[tuple[Step, Located]]:
     """Programs and sourced files below /opt/ros, in order; those inside `if` and the like are alternatives."""
     for step in process.steps:
         words = step.command.words

@@ -49,6 +49,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Unit
 from bringup_lint.api.systemd import granted_limits
 
 SETTING = {"rtprio": "LimitRTPRIO", "memlock": "LimitMEMLOCK", "nice": "LimitNICE"}
@@ -100,16 +101,16 @@ def rt_limits_only_in_pam(robot: Robot) -> Iterator[Finding]:
         )
 
 
-def _schedules(unit):
+def _schedules(unit: Unit) -> bool:
     """Whether the unit sets any priority."""
     return any(unit.get(key) for key in SCHEDULING)
 
 
-def _controls(robot, unit):
+def _controls(robot: Robot, unit: Unit) -> bool:
     return any(CONTROL.search(text) for process in robot.units.started(unit) for text in process.texts)
 
 
-def _given_otherwise(unit, item):
+def _given_otherwise(unit: Unit, item: str) -> bool:
     capabilities = {str(word) for word in unit.words("AmbientCapabilities")}
     if item == "rtprio":
         return unit.get("CPUSchedulingPolicy") in ("fifo", "rr") or "CAP_SYS_NICE" in capabilities

@@ -31,11 +31,15 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
+from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Process
+from bringup_lint.api.systemd import Step
 
 OF_BASH = re.compile(r"\.(?:bash|bashrc|bash_profile)$")
 SHEBANG = re.compile(r"#!\s*(/(?:usr/)?bin/(?:da)?sh)\b")
@@ -65,7 +69,7 @@ def sh_source(robot: Robot) -> Iterator[Finding]:
                 )
 
 
-def _shell(process, step):
+def _shell(process: Process, step: Step) -> Located | Span | None:
     """The word that chooses sh, when it is this one and no other."""
     if step.script is None:
         return process.program if process.shell in ("sh", "dash") and step.depth == 1 else None

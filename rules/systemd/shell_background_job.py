@@ -35,6 +35,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Step
 
 PASSING = ("echo", "printf", "true", "logger", "exit", ":", "disown")
 
@@ -62,7 +63,7 @@ def shell_background_job(robot: Robot) -> Iterator[Finding]:
                 )
 
 
-def _keeps_running(step):
+def _keeps_running(step: Step) -> bool:
     """Whether a later command may take its time: wait, a foreground program, a loop."""
     command = step.command
     return bool(command.words) and not command.background and command.name not in PASSING

@@ -35,10 +35,13 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Command
+from bringup_lint.api.systemd import Line
 
 _USE = re.compile(r"(?<!\$)(?:\$\$)*\$\{([^}:]*)\}")
 _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
@@ -62,7 +65,7 @@ def shell_var_swallowed(robot: Robot) -> Iterator[Finding]:
                 yield from _swallowed(robot, line, text)
 
 
-def _shell_text(command):
+def _shell_text(command: Command) -> Located | None:
     """The text after ``sh -c``."""
     names = [word.rpartition("/")[2] for word in command.argv]
     shell = next((at for at, name in enumerate(names) if name in _SHELLS), None)
@@ -74,7 +77,7 @@ def _shell_text(command):
     return None
 
 
-def _swallowed(robot, line, text):
+def _swallowed(robot: Robot, line: Line, text):
     for found in _USE.finditer(text):
         name = found[1]
         start = found.end() - len(name) - 3
@@ -91,7 +94,7 @@ def _swallowed(robot, line, text):
         )
 
 
-def _provided(robot, line, name):
+def _provided(robot: Robot, line: Line, name):
     """Whether systemd may know the variable: the unit, an environment file or systemd itself may set it."""
     for assignment in line.file.assignments:
         if assignment.key in ("Environment", "PassEnvironment") and name in assignment.value:

@@ -45,6 +45,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.supervision import launched
 from bringup_lint.api.supervision import stop_time
+from bringup_lint.api.systemd import Ros
 from bringup_lint.api.systemd import duration
 
 USUAL = 10.0
@@ -92,7 +93,7 @@ def timeout_stop_vs_launch(robot: Robot) -> Iterator[Finding]:
         )
 
 
-def needs(robot: Robot, launches) -> tuple[float, list]:
+def needs(robot: Robot, launches: list[Ros]) -> tuple[float, list]:
     """How long the launch files of a unit may take to stop, by the time-outs of their nodes, and what says so."""
     expansions = [launched(found, robot) for found in launches]
     known = [stop_time(expansion) if expansion is not None else None for expansion in expansions]

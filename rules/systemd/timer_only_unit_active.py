@@ -35,6 +35,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Unit
 
 _FIRST = ("OnActiveSec", "OnBootSec", "OnStartupSec", "OnCalendar", "OnClockChange", "OnTimezoneChange")
 _REPEATED = ("OnUnitActiveSec", "OnUnitInactiveSec")
@@ -58,7 +59,7 @@ def timer_only_unit_active(robot: Robot) -> Iterator[Finding]:
         )
 
 
-def _named_elsewhere(robot, timer, service):
+def _named_elsewhere(robot: Robot, timer: Unit, service: str) -> bool:
     """Whether the service is installed for boot, or another file of the tree names it."""
     own = [file.source for file in timer.files]
     target = robot.units.find(service, timer)

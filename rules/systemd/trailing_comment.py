@@ -32,6 +32,7 @@ Only when the # or ; belongs to the value.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -55,5 +56,5 @@ def trailing_comment(robot: Robot) -> Iterator[Finding]:
         )
 
 
-def _shortened(text):
+def _shortened(text: Located) -> str:
     return text if len(text) <= 40 else f"{text[:37]}..."

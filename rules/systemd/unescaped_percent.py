@@ -37,6 +37,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Line
 
 
 @rule(
@@ -61,6 +62,6 @@ def unescaped_percent(robot: Robot) -> Iterator[Finding]:
         )
 
 
-def _plain(line):
+def _plain(line: Line) -> bool:
     """Whether every % of the value is in the file as systemd reads it."""
     return "%%" not in line.value

@@ -33,6 +33,7 @@ Only if the robot's systemd is newer than this tool and knows the key.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -56,7 +57,7 @@ def unknown_key(robot: Robot) -> Iterator[Finding]:
                     yield _unknown(key, section.name)
 
 
-def _unknown(key, section):
+def _unknown(key: Located, section):
     message = f"Unknown key '{key}' in [{section}]: systemd ignores the line"
     homes = directives.sections_with(key)
     meant = nearest(key, directives.sections()[section])

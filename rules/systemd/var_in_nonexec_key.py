@@ -33,9 +33,11 @@ When the program that reads the value expands the variable itself.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Line
 
 _EXPANDED_BY_READER = ("CYCLONEDDS_URI",)
 _SECRET = ("PASS", "SECRET", "TOKEN", "KEY", "PSK")
@@ -56,7 +58,7 @@ def var_in_nonexec_key(robot: Robot) -> Iterator[Finding]:
         )
 
 
-def _judged(line, variable):
+def _judged(line: Line, variable: Located) -> bool:
     """Not variables that a later reader expands, nor passwords that happen to hold a dollar."""
     names = [str(name) for name, value in line.environment if variable in value]
     name = names[0] if names else ""

@@ -41,13 +41,18 @@ When a library or wrapper that is not in the tree sends WATCHDOG=1 from the main
 """
 
 from collections.abc import Iterator
+from typing import Any
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Fix
+from bringup_lint.api import Related
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Supervision
+from bringup_lint.api.systemd import Unit
 from bringup_lint.api.systemd import delete_lines
 from bringup_lint.api.systemd import duration
 
@@ -77,7 +82,7 @@ def watchdog_without_notify(robot: Robot) -> Iterator[Finding]:
         )
 
 
-def _chain(robot, service):
+def _chain(robot: Robot, service: Supervision) -> tuple[Any, Any] | tuple[Related, Any]:
     """From the unit to the code of a node that sends keep-alives which are refused."""
     if service.access.value == "all" or service.main.ros is None:
         return ()
@@ -86,7 +91,7 @@ def _chain(robot, service):
     return ()
 
 
-def _verdict(service, robot):
+def _verdict(service: Supervision, robot: Robot) -> tuple[str, str] | tuple[None, str]:
     main, access = service.main, service.access.value
     if access == "all":
         programs = [found for _, found in service.process.ros]
@@ -107,7 +112,7 @@ def _verdict(service, robot):
     return None, ""
 
 
-def _fix(unit, service, robot):
+def _fix(unit: Unit, service: Supervision, robot: Robot) -> Fix | None:
     if service.access.value != "all" and robot.notify.sources:
         if service.access.at:
             return fix("set NotifyAccess=all", (service.access.at, "all"), safe=False)

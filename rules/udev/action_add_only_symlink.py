@@ -38,11 +38,14 @@ later.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
+from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.udev import UdevRule
 
 _READ_AT_EVERY_EVENT = ("ID_MM_DEVICE_IGNORE", "ID_MM_PORT_IGNORE", "NM_UNMANAGED")
 
@@ -63,13 +66,13 @@ def action_add_only_symlink(robot: Robot) -> Iterator[Finding]:
                 yield _finding(line, token.span, f"removes {token.attribute}", "the property")
 
 
-def _is_for_device_unit(line, systemd: int) -> bool:
+def _is_for_device_unit(line: UdevRule, systemd: int) -> bool:
     """Whether the tag is there for others to depend on the device, and not only to start something once."""
     starts = any(token.attribute == "SYSTEMD_WANTS" for token in line.line.assignments("ENV"))
     return not starts and line.is_tagged_by_systemd(systemd) is False
 
 
-def _finding(line, lost, what: str, name: str):
+def _finding(line: UdevRule, lost: Located | Span, what: str, name: str) -> Finding:
     *others, action = line.on("ACTION")
     own = not action.inherited
     change = fix("fire at every event except remove", (action.token.span, 'ACTION!="remove"'))

@@ -35,11 +35,14 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Fix
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.udev import Token
+from bringup_lint.api.udev import UdevRule
 
 _PLACE = {
     "usb_device": "the USB device",
@@ -66,21 +69,21 @@ def attrs_different_parents(robot: Robot) -> Iterator[Finding]:
         )
 
 
-def _is_interface(token) -> bool:
+def _is_interface(token: Token) -> bool:
     return token.key == "KERNELS" and _INTERFACE.fullmatch(token.value) is not None
 
 
-def _named(token) -> str:
+def _named(token: Token) -> str:
     return token.name if token.key == "ATTRS" else f"{token.name} '{token.value}'"
 
 
-def _owner(line, token) -> str:
+def _owner(line: UdevRule, token: Token) -> str:
     found = sorted(line.levels(token) - {"other"})
     named = [_PLACE.get(name, f"a {name} device") for name in found]
     return " or ".join(named)
 
 
-def _advice(interface) -> str:
+def _advice(interface: Token | None) -> str:
     if interface is not None:
         device = _INTERFACE.sub(_device, interface.value)
         return f'write KERNELS=="{device}", or match the port with ENV{{ID_PATH}}'
@@ -91,7 +94,7 @@ def _device(found) -> str:
     return found[1]
 
 
-def _fix(interface, other, line):
+def _fix(interface: Token | None, other: Token, line: UdevRule) -> Fix | None:
     if interface is None or line.levels(other) - {"other"} != {"usb_device"}:
         return None
     return fix("name the USB device", (interface.value, _INTERFACE.sub(_device, interface.value)))

@@ -32,6 +32,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.udev import Condition
 
 
 @rule("error", symptoms=["conflicting match expressions, the line has no effect"])
@@ -46,11 +47,11 @@ def conflicting_matches(robot: Robot) -> Iterator[Finding]:
             )
 
 
-def _why(condition) -> str:
+def _why(condition: Condition) -> str:
     return f"only devices with {condition.text} get past this jump" if condition.inherited else "the other match"
 
 
-def _advice(first, second) -> str:
+def _advice(first: Condition, second) -> str:
     if not first.inherited and first.equal and second.equal:
         return f'write {second.token.name}=="{first.token.value}|{second.token.value}" for either of them'
     return "delete the match that is wrong"

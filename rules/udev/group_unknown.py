@@ -32,6 +32,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.udev import Token
 
 
 @rule("warning", symptoms=["Unknown group", "Unknown user", "Failed to resolve group"])
@@ -45,11 +46,11 @@ def group_unknown(robot: Robot) -> Iterator[Finding]:
                 yield _finding(token, "user", "root, or create the user with a sysusers.d file")
 
 
-def _is_name(token) -> bool:
+def _is_name(token: Token) -> bool:
     return bool(token.value) and not token.value.isdigit() and not token.has_substitution
 
 
-def _finding(token, what: str, instead: str):
+def _finding(token: Token, what: str, instead: str) -> Finding:
     return finding(
         token.value,
         f"Nothing creates the {what} '{token.value}': udev ignores it, and the device node stays with root",

@@ -33,6 +33,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.udev import Token
 
 _KEYS = {
     "ATTR": ("idVendor", "idProduct"),
@@ -51,7 +52,7 @@ def idvendor_format(robot: Robot) -> Iterator[Finding]:
                 yield from _numbers(token)
 
 
-def _numbers(token):
+def _numbers(token: Token) -> Iterator[Finding]:
     if token.has_substitution or any(character in token.value for character in "*?[\\"):
         return
     at = 0

@@ -32,6 +32,8 @@ the line has no effect.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Fix
+from bringup_lint.api import Problem
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -89,7 +91,7 @@ def syntax(robot: Robot) -> Iterator[Finding]:
         yield finding(problem.where, what, advice=advice, severity="warning")
 
 
-def _unknown_key(problem):
+def _unknown_key(problem: Problem) -> Finding:
     if problem.code == "removed-key":
         advice = f"write {problem.detail}" if problem.detail else "delete it"
         return finding(
@@ -104,7 +106,7 @@ def _unknown_key(problem):
     )
 
 
-def _attribute(problem):
+def _attribute(problem: Problem) -> tuple[str, str]:
     if problem.detail == "missing":
         return f"{problem.where} needs an attribute name in braces", f"write {problem.where}{{name}}"
     if problem.detail == "unexpected":
@@ -112,7 +114,7 @@ def _attribute(problem):
     return f"This key does not accept the attribute '{problem.where}'", f"write one of {problem.detail}"
 
 
-def _fix(problem):
+def _fix(problem: Problem) -> Fix | None:
     if problem.code == "single-quoted-value":
         return fix("use double quotes", (problem.where, f'"{problem.where[1:-1]}"'))
     if problem.code == "blank-after-backslash":

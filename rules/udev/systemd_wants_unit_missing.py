@@ -32,6 +32,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Unit
 
 
 @rule("error", symptoms=["Unit not found", "Failed to enqueue SYSTEMD_WANTS= job"])
@@ -57,7 +58,7 @@ def _is_missing(robot: Robot, name: str) -> bool:
     return not robot.units.candidates(plain) and robot.units.is_provided(plain) is False
 
 
-def _nearest(robot: Robot, name: str):
+def _nearest(robot: Robot, name: str) -> Unit | None:
     units = {unit.name: unit for unit in robot.units.all if unit.judged and unit.type == name.rpartition(".")[2]}
     near = get_close_matches(name, units, 1, 0.85)
     return units[near[0]] if near else None

@@ -31,6 +31,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.udev import UdevRule
 
 _NODES = {"ttyUSB": "tty", "ttyACM": "tty", "video": "video4linux"}
 
@@ -50,6 +51,6 @@ def usb_subsystem_device_node(robot: Robot) -> Iterator[Finding]:
             )
 
 
-def _is_for_usb_nodes(line) -> bool:
+def _is_for_usb_nodes(line: UdevRule) -> bool:
     types = [condition for condition in line.on("ENV", "DEVTYPE") if condition.equal]
     return line.is_for("usb") or any(condition.accepts("usb_device") for condition in types)

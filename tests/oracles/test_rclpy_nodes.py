@@ -9,8 +9,8 @@ import textwrap
 from pathlib import Path
 
 import pytest
-from bringup_lint.graph.nodes.words import valid_node_name
 
+from bringup_lint.api.nodes import valid_node_name
 from bringup_lint.parsers.python_node import parse
 from bringup_lint.parsers.python_node.qos import PRESET_MEMBERS
 from bringup_lint.parsers.python_node.qos import PRESETS

@@ -1,0 +1,11 @@
+"""The environment of processes: environment files and the variables of ROS 2."""
+
+from __future__ import annotations
+
+from bringup_lint.graph.environment.env_files import UsedEnvFile
+from bringup_lint.graph.environment.ros import RosProcess
+
+__all__ = [
+    "RosProcess",
+    "UsedEnvFile",
+]
