@@ -19,6 +19,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from collections.abc import Iterable
+from collections.abc import Iterator
 from datetime import date
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -37,8 +38,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.host.can import Can
     from bringup_lint.graph.host.device_access import ClosedDevice
     from bringup_lint.graph.host.devices import Devices
-    from bringup_lint.graph.host.files import Jail
-    from bringup_lint.graph.host.fstab import NeededPath
+    from bringup_lint.graph.host.fail2ban import Jail
+    from bringup_lint.graph.host.fstab import Mounts
     from bringup_lint.graph.host.logs import RosLogs
     from bringup_lint.graph.host.sshd import Sshd
     from bringup_lint.graph.host.sysctl import Sysctl
@@ -180,13 +181,13 @@ class Robot:
     def netplan(self) -> Netplan:
         from bringup_lint.graph.netplan.netplan import load_netplan
 
-        return load_netplan(self)
+        return load_netplan(self.files)
 
     @cached_property
     def sysctl(self) -> Sysctl:
         from bringup_lint.graph.host.sysctl import load_sysctl
 
-        return load_sysctl(self)
+        return load_sysctl(self.files)
 
     @cached_property
     def dds(self) -> Dds:
@@ -198,20 +199,29 @@ class Robot:
     def udev(self) -> Udev:
         from bringup_lint.graph.udev.udev import load_udev
 
-        return load_udev(self)
+        return load_udev(self.files)
 
     @cached_property
     def devices(self) -> Devices:
-        from bringup_lint.graph.host.devices import load_devices
+        from bringup_lint.graph.host.devices import Devices
 
-        return load_devices(self)
+        return Devices(
+            self.files,
+            self.udev,
+            units=lambda: self.units,
+            compose=lambda: self.compose,
+            launch=lambda: self.launch,
+            params=lambda: self.params,
+        )
 
     @cached_property
     def closed_devices(self) -> list[ClosedDevice]:
         """The devices that services name and that their users may not open."""
         from bringup_lint.graph.host.device_access import closed_devices
 
-        return list(closed_devices(self)) if self.tree.complete and self.of_kind("udev-rules") else []
+        if not self.tree.complete or not self.of_kind("udev-rules"):
+            return []
+        return list(closed_devices(self.devices, self.units, self.accounts, lambda: self.launch, lambda: self.params))
 
     @cached_property
     def waiting_for_network(self) -> list[tuple[str, Located]]:
@@ -256,9 +266,9 @@ class Robot:
 
     @cached_property
     def accounts(self) -> Accounts:
-        from bringup_lint.graph.host.accounts import load_accounts
+        from bringup_lint.graph.host.accounts import Accounts
 
-        return load_accounts(self)
+        return Accounts(self.files, lambda: self.units)
 
     @cached_property
     def journald(self) -> list[Daemon]:
@@ -282,7 +292,7 @@ class Robot:
     def sshd(self) -> list[Sshd]:
         from bringup_lint.graph.host.sshd import load_sshd
 
-        return load_sshd(self)
+        return load_sshd(self.files)
 
     @cached_property
     def watchdog(self) -> Watchdog:
@@ -295,13 +305,13 @@ class Robot:
         """What units and ROS write, and the logrotate files that rotate it."""
         from bringup_lint.graph.host.logs import RosLogs
 
-        return RosLogs(self)
+        return RosLogs(self.files, lambda: self.units, lambda: self.mounts)
 
     @cached_property
     def compose(self) -> Compose:
         from bringup_lint.graph.compose import load_compose
 
-        return load_compose(self)
+        return load_compose(self.files, lambda: self.dockerfiles)
 
     @cached_property
     def dockerfiles(self) -> list[Dockerfile]:
@@ -313,27 +323,39 @@ class Robot:
     def firewalls(self) -> list[Firewall]:
         from bringup_lint.graph.host.firewall import load_firewalls
 
-        return load_firewalls(self)
+        return load_firewalls(self.files)
 
     @cached_property
     def ssh_forwards(self) -> list[tuple[Source, int, Located]]:
         """The ports that scripts forward over SSH, with the word that says so."""
-        from bringup_lint.graph.host.firewall import ssh_forwards
+        from bringup_lint.graph.host.ssh_commands import ssh_forwards
 
-        return list(ssh_forwards(self))
+        return list(ssh_forwards(self.files))
+
+    @property
+    def ssh_logins(self) -> Iterator[tuple[str, Located, str | None]]:
+        """``ssh USER@HOST`` and scp in scripts: the user, the word, and the port when it is known."""
+        from bringup_lint.graph.host.ssh_commands import ssh_logins
+
+        return ssh_logins(self.files)
 
     @cached_property
     def dds_domain(self) -> tuple[int, Located] | None:
         """The DDS domain that the tree sets, when all its files agree on one."""
-        from bringup_lint.graph.host.firewall import dds_domain
+        from bringup_lint.graph.environment.domain import agreed_domain
 
-        return dds_domain(self)
+        return agreed_domain(self.files, self.ros)
 
     @cached_property
-    def fstabs(self) -> list[Fstab]:
-        from bringup_lint.parsers.fstab import parse
+    def mounts(self) -> Mounts:
+        """The file systems that fstab(5) mounts, and the units that need what lies on them."""
+        from bringup_lint.graph.host.fstab import Mounts
 
-        return self.parsed(parse, [source for source in self.of_kind("fstab") if not source.template])
+        return Mounts(self.files, lambda: self.units)
+
+    @property
+    def fstabs(self) -> list[Fstab]:
+        return self.mounts.fstabs
 
     @staticmethod
     def mount_options(filesystem: str) -> list[str]:
@@ -342,44 +364,30 @@ class Robot:
 
         return mount_options(filesystem)
 
-    @property
-    def lost_directories(self) -> list[NeededPath]:
-        """Directories that units need on a tmpfs and that nothing makes at boot."""
-        from bringup_lint.graph.host.fstab import lost_directories
-
-        return list(lost_directories(self))
-
-    @property
-    def read_only_writes(self) -> list[NeededPath]:
-        """Paths that units write to on a read-only root."""
-        from bringup_lint.graph.host.fstab import read_only_writes
-
-        return list(read_only_writes(self))
-
     @cached_property
     def jails(self) -> list[Jail]:
-        from bringup_lint.graph.host.files import parse_jail
+        from bringup_lint.graph.host.fail2ban import parse_jail
 
         return self.parsed(parse_jail, self.of_kind("fail2ban-jail"))
 
     @cached_property
     def sshd_sources(self) -> list[Source]:
-        from bringup_lint.graph.host.files import sshd_sources
+        from bringup_lint.graph.host.sshd import sshd_sources
 
-        return sshd_sources(self)
+        return sshd_sources(self.files)
 
     @cached_property
     def installations(self) -> list[tuple[Source, Command]]:
         """The commands of scripts and Dockerfiles that install packages with apt."""
-        from bringup_lint.graph.host.files import installations
+        from bringup_lint.graph.host.apt import installations
 
-        return list(installations(self))
+        return list(installations(self.files, self.dockerfiles))
 
     @cached_property
     def can(self) -> Can:
         from bringup_lint.graph.host.can import Can
 
-        return Can(self)
+        return Can(self.files, self.units)
 
     @cached_property
     def graph(self) -> Graph:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from collections.abc import Iterator
 from dataclasses import dataclass
 from dataclasses import field
@@ -18,14 +19,17 @@ from bringup_lint.source import Located
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
-    from bringup_lint.robot import Robot
+    from bringup_lint.discover.tree import Tree
+    from bringup_lint.graph.files import Files
+    from bringup_lint.model.dockerfile import Dockerfile
 
 
 @dataclass(eq=False)
 class Compose:
     """Every compose file of the tree. Each stands alone: what is combined only the command line knows."""
 
-    robot: Robot
+    tree: Tree
+    dockerfiles: Callable[[], list[Dockerfile]]
     files: list[ComposeFile] = field(default_factory=list)
 
     @property
@@ -48,7 +52,7 @@ class Compose:
     def env_files(self, service: Service) -> list[Source]:
         """The env files of a service that are in the tree, the later ones winning."""
         paths = (path for path in service.env_files if not is_variable(path))
-        found = (self.robot.tree.beside(service.source, path) for path in paths)
+        found = (self.tree.beside(service.source, path) for path in paths)
         return [source for source in found if source is not None]
 
     def variables(self, service: Service, *names: str) -> list[tuple[str, Located]]:
@@ -80,8 +84,8 @@ class Compose:
         if build is None or any(part is not None and is_variable(part) for part in build):
             return None
         path = f"{build.context or '.'}/{build.dockerfile or 'Dockerfile'}"
-        source = self.robot.tree.beside(service.source, path)
-        file = next((file for file in self.robot.dockerfiles if file.source is source), None)
+        source = self.tree.beside(service.source, path)
+        file = next((file for file in self.dockerfiles() if file.source is source), None)
         if file is None:
             return None
         return file.stage(build.target) if build.target else file.final
@@ -93,5 +97,5 @@ def _assigned(source: Source, name: str) -> Iterator[Located]:
         yield source.located(match.start(1), match.end(1))
 
 
-def load_compose(robot: Robot) -> Compose:
-    return Compose(robot, robot.parsed(parse, robot.of_kind("compose")))
+def load_compose(files: Files, dockerfiles: Callable[[], list[Dockerfile]]) -> Compose:
+    return Compose(files.tree, dockerfiles, files.parsed(parse, files.of_kind("compose")))

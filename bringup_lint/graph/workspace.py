@@ -28,7 +28,7 @@ from bringup_lint.source import Located
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
-    from bringup_lint.robot import Robot
+    from bringup_lint.graph.files import Files
 
 SUBFOLDERS = 40
 """CMake folders of one package that are followed."""
@@ -212,11 +212,11 @@ def _compound(value: PathJoin | Concat) -> Place | None:
     return first._replace(path=path.lstrip("/") if first.base in ("share", "prefix") else path)
 
 
-def load_workspace(robot: Robot) -> Workspace:
+def load_workspace(files: Files) -> Workspace:
     packages: dict[str, Package] = {}
     ambiguous: set[str] = set()
-    builds = {os.path.abspath(source.name): source for source in robot.of_kind("cmake", "setup-py", "setup-cfg")}
-    for manifest in robot.parsed(package_xml.parse, robot.of_kind("ros-package")):
+    builds = {os.path.abspath(source.name): source for source in files.of_kind("cmake", "setup-py", "setup-cfg")}
+    for manifest in files.parsed(package_xml.parse, files.of_kind("ros-package")):
         if not manifest.name:
             continue
         name = str(manifest.name)
@@ -225,35 +225,35 @@ def load_workspace(robot: Robot) -> Workspace:
             packages.pop(name, None)
             continue
         package = Package(manifest, os.path.dirname(os.path.abspath(manifest.source.name)))
-        _read_builds(robot, package, builds)
+        _read_builds(files, package, builds)
         packages[name] = package
     return Workspace(packages, ambiguous)
 
 
-def _read_builds(robot: Robot, package: Package, sources: dict[str, Source]) -> None:
+def _read_builds(files: Files, package: Package, sources: dict[str, Source]) -> None:
     python = sources.get(os.path.join(package.folder, "setup.py"))
     settings = sources.get(os.path.join(package.folder, "setup.cfg"))
     lists = os.path.join(package.folder, "CMakeLists.txt")
     if package.manifest.build_type == "ament_python":
         if python is not None:
-            package.builds += robot.parsed(setup_py.parse, [python])
+            package.builds += files.parsed(setup_py.parse, [python])
         if settings is not None:
-            package.builds += robot.parsed(setup_py.parse_cfg, [settings])
+            package.builds += files.parsed(setup_py.parse_cfg, [settings])
         if os.path.lexists(os.path.join(package.folder, "pyproject.toml")):
             package.complete = False
     else:
-        _read_cmake(robot, package, lists, sources)
+        _read_cmake(files, package, lists, sources)
     package.complete = bool(package.builds) and package.complete
 
 
-def _read_cmake(robot: Robot, package: Package, path: str, sources: dict[str, Source]) -> None:
+def _read_cmake(files: Files, package: Package, path: str, sources: dict[str, Source]) -> None:
     source = sources.get(path)
     if source is None or len(package.builds) >= SUBFOLDERS:
         package.complete = False
         return
-    for build in robot.parsed(lambda one: cmake.parse(one, package.name), [source]):
+    for build in files.parsed(lambda one: cmake.parse(one, package.name), [source]):
         package.builds.append(build)
         for folder in build.subdirectories:
             inner = os.path.normpath(os.path.join(os.path.dirname(path), folder, "CMakeLists.txt"))
             if inner != path:
-                _read_cmake(robot, package, inner, sources)
+                _read_cmake(files, package, inner, sources)

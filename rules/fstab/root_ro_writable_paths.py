@@ -34,7 +34,7 @@ from bringup_lint.api import rule
 
 @rule("warning", symptoms=["Read-only file system"])
 def root_ro_writable_paths(robot: Robot) -> Iterator[Finding]:
-    for mount, path, where, unit in robot.read_only_writes:
+    for mount, path, where, unit in robot.mounts.read_only_writes:
         yield finding(
             where,
             f"{unit.name} writes to {path}, but / is read-only",

@@ -38,7 +38,7 @@ from bringup_lint.api import rule
 
 @rule("error", symptoms=["Failed at step STDOUT spawning", "Failed to set up mount namespacing"])
 def varlog_tmpfs_dirs(robot: Robot) -> Iterator[Finding]:
-    for mount, path, where, unit in robot.lost_directories:
+    for mount, path, where, unit in robot.mounts.missing_directories:
         yield finding(
             where,
             f"{path} is gone after every boot: {mount.target} is a tmpfs, and nothing creates the directory",

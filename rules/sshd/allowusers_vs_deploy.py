@@ -48,7 +48,7 @@ def allowusers_vs_deploy(robot: Robot) -> Iterator[Finding]:
     (sshd,) = robot.sshd
     allowed = [word for option in sshd.all("AllowUsers") if option.everywhere for word in option.arguments]
     ports = [option.value for option in sshd.all("Port")]
-    for user, word, port in sshd.logins(robot):
+    for user, word, port in robot.ssh_logins:
         names = {str(name).partition("@")[0] for name in allowed}
         if allowed and user not in names and not any({"*", "?", "!"} & set(name) for name in names):
             yield finding(

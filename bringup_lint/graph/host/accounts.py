@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
@@ -11,7 +12,8 @@ from typing import TYPE_CHECKING
 from bringup_lint import facts
 
 if TYPE_CHECKING:
-    from bringup_lint.robot import Robot
+    from bringup_lint.graph.files import Files
+    from bringup_lint.graph.systemd.units import Units
 
 _CREATES = re.compile(r"\b(?:groupadd|addgroup|useradd|adduser|newusers|dscl|ansible\.builtin\.(?:group|user))\b[^\n]*")
 _MODULE = re.compile(r"^[ \t]*(?:group|user):[ \t]*(?:name=(\S+))?[ \t]*$(?:\n[ \t]+name:[ \t]*[\"']?([\w-]+))?", re.M)
@@ -26,7 +28,8 @@ _MOST_SCRIPTS = 2000
 class Accounts:
     """What is known of users and groups."""
 
-    robot: Robot
+    files: Files
+    units: Callable[[], Units]
 
     def has_group(self, name: str) -> bool | None:
         """Whether the group exists; None when the tree cannot tell."""
@@ -38,13 +41,13 @@ class Accounts:
 
     def home_of(self, user: str) -> str | None:
         """The home folder that the tree's /etc/passwd gives to a user."""
-        source = self.robot.tree.find("/etc/passwd") if self.robot.tree.root is not None else None
+        source = self.files.tree.find("/etc/passwd") if self.files.tree.root is not None else None
         entries = (line.split(":") for line in source.text.splitlines()) if source else ()
         return next((entry[5].rstrip("/") for entry in entries if entry[0] == user and len(entry) > 5), None)
 
     def login_home(self, user: str) -> str | None:
         """The home of a regular user who can log in; None for system users, and when the tree cannot tell."""
-        source = self.robot.tree.find("/etc/passwd") if self.robot.tree.root is not None else None
+        source = self.files.tree.find("/etc/passwd") if self.files.tree.root is not None else None
         if source is not None:
             entries = [line.split(":") for line in source.text.splitlines()]
             entry = next((entry for entry in entries if entry[0] == user and len(entry) > 6), None)
@@ -53,12 +56,12 @@ class Accounts:
             return None if entry[6].endswith(("nologin", "false")) else entry[5].rstrip("/")
         named = re.compile(rf"/home/{re.escape(user)}(?![\w.-])")
         declared = self._declared("u")
-        texts = (file.source.text for unit in self.robot.units.services for file in unit.files)
+        texts = (file.source.text for unit in self.units().services for file in unit.files)
         return f"/home/{user}" if user not in declared and any(map(named.search, texts)) else None
 
     def groups_of(self, user: str) -> frozenset[str] | None:
         """The groups that the tree's /etc/passwd and /etc/group give to a user; None without these files."""
-        tree = self.robot.tree
+        tree = self.files.tree
         found = [tree.find(path) if tree.root is not None else None for path in ("/etc/passwd", "/etc/group")]
         if None in found:
             return None
@@ -73,17 +76,17 @@ class Accounts:
     def _has(self, name: str, database: frozenset[str], declared: frozenset[str]) -> bool | None:
         if name in database or name in declared:
             return True
-        if database and self.robot.tree.complete:
+        if database and self.files.tree.complete:
             return False
         return True if name in self._usual or name in self._created else None
 
     def _database(self, path: str) -> frozenset[str]:
-        source = self.robot.tree.find(path) if self.robot.tree.root is not None else None
+        source = self.files.tree.find(path) if self.files.tree.root is not None else None
         return frozenset(line.partition(":")[0] for line in source.text.splitlines()) if source else frozenset()
 
     def _declared(self, kinds: str) -> frozenset[str]:
         """Names that sysusers.d(5) lines of these types create; a user comes with a group of its name."""
-        lines = (line.split() for source in self.robot.of_kind("sysusers") for line in source.text.splitlines())
+        lines = (line.split() for source in self.files.of_kind("sysusers") for line in source.text.splitlines())
         return frozenset(word[1] for word in lines if len(word) > 1 and word[0].rstrip("!") in kinds)
 
     @cached_property
@@ -102,14 +105,10 @@ class Accounts:
         return frozenset(found)
 
     def _texts(self) -> Iterator[str]:
-        yield from (source.text for source in self.robot.sources)
-        tree = self.robot.tree
+        yield from (source.text for source in self.files.sources)
+        tree = self.files.tree
         scripts = [path for path in tree.paths if _SCRIPT.search(path.rpartition("/")[2])]
         for path in scripts[:_MOST_SCRIPTS]:
             source = tree.read(path, judged=False)
             if source is not None:
                 yield source.text
-
-
-def load_accounts(robot: Robot) -> Accounts:
-    return Accounts(robot)

@@ -17,7 +17,8 @@ from bringup_lint.source import Located
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
-    from bringup_lint.robot import Robot
+    from bringup_lint.graph.files import Files
+    from bringup_lint.graph.systemd.units import Units
 
 _CAN = re.compile(r"(?<![\w/.-])can\d+(?![\w/.-])")
 _USE = re.compile(
@@ -58,19 +59,20 @@ class CanFile:
 
 @dataclass(eq=False)
 class Can:
-    robot: Robot
+    sources: Files
+    units: Units
 
     @cached_property
     def files(self) -> list[CanFile]:
-        sources = [source for source in self.robot.of_kind("networkd") if source.name.endswith(".network")]
-        models = self.robot.parsed(parse, [source for source in sources if not source.template])
+        sources = [source for source in self.sources.of_kind("networkd") if source.name.endswith(".network")]
+        models = self.sources.parsed(parse, [source for source in sources if not source.template])
         return [CanFile(file) for file in models if any(section.name == "CAN" for section in file.sections)]
 
     @cached_property
     def users(self) -> list[tuple[Unit, str, Located]]:
         """The services that name a CAN interface, with the word that does; those that set one up are none."""
         found = {}
-        for unit in self.robot.units.services:
+        for unit in self.units.services:
             if _SETS.search("\n".join(_text(unit))):
                 continue
             for value in [*unit.values("ExecStart", unit.section), *unit.values("Environment", unit.section)]:
@@ -80,13 +82,13 @@ class Can:
 
     def sets_up(self, unit: Unit, name: str, after: Iterable[str]) -> bool:
         """Whether a unit that this one waits for sets up the interface."""
-        units = (other for word in after for other in self.robot.units.candidates(str(word), unit.manager))
+        units = (other for word in after for other in self.units.candidates(str(word), unit.manager))
         return any(name in line and _SETS.search(line) for other in units for line in _text(other))
 
     @property
     def unconfigured(self) -> Iterator[tuple[str, Located]]:
         """The interfaces that are used and not configured; only a whole root file system can tell."""
-        if not self.robot.tree.complete or any(_SETS.search(text) for text in self._scripts()):
+        if not self.sources.tree.complete or any(_SETS.search(text) for text in self._scripts()):
             return
         seen = set()
         for name, place in self._used():
@@ -95,14 +97,14 @@ class Can:
                 yield name, place
 
     def _scripts(self) -> Iterator[str]:
-        yield from (source.text for source in self.robot.of_kind("shell-script"))
-        yield from ("\n".join(_text(unit)) for unit in self.robot.units.judged)
+        yield from (source.text for source in self.sources.of_kind("shell-script"))
+        yield from ("\n".join(_text(unit)) for unit in self.units.judged)
 
     def _used(self) -> Iterator[tuple[str, Located]]:
         for unit, name, place in self.users:
             if unit.judged:
                 yield name, place
-        for source in self.robot.of_kind(*_READERS):
+        for source in self.sources.of_kind(*_READERS):
             for match in _USE.finditer(source.text) if source.judged else ():
                 yield match["name"], source.located(*match.span("name"))
 

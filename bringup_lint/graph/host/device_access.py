@@ -2,19 +2,26 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 
-from bringup_lint.graph.host.devices import DeviceUse
+from bringup_lint.graph.host.device_uses import DeviceUse
+from bringup_lint.graph.systemd.settings import flag
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.graph.udev.rule import Link
 from bringup_lint.source import Located
+from bringup_lint.source import Source
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.host.accounts import Accounts
+    from bringup_lint.graph.host.devices import Devices
     from bringup_lint.graph.launch.expansion import Expansion
+    from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.params.params import Params
+    from bringup_lint.graph.systemd.units import Units
     from bringup_lint.model.params import ParameterFile
-    from bringup_lint.robot import Robot
 
 _DEFAULT_GROUP = {"tty": "dialout", "video4linux": "video", "input": "input", "sound": "audio"}
 """The groups of 50-udev-default.rules of Debian and Ubuntu; their nodes have mode 0660."""
@@ -30,44 +37,54 @@ class ClosedDevice(NamedTuple):
     group: str
 
 
-def closed_devices(robot: Robot) -> Iterator[ClosedDevice]:
+def closed_devices(
+    devices: Devices, units: Units, accounts: Accounts, launch: Callable[[], Launch], params: Callable[[], Params]
+) -> Iterator[ClosedDevice]:
     """The devices whose group neither /etc/group nor SupplementaryGroups= gives to the user of the service."""
-    for unit in robot.units.services:
+    for unit in units.services:
         user = unit.get("User")
-        groups = robot.accounts.groups_of(str(user)) if user and "%" not in user else None
-        if groups is None or user in ("root", "0") or unit.get("DynamicUser") or unit.get("PAMName"):
+        own = _groups(unit, units, accounts)
+        if user is None or own is None:
             continue
-        own = groups | set(unit.words("SupplementaryGroups")) | {str(unit.get("Group") or "")}
-        privileged = any("+" in process.prefixes for process in robot.units.started(unit))
-        if "root" in own or privileged:
-            continue
-        read = _sources(robot, unit)
-        for use in robot.devices.uses:
-            if use.certainty == "literal" and id(use.path.span.source) in read:
-                for link in robot.udev.links_to(use.path)[:1]:
+        read = _sources(unit, units, launch, params)
+        for use in devices.uses:
+            if use.certainty == "literal" and use.path.span.source in read:
+                for link in devices.udev.links_to(use.path)[:1]:
                     group = _group(link)
                     if group and group not in own:
                         yield ClosedDevice(unit, user, use, link, group)
 
 
-def _sources(robot: Robot, unit: Unit) -> set[int]:
-    """The files (by ``id``) that decide what a service opens: its own, its environment files, what it launches."""
-    found = {id(file.source) for file in unit.files}
-    found |= {id(file.source) for file in robot.units.environment_files(unit) if file.source}
-    for process in robot.units.started(unit):
+def _groups(unit: Unit, units: Units, accounts: Accounts) -> set[str] | None:
+    """The groups of a service that runs as a user of the tree's /etc/passwd; None for root, and when not known."""
+    user = unit.get("User")
+    groups = accounts.groups_of(str(user)) if user and "%" not in user else None
+    dynamic = flag(unit, "DynamicUser")
+    if groups is None or user in ("root", "0") or dynamic.value or dynamic.unknown or unit.get("PAMName"):
+        return None
+    own = groups | set(unit.words("SupplementaryGroups")) | {str(unit.get("Group") or "")}
+    privileged = any("+" in process.prefixes for process in units.started(unit))
+    return None if "root" in own or privileged else set(own)
+
+
+def _sources(unit: Unit, units: Units, launch: Callable[[], Launch], params: Callable[[], Params]) -> set[Source]:
+    """The files that decide what a service opens: its own, its environment files, what it launches."""
+    found = {file.source for file in unit.files}
+    found |= {file.source for file in units.environment_files(unit) if file.source}
+    for process in units.started(unit):
         for _, ros in process.launches:
-            entry = robot.launch.named(ros.package, ros.target)
+            entry = launch().named(ros.package, ros.target)
             if entry is not None:
-                expansion = robot.launch.expansion(entry)
-                found |= {id(file.source) for file in expansion.files}
-                found |= {id(file.source) for file in robot.params.judged if _gets(robot, file, expansion)}
+                expansion = launch().expansion(entry)
+                found |= {file.source for file in expansion.files}
+                found |= {file.source for file in params().judged if _gets(params(), file, expansion)}
     return found
 
 
-def _gets(robot: Robot, file: ParameterFile, expansion: Expansion) -> bool:
+def _gets(params: Params, file: ParameterFile, expansion: Expansion) -> bool:
     """Whether a node that the launch file starts is given a parameter file."""
-    actions = {id(node.action) for node in expansion.nodes}
-    return any(load.certain and id(load.node.action) in actions for load in robot.params.loads(file))
+    actions = {node.action for node in expansion.nodes}
+    return any(load.certain and load.node.action in actions for load in params.loads(file))
 
 
 def _group(link: Link) -> str | None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import fnmatch
 import re
+from collections.abc import Callable
 from collections.abc import Iterator
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -20,9 +21,12 @@ from bringup_lint.parsers.logrotate import parse
 from bringup_lint.parsers.logrotate_values import owners
 from bringup_lint.parsers.shell import commands
 from bringup_lint.source import Located
+from bringup_lint.source import Source
 
 if TYPE_CHECKING:
-    from bringup_lint.robot import Robot
+    from bringup_lint.graph.files import Files
+    from bringup_lint.graph.host.fstab import Mounts
+    from bringup_lint.graph.systemd.units import Units
 
 _DEFAULT = re.compile(r"(?:^|/)\.ros/log(?:/|$)")
 _USUAL = re.compile(r"^/(?:var|opt|data|home)/(?:[^/]+/)*ros2?(?:/|$)")
@@ -49,14 +53,16 @@ class LogPath(NamedTuple):
 class RosLogs:
     """The log folders of the robot's units, and the logrotate stanzas."""
 
-    def __init__(self, robot: Robot) -> None:
-        self.robot = robot
+    def __init__(self, sources: Files, units: Callable[[], Units], mounts: Callable[[], Mounts]) -> None:
+        self.sources = sources
+        self.units = units
+        self.mounts = mounts
 
     @cached_property
     def files(self) -> list[LogrotateFile]:
         """The judged logrotate files."""
-        sources = [source for source in self.robot.of_kind("logrotate") if source.judged and not source.template]
-        return self.robot.parsed(parse, sources)
+        sources = [source for source in self.sources.of_kind("logrotate") if source.judged and not source.template]
+        return self.sources.parsed(parse, sources)
 
     @cached_property
     def stanzas(self) -> list[Stanza]:
@@ -91,8 +97,9 @@ class RosLogs:
     def written(self) -> list[LogPath]:
         """ROS_LOG_DIR and the ``append:`` files of the judged services, each path once."""
         found: dict[str, LogPath] = {}
-        for unit in self.robot.units.services:
-            variable = self.robot.units.environment(unit).get("ROS_LOG_DIR")
+        units = self.units()
+        for unit in units.services:
+            variable = units.environment(unit).get("ROS_LOG_DIR")
             if variable is not None and variable.text is not None and variable.text.startswith("/"):
                 path = variable.text.rstrip("/")
                 found.setdefault(path, LogPath(path, variable.value, unit, True))
@@ -129,11 +136,11 @@ class RosLogs:
         return any(self._mentions(source.text, log.path) for source in self._cleaners)
 
     @cached_property
-    def _cleaners(self):
+    def _cleaners(self) -> list[Source]:
         """Sources that may clean up: tmpfiles, cron jobs, scripts and units."""
         kinds = ("tmpfiles", "cron", "shell-script", "systemd-unit", "systemd-dropin", "logrotate")
         return [
-            source for source in self.robot.of_kind(*kinds) if _CLEANS.search(source.text) or _AGE.search(source.text)
+            source for source in self.sources.of_kind(*kinds) if _CLEANS.search(source.text) or _AGE.search(source.text)
         ]
 
     @staticmethod
@@ -145,21 +152,24 @@ class RosLogs:
         """Whether a tmpfiles.d line with an age covers the folder of a stanza's path."""
         return any(
             path.startswith(match["path"].rstrip("/*") or "/")
-            for source in self.robot.of_kind("tmpfiles")
+            for source in self.sources.of_kind("tmpfiles")
             for match in _AGE.finditer(source.text)
         )
 
     def open_folder(self, folder: str) -> tuple[Located, str, str] | None:
         """Who makes a folder that group or others may write to: the place, a word on it, and ``USER GROUP`` to rotate
         as."""
-        for source in self.robot.of_kind("tmpfiles"):
+        for source in self.sources.of_kind("tmpfiles"):
             for match in _MADE.finditer(source.text):
                 if match["path"].rstrip("/") == folder:
                     mode, group = int(match["mode"].lstrip("~:"), 8), match["group"]
                     loose = mode & 0o002 or (mode & 0o020 and group not in ("root", "0", "-"))
                     where = source.located(*match.span("mode"))
                     return (where, f"created with mode {match['mode']}", f"{match['user']} {group}") if loose else None
-        for mount in self.robot.fstabs[0].mounts if len(self.robot.fstabs) == 1 else ():
+        fstab = self.mounts().only
+        if fstab is None:
+            return None
+        for mount in fstab.mounts:
             if mount.is_tmpfs and mount.target == folder and mount.option("mode") is None:
                 return mount.target, "a tmpfs without mode= has mode 1777", ""
         return None

@@ -14,7 +14,6 @@ from typing import TYPE_CHECKING
 from bringup_lint.model.sshd import Match
 from bringup_lint.model.sshd import Option
 from bringup_lint.model.sshd import SshdFile
-from bringup_lint.parsers.shell import commands
 from bringup_lint.parsers.sshd import keywords
 from bringup_lint.parsers.sshd import parse
 from bringup_lint.parsers.sshd_values import algorithms
@@ -22,7 +21,7 @@ from bringup_lint.source import Located
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
-    from bringup_lint.robot import Robot
+    from bringup_lint.graph.files import Files
 
 Resolve = Callable[[str], Iterable[Source]]
 
@@ -52,8 +51,7 @@ COLLECTED = frozenset(
 )
 """Keywords whose lines add up, or whose last line wins."""
 _DEEPEST = 16
-_LOGIN = re.compile(r"([A-Za-z_][\w.-]*)@([\w.-]+|\[[\w:.]+\])(?::.*)?")
-_FORGES = re.compile(r"git(?:hub|lab)?\b|bitbucket")
+_FILE = re.compile(r"(?:^|/)ssh/sshd_config(?:\.d/[^/]+\.conf)?$")
 
 
 @dataclass(eq=False)
@@ -106,11 +104,6 @@ class Sshd:
         """The keywords that sshd knows."""
         return [known.name for known in keywords().values()]
 
-    @staticmethod
-    def logins(robot: Robot) -> Iterator[tuple[str, Located, str | None]]:
-        """``ssh USER@HOST`` and scp in scripts: the user, the word, and the port when it is known."""
-        return ssh_logins(robot)
-
     def overridden(self) -> Iterator[tuple[Option, Option]]:
         """Lines that lose against an earlier one with another value: the line, and the one that wins."""
         first: dict[str, Option] = {}
@@ -155,18 +148,18 @@ def _read(sshd: Sshd, file: SshdFile, resolve: Resolve, depth: int, match: Match
             yield option if option.match or match is None else option._replace(match=match)
 
 
-def load_sshd(robot: Robot) -> list[Sshd]:
+def load_sshd(files: Files) -> list[Sshd]:
     """One Sshd for each folder that holds sshd_config or a sshd_config.d."""
     folders: dict[str, tuple[list[Source], list[Source]]] = {}
-    for source in robot.of_kind("sshd-config"):
+    for source in files.of_kind("sshd-config"):
         folder = f"/{source.name}".rpartition("/")[0]
         dropin = folder.endswith("/sshd_config.d")
         mains, dropins = folders.setdefault(folder.removesuffix("/sshd_config.d"), ([], []))
         (dropins if dropin else mains).append(source)
-    return [_joined(robot, *group) for group in folders.values()]
+    return [_joined(files, *group) for group in folders.values()]
 
 
-def _joined(robot: Robot, mains: list[Source], dropins: list[Source]) -> Sshd:
+def _joined(files: Files, mains: list[Source], dropins: list[Source]) -> Sshd:
     complete = len(mains) == 1
 
     def resolve(pattern: str) -> Iterable[Source]:
@@ -182,32 +175,12 @@ def _joined(robot: Robot, mains: list[Source], dropins: list[Source]) -> Sshd:
     sshd = effective(mains[:1] or ordered, resolve)
     sshd.complete = complete
     sshd.main = parse(mains[0]) if mains else None
-    sshd.dropins = robot.parsed(parse, ordered)
+    sshd.dropins = files.parsed(parse, ordered)
     return sshd
 
 
-def ssh_logins(robot: Robot) -> Iterator[tuple[str, Located, str | None]]:
-    """``ssh USER@HOST`` and scp in scripts: the user, the word, and the port when it is known."""
-    for source in robot.of_kind("shell-script"):
-        if "@" not in source.text or not source.judged:
-            continue
-        for command in commands(source.located(0, len(source.text))):
-            if command.name not in ("ssh", "scp", "sftp", "autossh", "ssh-copy-id"):
-                continue
-            for word in command.words[1:]:
-                found = _LOGIN.fullmatch(word)
-                if found and not _FORGES.search(found[2]):
-                    yield found[1], word, _port(command.words)
-                    break
-
-
-def _port(words: tuple[Located, ...]) -> str | None:
-    """The port of a command line; None when options or variables may set another."""
-    for at, word in enumerate(words):
-        if word[:2] in ("-p", "-P") and len(word) > 2:
-            return str(word[2:])
-        if word in ("-p", "-P"):
-            return str(words[at + 1]) if at + 1 < len(words) else None
-        if word[:2] in ("-o", "-F") or "$" in word:
-            return None
-    return "22"
+def sshd_sources(files: Files) -> list[Source]:
+    """The sshd configuration of the tree: the main file and its drop-ins."""
+    known = [source for source in files.sources if _FILE.search(source.name)]
+    main = files.tree.find("/etc/ssh/sshd_config")
+    return known if main is None or main in known else [*known, main]

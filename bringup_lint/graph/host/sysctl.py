@@ -12,7 +12,7 @@ from bringup_lint.parsers.sysctl import parse
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
-    from bringup_lint.robot import Robot
+    from bringup_lint.graph.files import Files
 
 FOLDERS = (
     "/etc/sysctl.d/",
@@ -43,12 +43,12 @@ class Sysctl:
         return any(each.name == name for each in self.settings)
 
 
-def load_sysctl(robot: Robot) -> Sysctl:
+def load_sysctl(files: Files) -> Sysctl:
     """Merge the files by their names; Debian and Ubuntu link /etc/sysctl.conf as 99-sysctl.conf."""
     by_name: dict[str, tuple[int, Source]] = {}
     certain = True
     overlays: set[str | None] = set()
-    for source in robot.of_kind("sysctl"):
+    for source in files.of_kind("sysctl"):
         place = source.robot_path or f"/{source.name}"
         rank = next((index for index, folder in enumerate(FOLDERS) if folder in place), 0)
         overlays.add(overlay_of(source))
@@ -59,5 +59,5 @@ def load_sysctl(robot: Robot) -> Sysctl:
         if known is None or rank < known[0]:
             by_name[name] = (rank, source)
     sources = [by_name[name][1] for name in sorted(by_name)]
-    settings = [setting for found in robot.parsed(parse, sources) for setting in found]
+    settings = [setting for found in files.parsed(parse, sources) for setting in found]
     return Sysctl(settings, certain and len(overlays) < 2)

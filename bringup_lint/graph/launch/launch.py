@@ -75,7 +75,7 @@ class Launch:
 
     @cached_property
     def workspace(self) -> Workspace:
-        return load_workspace(self.robot)
+        return load_workspace(self.robot.files)
 
     @property
     def judged(self) -> list[LaunchFile]:

@@ -19,17 +19,16 @@ from bringup_lint.source import Located
 from bringup_lint.source import Problem
 
 if TYPE_CHECKING:
-    from bringup_lint.robot import Robot
+    from bringup_lint.graph.files import Files
 
 FOLDERS = ("run", "etc", "lib", "usr/lib")
 """Where netplan looks, the folder that wins first."""
 PLACE = re.compile(r"(?P<root>(?:.*/)?)(?P<folder>etc|run|usr/lib|lib)/netplan/(?P<file>[^/]+)\Z")
 
 
-def load_netplan(robot: Robot) -> Netplan:
+def load_netplan(files: Files) -> Netplan:
     """All plans of a tree: one for each set of netplan folders, one for every file elsewhere."""
-    files = robot.parsed(parse, robot.of_kind("netplan", "cloud-init-network"))
-    return assemble(files)
+    return assemble(files.parsed(parse, files.of_kind("netplan", "cloud-init-network")))
 
 
 def assemble(files: Iterable[NetplanFile]) -> Netplan:

@@ -30,7 +30,7 @@ from bringup_lint.source import Problem
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
-    from bringup_lint.robot import Robot
+    from bringup_lint.graph.files import Files
 
 DIRECTORIES = (
     "/etc/udev/rules.d",
@@ -181,11 +181,11 @@ class Udev:
 
     def set_of(self, rule: UdevRule) -> RuleSet:
         """The rules files that udevd reads together with the rule's."""
-        return self._set_of_file[id(rule.file)]
+        return self._set_of_file[rule.file]
 
     @cached_property
-    def _set_of_file(self) -> dict[int, RuleSet]:
-        return {id(file): one for one in self.sets for file in one.files}
+    def _set_of_file(self) -> dict[RulesFile, RuleSet]:
+        return {file: one for one in self.sets for file in one.files}
 
     @property
     def too_early(self) -> Iterator[tuple[UdevRule, TooEarly]]:
@@ -275,6 +275,6 @@ def _system_of(source: Source) -> str:
     return source.name.rpartition("/")[0]
 
 
-def load_udev(robot: Robot) -> Udev:
-    """The rules of all files that the robot's tree holds."""
-    return effective(robot.parsed(parse, robot.of_kind("udev-rules")))
+def load_udev(files: Files) -> Udev:
+    """The rules of all files that the tree holds."""
+    return effective(files.parsed(parse, files.of_kind("udev-rules")))

@@ -4,7 +4,7 @@ from hypothesis import given
 from hypothesis import settings
 from hypothesis import strategies as st
 
-from bringup_lint.graph.host.files import parse_jail
+from bringup_lint.graph.host.fail2ban import parse_jail
 from bringup_lint.source import Source
 
 JAIL = """\

@@ -1,0 +1,147 @@
+"""The device paths that files of the robot name, by the kind of file."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+from typing import NamedTuple
+
+from bringup_lint.parsers.systemd_values import unescape_path
+from bringup_lint.source import Located
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.compose import Compose
+    from bringup_lint.graph.files import Files
+    from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.params.params import Params
+    from bringup_lint.graph.systemd.units import Units
+    from bringup_lint.model.launch import Action
+    from bringup_lint.model.launch_values import Value
+
+_PATH = re.compile(r"(?<![\w./$}])/dev/[A-Za-z][\w.+-]*(?:/[\w.:+-]+)*")
+
+
+class DeviceUse(NamedTuple):
+    """One place that names a path below /dev."""
+
+    path: Located
+    user: str
+    """Who opens it, in words."""
+    certainty: str = "literal"
+    """``literal``, ``unit`` for the name of a device unit, ``host`` for a device that a container is handed;
+    ``script`` and ``default`` when it may be only one of several values."""
+
+
+def uses_in(text: Located, user: str, certainty: str = "literal") -> Iterator[DeviceUse]:
+    """The device paths inside a text; what a shell puts in for an unset variable is a default."""
+    for found in _PATH.finditer(text):
+        default = text.endswith((":-", "-"), 0, found.start()) and "${" in text[: found.start()]
+        yield DeviceUse(text.part(*found.span()), user, "default" if default else certainty)
+
+
+def of_units(units: Units) -> Iterator[DeviceUse]:
+    for unit in units.judged:
+        for file in unit.files:
+            for assignment in file.assignments:
+                yield from uses_in(assignment.value, unit.name)
+                yield from _of_device_units(assignment.value, unit.name)
+        for variable in units.environment(unit):
+            yield from uses_in(variable.value, unit.name)
+        for process in units.processes(unit):
+            for step in process.steps:
+                if step.script is None:
+                    continue
+                for word in (*step.command.words, *step.command.assignments):
+                    yield from uses_in(word, f"the script of {unit.name}", "script")
+
+
+def device_path(unit: str) -> str | None:
+    """The path below /dev that a ``.device`` name stands for; None for other names."""
+    if not unit.startswith("dev-") or not unit.endswith(".device") or "%" in unit:
+        return None
+    return unescape_path(unit[: -len(".device")])
+
+
+def _of_device_units(value: Located, user: str) -> Iterator[DeviceUse]:
+    for word in value.words():
+        path = device_path(word)
+        if path is not None:
+            yield DeviceUse(Located(path, word.span), user, "unit")
+
+
+def of_compose(compose: Compose) -> Iterator[DeviceUse]:
+    for service in compose.services:
+        user = f"the service {service.name}"
+        for device in service.devices:
+            yield from uses_in(device.host, user, "host")
+        texts = [volume.source for volume in service.volumes if volume.source is not None]
+        texts += [variable.value for variable in service.environment.values() if variable.value is not None]
+        for text in (*texts, *service.command, *service.entrypoint):
+            yield from uses_in(text, user)
+
+
+def of_env_files(compose: Compose, files: Files) -> Iterator[DeviceUse]:
+    """Files that compose reads: those that services name, and the ``.env`` beside a compose file."""
+    from bringup_lint.parsers.env_file import parse
+
+    named = [files.tree.beside(file.source, ".env") for file in compose.files]
+    named += [source for service in compose.services for source in compose.env_files(service)]
+    for model in files.parsed(parse, dict.fromkeys(source for source in named if source is not None)):
+        for entry in model.entries:
+            yield from uses_in(entry.value, "the containers")
+
+
+def of_params(params: Params) -> Iterator[DeviceUse]:
+    from bringup_lint.model.yaml_node import Scalar
+
+    for file, parameter in params.parameters:
+        if "/dev/" not in parameter.text or (params.loads(file) and not params.effective(file, parameter)):
+            continue
+        nodes = parameter.node.items if hasattr(parameter.node, "items") else [parameter.node]
+        for node in nodes:
+            if isinstance(node, Scalar) and "/dev/" in node.value:
+                yield from uses_in(node.value, f"{parameter.block.name}")
+
+
+def of_launch(launch: Launch) -> Iterator[DeviceUse]:
+    for file in launch.judged:
+        for action in _all_actions(file.actions):
+            yield from _of_action(action)
+
+
+def _all_actions(actions: tuple[Action, ...]) -> Iterator[Action]:
+    from bringup_lint.model.launch import walk_actions
+
+    return walk_actions(actions)
+
+
+def _of_action(action: Action) -> Iterator[DeviceUse]:
+    from bringup_lint.model.launch import ComposableNode
+    from bringup_lint.model.launch import DeclareArgument
+    from bringup_lint.model.launch import Node
+
+    if isinstance(action, DeclareArgument):
+        yield from _of_value(action.default, "the launch argument", "default")
+    if isinstance(action, (Node, ComposableNode)):
+        values = (*action.parameters, *(action.arguments if isinstance(action, Node) else ()))
+        for value in values:
+            yield from _of_value(value, "a node", "literal")
+        for component in action.components if isinstance(action, Node) else ():
+            yield from _of_action(component)
+
+
+def _of_value(value: Value | None, user: str, certainty: str) -> Iterator[DeviceUse]:
+    from bringup_lint.model.launch_values import Argument
+    from bringup_lint.model.launch_values import Env
+    from bringup_lint.model.launch_values import children
+    from bringup_lint.model.launch_values import literal
+
+    if value is None:
+        return
+    text = literal(value)
+    if text is not None:
+        yield from uses_in(text, user, certainty)
+    inner = "default" if isinstance(value, (Argument, Env)) else certainty
+    for child in children(value):
+        yield from _of_value(child, user, inner)
