@@ -64,6 +64,7 @@ if TYPE_CHECKING:
     from bringup_lint.model.firewall import Firewall
     from bringup_lint.model.fstab import Fstab
     from bringup_lint.model.netplan import Netplan
+    from bringup_lint.model.observed import ObservedGraph
     from bringup_lint.model.shell import Command
     from bringup_lint.source import Located
     from bringup_lint.source import Problem
@@ -392,9 +393,25 @@ class Robot:
     @cached_property
     def graph(self) -> Graph:
         """Everything that the files of the tree name, and how it depends on each other: from units to topics."""
+        from bringup_lint.graph.edges.joined import Layers
         from bringup_lint.graph.edges.joined import joined_graph
 
-        return joined_graph(self)
+        return joined_graph(
+            Layers(
+                self.files,
+                units=lambda: self.units,
+                ros=lambda: self.ros,
+                compose=lambda: self.compose,
+                launch=lambda: self.launch,
+                params=lambda: self.params,
+                topics=lambda: self.topics,
+                netplan=lambda: self.netplan,
+                dds=lambda: self.dds,
+                sros2=lambda: self.sros2,
+                udev=lambda: self.udev,
+                devices=lambda: self.devices,
+            )
+        )
 
     @cached_property
     def ros(self) -> RosEnvironment:
@@ -415,18 +432,43 @@ class Robot:
         """How things come into effect: the chain of lines from a unit to a place."""
         from bringup_lint.graph.provenance import Provenance
 
-        return Provenance(self)
+        return Provenance(
+            self.files,
+            self.launch,
+            units=lambda: self.units,
+            ros=lambda: self.ros,
+            params=lambda: self.params,
+            dds=lambda: self.dds,
+        )
 
     @cached_property
     def expected(self) -> Expected:
         """The nodes that the files start, for a comparison with the running graph."""
-        from bringup_lint.graph.observed.expected import expected
+        from bringup_lint.graph.observed.expected import Sources
 
-        return expected(self)
+        sources = Sources(
+            self.files,
+            units=lambda: self.units,
+            ros=lambda: self.ros,
+            launch=self.launch,
+            nodes=lambda: self.nodes,
+            topics=self.topics,
+        )
+        return sources.expected(self.launch_commands)
 
     @cached_property
     def observed(self) -> Observed | None:
-        """The running graph held against the files; None in a run that looks at files only."""
-        from bringup_lint.graph.observed.observed import load_observed
+        """The running graph, compared with the files; None in a run that looks at files only."""
+        from bringup_lint.parsers.observed import KIND
+        from bringup_lint.parsers.observed import parse
 
-        return load_observed(self)
+        graphs = self.parsed(parse, self.of_kind(KIND))
+        return self.compared(graphs[0]) if graphs else None
+
+    def compared(self, graph: ObservedGraph) -> Observed:
+        """A running graph, compared with the files."""
+        from bringup_lint.graph.observed.observed import Observed
+
+        return Observed(
+            graph, self.expected, self.ros, lambda: self.units, self.launch, self.topics, self.tree.complete
+        )

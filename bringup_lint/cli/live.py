@@ -116,7 +116,7 @@ def _known(robot: Robot) -> None:
             words = [word for word in shlex.split(command) if ":=" not in word]
         except ValueError as error:
             raise ConfigError(f"--launch '{command}': {error}") from error
-        if launch_file(robot, words) is None:
+        if launch_file(robot.tree, robot.launch, words) is None:
             raise ConfigError(f"--launch '{command}': this is not one launch file of the tree")
 
 
@@ -134,7 +134,6 @@ def seen(robot: Robot, options: dict[str, Any]) -> Source:
     """The running graph. Raises LiveError when it cannot be looked at."""
     from bringup_lint.graph.observed.domains import mentioned
     from bringup_lint.graph.observed.domains import middleware
-    from bringup_lint.graph.observed.observed import Observed
     from bringup_lint.live.run import AGAIN
     from bringup_lint.live.run import AT_MOST
     from bringup_lint.live.run import look
@@ -144,7 +143,7 @@ def seen(robot: Robot, options: dict[str, Any]) -> Source:
     from bringup_lint.source import Source
 
     domain, told = chosen(robot, options["domain_id"])
-    said = None if os.environ.get("RMW_IMPLEMENTATION") else middleware(robot)
+    said = None if os.environ.get("RMW_IMPLEMENTATION") else middleware(robot.ros)
     rmw = str(said) if said else None
     with_rmw = f" with {rmw} ({_at(said)})" if said else ""
     click.echo(f"Looking at domain {domain} ({told}){with_rmw} ...", err=True)
@@ -155,9 +154,9 @@ def seen(robot: Robot, options: dict[str, Any]) -> Source:
         (graph,) = looking.result()
     secured = os.environ.get("ROS_SECURITY_ENABLE") == "true"
     text = graph_text(graph, [], told, secured)
-    observed = Observed(robot, parse(Source("", text)))
+    observed = robot.compared(parse(Source("", text)))
     if observed.wants or (observed.configured and observed.configured.number != domain):
-        others = [each for each in mentioned(robot) if each != domain][:AT_MOST]
+        others = [each for each in mentioned(robot.ros) if each != domain][:AT_MOST]
         also = f", and at {', '.join(map(str, others))}" if others else ""
         click.echo(f"Looking longer, for what is not there{also} ...", err=True)
         again, *elsewhere = look([domain, *others], AGAIN * options["wait"], **how)
@@ -182,7 +181,7 @@ def chosen(robot: Robot, given: int | None) -> tuple[int, str]:
         if number is None or number > MAX_DOMAIN:
             raise ConfigError(f"ROS_DOMAIN_ID is '{own}' in this shell, which is no domain")
         return number, "ROS_DOMAIN_ID of this shell"
-    told = configured(robot)
+    told = configured(robot.ros)
     return (told.number, _at(told.where)) if told else (0, "the default")
 
 

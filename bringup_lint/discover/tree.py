@@ -128,6 +128,10 @@ class Tree:
             self._on_demand[key] = known or self.read(absolute)
         return self._on_demand[key]
 
+    def real_path(self, path: str) -> str:
+        """The absolute path without links; links that lead nowhere stay as they are."""
+        return os.path.realpath(path)
+
     def has(self, robot_path: str) -> bool | None:
         """Whether a file, folder or link is there on the robot; None when the tree cannot tell."""
         if self.root is not None and self.complete:

@@ -18,17 +18,23 @@ from bringup_lint.source import Source
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.dds.dds import Dds
     from bringup_lint.graph.dds.selection import Selection
+    from bringup_lint.graph.environment.ros import RosEnvironment
     from bringup_lint.graph.environment.ros import RosProcess
+    from bringup_lint.graph.files import Files
     from bringup_lint.graph.launch.commands import LaunchCommand
     from bringup_lint.graph.launch.expansion import Expansion
+    from bringup_lint.graph.launch.launch import Launch
     from bringup_lint.graph.launch.started import Started
     from bringup_lint.graph.params.loads import Load
+    from bringup_lint.graph.params.params import Params
     from bringup_lint.graph.systemd.process import Process
     from bringup_lint.graph.systemd.process import Step
     from bringup_lint.graph.systemd.unit import Unit
+    from bringup_lint.graph.systemd.units import Units
+    from bringup_lint.model.launch import Action
     from bringup_lint.model.launch import LaunchFile
-    from bringup_lint.robot import Robot
 
 Steps = tuple[Related, ...]
 
@@ -37,7 +43,12 @@ Steps = tuple[Related, ...]
 class Provenance:
     """The chains of one robot; each is empty when nothing in the tree leads there."""
 
-    robot: Robot
+    files: Files
+    launch: Launch
+    units: Callable[[], Units]
+    ros: Callable[[], RosEnvironment]
+    params: Callable[[], Params]
+    dds: Callable[[], Dds]
 
     def chain_to(self, where: Located | Span | Source, last: str) -> Steps:
         """The chain to a place, which is the last step and does what ``last`` says."""
@@ -71,26 +82,29 @@ class Provenance:
     @cached_property
     def _starts(self) -> list[tuple[Steps, Expansion]]:
         """Every command that starts a launch file, as steps, with what it leads to."""
-        commands = [command for command in self.robot.launch.commands if command.file is not None]
-        return [(self._to_command(command), self.robot.launch.expansion(command.file)) for command in commands]
+        return [
+            (self._to_command(command), self.launch.expansion(command.file))
+            for command in self.launch.commands
+            if command.file is not None
+        ]
 
     @cached_property
-    def _nodes(self) -> dict[int, tuple[Steps, Started]]:
+    def _nodes(self) -> dict[Action, tuple[Steps, Started]]:
         """The chain to the launch file of every node, by its action, and the node as it is started there."""
-        found: dict[int, tuple[Steps, Started]] = {}
+        found: dict[Action, tuple[Steps, Started]] = {}
         for steps, expansion in self._all_expansions:
             for node in expansion.nodes:
-                found.setdefault(id(node.action), ((*steps, *_includes(node.chain, node.file)), node))
+                found.setdefault(node.action, ((*steps, *_includes(node.chain, node.file)), node))
         return found
 
     @property
     def _all_expansions(self) -> Iterator[tuple[Steps, Expansion]]:
         yield from self._starts
-        for expansion in self.robot.launch.entries:
+        for expansion in self.launch.entries:
             yield (), expansion
 
     def _to_node(self, node: Started) -> Steps:
-        steps, _ = self._nodes.get(id(node.action), ((), node))
+        steps, _ = self._nodes.get(node.action, ((), node))
         return (*steps, Related(node.span, f"{node.file.source.basename} starts {node.label()}"))
 
     def _to_command(self, command: LaunchCommand) -> Steps:
@@ -104,10 +118,10 @@ class Provenance:
     def _to_script(self, process: Process, script: Source) -> Steps:
         """From the Exec line of a unit through the scripts that call each other."""
         steps: list[Related] = []
-        seen: set[int] = set()
+        seen: set[Source] = set()
         wanted: Source | None = script
-        while wanted is not None and id(wanted) not in seen:
-            seen.add(id(wanted))
+        while wanted is not None and wanted not in seen:
+            seen.add(wanted)
             caller = next((step for step in process.steps if step.script is not wanted and _calls(step, wanted)), None)
             if caller is None:
                 break
@@ -121,17 +135,20 @@ class Provenance:
         source = value.span.source
         if process.unit is not None:
             return self._from_unit(process.unit, source)
-        for path in process.service.env_files if process.service is not None else ():
-            if self.robot.tree.beside(process.service.source, str(path)) is source:
-                return (Related(path.span, f"service '{process.service.name}' reads {source.basename}"),)
+        service = process.service
+        if service is None:
+            return ()
+        for path in service.env_files:
+            if self.files.tree.beside(service.source, str(path)) is source:
+                return (Related(path.span, f"service '{service.name}' reads {source.basename}"),)
         return ()
 
     def _from_unit(self, unit: Unit, source: Source) -> Steps:
         """From a unit to an environment file that it reads, or a script that it runs."""
-        for file in self.robot.units.environment_files(unit):
+        for file in self.units().environment_files(unit):
             if file.source is source:
                 return (Related(file.value.span, f"{unit.name} reads {source.basename}"),)
-        for process in self.robot.units.processes(unit):
+        for process in self.units().processes(unit):
             if any(step.script is source for step in process.steps):
                 return self._to_script(process, source)
         return ()
@@ -154,18 +171,20 @@ class Provenance:
         return ()
 
     def _in_parameters(self, span: Span) -> Steps:
-        params = self.robot.params
+        params = self.params()
         file = next((file for file in params.judged if file.source is span.source), None)
         if file is None:
             return ()
         parameter = next((each for each in file.parameters if _holds(each.span, span)), None)
         loads = params.effective(file, parameter) if parameter else params.loads(file)
-        load = next((load for load in loads if id(load.node.action) in self._nodes), None)
+        load = next((load for load in loads if load.node.action in self._nodes), None)
         return self.chain_to_load(load) if load else ()
 
     def _in_dds_file(self, span: Span) -> Steps:
-        dds = self.robot.dds
-        readers: list = [(each, each.uri) for each in dds.selections if span.source in each.files]
+        dds = self.dds()
+        readers: list[tuple[RosProcess | Selection, Located]] = [
+            (each, each.uri) for each in dds.selections if span.source in each.files
+        ]
         profiles = [each for each in dds.profile_files if each.source is span.source]
         readers += [reader for each in profiles for reader in dds.profile_readers(each)]
         for process, value in readers:
@@ -174,10 +193,10 @@ class Provenance:
         return ()
 
     def _in_read_file(self, span: Span) -> Steps:
-        units = self.robot.units.judged if self.robot.of_kind("systemd-unit", "systemd-dropin") else ()
+        units = self.units().judged if self.files.of_kind("systemd-unit", "systemd-dropin") else ()
         found = (self._from_unit(unit, span.source) for unit in units)
         value = span.source.located(span.start, span.end)
-        services = (self._to_variable(process, value) for process in self.robot.ros.processes if process.service)
+        services = (self._to_variable(process, value) for process in self.ros().processes if process.service)
         return next(filter(None, (*found, *services)), ())
 
 

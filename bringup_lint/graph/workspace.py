@@ -20,6 +20,7 @@ from bringup_lint.model.launch_values import PackageShare
 from bringup_lint.model.launch_values import PathJoin
 from bringup_lint.model.launch_values import Value
 from bringup_lint.model.package import Build
+from bringup_lint.model.package import Install
 from bringup_lint.model.package import Manifest
 from bringup_lint.parsers import cmake
 from bringup_lint.parsers import package_xml
@@ -102,7 +103,7 @@ class Package:
                     yield os.path.normpath(os.path.join(folder, origin))
 
 
-def _origin(install, path: str) -> str | None:
+def _origin(install: Install, path: str) -> str | None:
     destination = posixpath.normpath(install.destination)
     source = posixpath.normpath(install.source)
     if not install.tree:
@@ -203,8 +204,8 @@ def place(value: Value) -> Place | None:
 
 def _compound(value: PathJoin | Concat) -> Place | None:
     first = place(value.parts[0])
-    texts = [part.value if isinstance(part, Literal) else None for part in value.parts[1:]]
-    if first is None or not all(isinstance(text, str) for text in texts):
+    texts = [part.value for part in value.parts[1:] if isinstance(part, Literal) and isinstance(part.value, str)]
+    if first is None or len(texts) < len(value.parts) - 1:
         return None
     if isinstance(value, PathJoin):
         return first._replace(path=posixpath.join(first.path, *texts))

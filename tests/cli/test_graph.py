@@ -140,7 +140,7 @@ def test_corpus_is_drawn(corpus: Path) -> None:
 
 def test_layer_that_fails_costs_itself_alone(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     tree(tmp_path, {"a.service": "[Service]\nUser=rover\nExecStart=/bin/true\n"})
-    monkeypatch.setattr("bringup_lint.graph.edges.dds.dds_places", lambda robot: 1 / 0)
+    monkeypatch.setattr("bringup_lint.graph.edges.dds.dds_places", lambda files: 1 / 0)
     run = lint("graph", "--format", "json", cwd=tmp_path)
     assert run.code == 0
     assert run.stderr == "bringup-lint: the picture is not whole: ZeroDivisionError('division by zero')\n"

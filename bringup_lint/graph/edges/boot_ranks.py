@@ -18,7 +18,7 @@ def boot_ranks(units: Units, nodes: Iterable[Node]) -> dict[Node, int]:
     import networkx
 
     shown = naming(units)
-    order = networkx.DiGraph()
+    order: networkx.DiGraph[Node] = networkx.DiGraph()
     for edge in units.graph.edges("orders"):
         if is_certain(edge, units):
             order.add_edge(shown(edge.source), shown(edge.target))

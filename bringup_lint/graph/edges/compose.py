@@ -20,7 +20,10 @@ from bringup_lint.source import Source
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
-    from bringup_lint.robot import Robot
+    from bringup_lint.discover.tree import Tree
+    from bringup_lint.graph.compose import Compose
+    from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.systemd.units import Units
 
 _NAMES = ("compose.yaml", "compose.yml", "docker-compose.yaml", "docker-compose.yml")
 
@@ -29,73 +32,72 @@ def service_node(service: Service) -> Node:
     return Node("compose-service", str(service.name), service.source.name)
 
 
-def compose_edges(robot: Robot) -> Iterator[Edge]:
+def compose_edges(tree: Tree, compose: Compose, launch: Launch) -> Iterator[Edge]:
     """``runs``, ``loads-env``, ``requires`` and ``orders`` of the services."""
-    for service in _services(robot):
+    for service in _services(compose):
         here = service_node(service)
         names = {
-            other.name: other
-            for file in robot.compose.files
-            for other in file.services
-            if other.source is service.source
+            other.name: other for file in compose.files for other in file.services if other.source is service.source
         }
         for needed in _needed(service):
             if needed in names:
                 yield Edge("requires", here, service_node(names[needed]), needed.span, "depends_on:")
                 yield Edge("orders", service_node(names[needed]), here, needed.span, "depends_on:")
         for path in service.env_files:
-            found = robot.tree.beside(service.source, path)
+            found = tree.beside(service.source, path)
             if found is not None:
                 yield Edge("loads-env", here, file_node("env-file", found), path.span, "env_file:")
             elif path.startswith("/") and is_plain(path):
                 yield Edge("loads-env", here, Node("env-file", str(path)), path.span, "env_file:")
-    for command in robot.launch.commands:
+    for command in launch.commands:
         if command.service is not None and command.file is not None:
             target = file_node("launch-file", command.file.source)
             yield Edge("runs", service_node(command.service), target, command.target.span, "command:")
 
 
-def compose_places(robot: Robot) -> Iterator[tuple[Node, Span]]:
-    for service in _services(robot):
+def compose_places(compose: Compose) -> Iterator[tuple[Node, Span]]:
+    for service in _services(compose):
         start = service.name.span
         yield service_node(service), start._replace(end=max(service.body.span.end, start.end))
-        stage = robot.compose.stage(service)
+        stage = compose.stage(service)
         if stage is not None:
             yield service_node(service), file_place(stage.start.keyword.span.source)
-        for found in robot.compose.env_files(service):
+        for found in compose.env_files(service):
             yield file_node("env-file", found), file_place(found)
 
 
-def starting_units(robot: Robot) -> Iterator[Edge]:
+def starting_units(tree: Tree, compose: Compose, units: Units) -> Iterator[Edge]:
     """``runs`` from units that start the services of a compose file of the tree."""
-    for unit, node in own_units(robot.units):
-        for process in robot.units.processes(unit):
+    for unit, node in own_units(units):
+        for process in units.processes(unit):
             if process.key not in ("ExecStart", "ExecStartPre"):
                 continue
             for step in process.steps:
-                source = _composed(robot, step.command.words, unit.get("WorkingDirectory"))
-                for service in _services(robot) if source else ():
+                source = _composed(tree, step.command.words, unit.get("WorkingDirectory"))
+                if source is None:
+                    continue
+                for service in _services(compose):
                     if service.source is source:
                         where = process.line.span if step.script is None else step.command.words[0].span
                         yield Edge("runs", node, service_node(service), where, f"{process.key}=")
 
 
-def _composed(robot: Robot, words: tuple[Located, ...], folder: Located | None) -> Source | None:
+def _composed(tree: Tree, words: tuple[Located, ...], folder: Located | None) -> Source | None:
     """The compose file of ``docker compose -f FILE up``."""
     names = [word.rpartition("/")[2] for word in words]
     if "up" not in names or not {"docker-compose", "compose"} & set(names):
         return None
     for option, following in pairwise(words):
         if option in ("-f", "--file"):
-            return robot.tree.find(following) if following.startswith("/") and is_plain(following) else None
+            return tree.find(following) if following.startswith("/") and is_plain(following) else None
     if not folder or not is_plain(folder):
         return None
-    found = (robot.tree.find(f"{folder}/{name}") for name in _NAMES)
+    found = (tree.find(f"{folder}/{name}") for name in _NAMES)
     return next((source for source in found if source is not None), None)
 
 
-def _services(robot: Robot) -> list[Service]:
-    return [service for service in robot.compose.services if service.source.judged]
+def _services(compose: Compose) -> list[Service]:
+    return [service for service in compose.services if service.source.judged]
 
 
 def _needed(service: Service) -> Iterator[Located]:

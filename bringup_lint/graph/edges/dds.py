@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -20,33 +21,37 @@ from bringup_lint.source import Source
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
+    from bringup_lint.discover.tree import Tree
+    from bringup_lint.graph.dds.dds import Dds
+    from bringup_lint.graph.environment.ros import RosEnvironment
+    from bringup_lint.graph.files import Files
     from bringup_lint.graph.places import Places
-    from bringup_lint.robot import Robot
+    from bringup_lint.model.netplan import Netplan
 
 URI = "CYCLONEDDS_URI"
 PROFILES = ("FASTDDS_DEFAULT_PROFILES_FILE", "FASTRTPS_DEFAULT_PROFILES_FILE")
 _INSIDE_CONTAINERS = ("compose", "dockerfile")
 
 
-def dds_places(robot: Robot) -> Iterator[tuple[Node, Span]]:
-    for source in robot.of_kind("cyclonedds", "fastdds"):
+def dds_places(files: Files) -> Iterator[tuple[Node, Span]]:
+    for source in files.of_kind("cyclonedds", "fastdds"):
         yield file_node("dds-file", source), file_place(source)
 
 
-def selection_edges(robot: Robot, places: Places) -> Iterator[Edge]:
+def selection_edges(tree: Tree, dds: Dds, ros: RosEnvironment, places: Places) -> Iterator[Edge]:
     """``selects``, from whatever holds the line that sets the variable."""
-    for selection in robot.dds.selections:
+    for selection in dds.selections:
         for source in selection.files:
             yield from _selects(places, selection.uri, file_node("dds-file", source), URI)
-    for profiles in robot.dds.profile_files:
-        for _, value in robot.dds.profile_readers(profiles):
+    for profiles in dds.profile_files:
+        for _, value in dds.profile_readers(profiles):
             if value.span.source.kind in _INSIDE_CONTAINERS:
                 yield from _selects(places, value, file_node("dds-file", profiles.source), "profiles file")
-    for setting in robot.ros.of(URI, *PROFILES):
+    for setting in ros.of(URI, *PROFILES):
         if setting.value.span.source.kind not in _INSIDE_CONTAINERS:
             for path in _paths(setting.name, setting.value):
-                source = robot.tree.find(path)
-                target = file_node("dds-file", source) if source else Node("dds-file", path)
+                found = tree.find(path)
+                target = file_node("dds-file", found) if found else Node("dds-file", path)
                 yield from _selects(places, setting.value, target, setting.name)
 
 
@@ -60,17 +65,17 @@ def _selects(places: Places, value: Located, target: Node, why: str) -> Iterator
         yield Edge("selects", holder, target, value.span, why)
 
 
-def binding_edges(robot: Robot, places: Places) -> Iterator[Edge]:
+def binding_edges(dds: Dds, netplan: Callable[[], Netplan], places: Places) -> Iterator[Edge]:
     """``binds``, from a DDS configuration to the interfaces that it names."""
-    for configuration, domain in robot.dds.domains:
+    for configuration, domain in dds.domains:
         for setting in network.named_interfaces(domain):
-            target = _interface(robot, configuration, str(setting.effective))
+            target = _interface(dds, netplan, configuration, str(setting.effective))
             for holder in _holders(places, configuration.source, setting.value.span):
                 yield Edge("binds", holder, target, setting.value.span, str(setting.name))
-    for profiles in robot.dds.profile_files:
+    for profiles in dds.profile_files:
         for element in profiles.document.elements:
             if element.parent is not None and element.parent.name == "interfaceWhiteList" and _is_shown(element.text):
-                target = _interface(robot, profiles, str(element.text))
+                target = _interface(dds, netplan, profiles, str(element.text))
                 where = element.text.span
                 yield Edge("binds", file_node("dds-file", profiles.source), target, where, "interfaceWhiteList")
 
@@ -83,11 +88,13 @@ def _holders(places: Places, source: Source, where: Span) -> list[Node]:
     return [file_node("dds-file", source)] if source.kind == "cyclonedds" else places.of(where)
 
 
-def _interface(robot: Robot, file: Configuration | Profiles, name: str) -> Node:
+def _interface(dds: Dds, netplan: Callable[[], Netplan], file: Configuration | Profiles, name: str) -> Node:
     """The interface of the netplan that goes with the file, by its name or static address; else the bare name."""
-    plan = robot.dds.plan_of(file)
-    for interface in plan.interfaces.values() if plan else ():
+    plan = dds.plan_of(file)
+    if plan is None:
+        return Node("interface", name, file.source.name)
+    for interface in plan.interfaces.values():
         addresses = [str(each.ip.ip) for each in interface.addresses if each.ip is not None]
         if name == interface.device or name in addresses:
-            return interface_node(interface, plan, robot)
-    return Node("interface", name, "" if plan else file.source.name)
+            return interface_node(interface, plan, netplan())
+    return Node("interface", name)

@@ -19,6 +19,7 @@ from bringup_lint.model.launch_values import Value
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
+    from bringup_lint.discover.tree import Tree
     from bringup_lint.graph.launch.launch import Launch
 
 
@@ -34,7 +35,7 @@ def ros_node(node: Started) -> Node:
     return Node("ros-node" if node.is_node else "process", node.label(), f"{node.span.path}:{node.span.line}")
 
 
-def launch_edges(launch: Launch) -> Iterator[Edge]:
+def launch_edges(tree: Tree, launch: Launch) -> Iterator[Edge]:
     """``includes``, ``starts`` and ``loads-params``; an open condition stands in ``why``."""
     from bringup_lint.graph.params.loads import loads_in
 
@@ -54,12 +55,11 @@ def launch_edges(launch: Launch) -> Iterator[Edge]:
         for load in loads_in(launch, expansion):
             if load.node.is_node:
                 why = "parameters" if load.certain else "parameters (one of several)"
-                yield Edge("loads-params", ros_node(load.node), _parameter_file(launch, load.path), load.where, why)
+                yield Edge("loads-params", ros_node(load.node), _parameter_file(tree, load.path), load.where, why)
 
 
-def _parameter_file(launch: Launch, path: str) -> Node:
+def _parameter_file(tree: Tree, path: str) -> Node:
     """By its absolute path in the tree or on the robot."""
-    tree = launch.robot.tree
     source = None if path in tree.named(os.path.basename(path)) else tree.find(path)
     return Node("parameter-file", source.name if source else display_name(path))
 

@@ -15,41 +15,41 @@ from bringup_lint.model.netplan import Plan
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
-    from bringup_lint.robot import Robot
+    from bringup_lint.model.netplan import Netplan
 
 
-def interface_node(interface: Interface, plan: Plan, robot: Robot) -> Node:
+def interface_node(interface: Interface, plan: Plan, netplan: Netplan) -> Node:
     """By the name of the device where netplan fixes it, else by the netplan id."""
-    place = "" if plan is robot.netplan.only_plan else plan.files[0].source.name
+    place = "" if plan is netplan.only_plan else plan.files[0].source.name
     return Node("interface", str(interface.device or interface.name), place)
 
 
-def network_edges(robot: Robot) -> Iterator[Edge]:
+def network_edges(netplan: Netplan) -> Iterator[Edge]:
     """``configured-by`` to netplan files, and ``built-on`` from bridges, bonds and VLANs to their parts."""
-    for plan, interface in _interfaces(robot):
-        here = interface_node(interface, plan, robot)
+    for plan, interface in _interfaces(netplan):
+        here = interface_node(interface, plan, netplan)
         for definition in interface.definitions:
             target = file_node("netplan-file", definition.name.span.source)
             yield Edge("configured-by", here, target, definition.name.span, f"{definition.kind}:")
         for key, name in references(interface):
             other = plan.interfaces.get(str(name))
             if key in ("link", "interfaces") and other is not None and other is not interface:
-                yield Edge("built-on", here, interface_node(other, plan, robot), name.span, f"{key}:")
+                yield Edge("built-on", here, interface_node(other, plan, netplan), name.span, f"{key}:")
 
 
-def network_places(robot: Robot) -> Iterator[tuple[Node, Span]]:
-    for file in robot.netplan.files:
+def network_places(netplan: Netplan) -> Iterator[tuple[Node, Span]]:
+    for file in netplan.files:
         if file.source.judged:
             yield file_node("netplan-file", file.source), file_place(file.source)
-    for plan, interface in _interfaces(robot):
+    for plan, interface in _interfaces(netplan):
         for definition in interface.definitions:
             start = definition.name.span
             end = max(definition.body.span.end, start.end)
-            yield interface_node(interface, plan, robot), start._replace(end=end)
+            yield interface_node(interface, plan, netplan), start._replace(end=end)
 
 
-def _interfaces(robot: Robot) -> Iterator[tuple[Plan, Interface]]:
-    for plan in robot.netplan.plans:
+def _interfaces(netplan: Netplan) -> Iterator[tuple[Plan, Interface]]:
+    for plan in netplan.plans:
         for interface in plan.interfaces.values():
             if interface.name.span.source.judged:
                 yield plan, interface

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -18,36 +19,37 @@ from bringup_lint.source import Source
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
+    from bringup_lint.discover.tree import Tree
     from bringup_lint.graph.launch.launch import Launch
     from bringup_lint.graph.systemd.process import Process
     from bringup_lint.graph.systemd.process import Ros
     from bringup_lint.graph.systemd.process import Step
-    from bringup_lint.robot import Robot
+    from bringup_lint.graph.systemd.units import Units
 
 _INTERPRETER = re.compile(r"python[0-9.]*|perl|node|ruby")
 _SCRIPT = re.compile(r"/.*\.(?:py|pl|js|rb)")
 
 
-def run_edges(robot: Robot) -> Iterator[Edge]:
+def run_edges(tree: Tree, units: Units, launch: Callable[[], Launch]) -> Iterator[Edge]:
     """``runs`` from units, and from the scripts that they run."""
-    for unit, node in own_units(robot.units):
+    for unit, node in own_units(units):
         if unit.type == "service":
-            for process in robot.units.processes(unit):
-                yield from _of_process(node, process, robot)
+            for process in units.processes(unit):
+                yield from _of_process(node, process, tree, launch)
 
 
-def script_places(robot: Robot) -> Iterator[tuple[Node, Span]]:
-    for unit in robot.units.services:
-        for process in robot.units.processes(unit):
+def script_places(tree: Tree, units: Units) -> Iterator[tuple[Node, Span]]:
+    for unit in units.services:
+        for process in units.processes(unit):
             for step in process.steps:
                 if step.script is not None:
                     yield file_node("script", step.script), file_place(step.script)
-            found = _script(_program(process), robot) if process.key == "ExecStart" else None
+            found = _script(_program(process), tree) if process.key == "ExecStart" else None
             if found is not None:
                 yield file_node("script", found), file_place(found)
 
 
-def _of_process(unit: Node, process: Process, robot: Robot) -> Iterator[Edge]:
+def _of_process(unit: Node, process: Process, tree: Tree, launch: Callable[[], Launch]) -> Iterator[Edge]:
     followed = False
     last: dict[int, Step] = {}
     for step in process.steps:
@@ -57,13 +59,13 @@ def _of_process(unit: Node, process: Process, robot: Robot) -> Iterator[Edge]:
             yield _run(unit, process, caller, file_node("script", step.script), process.line.span)
             followed = True
     for step, ros in process.ros:
-        started = started_node(ros, robot.launch)
+        started = started_node(ros, launch)
         if started is not None:
             yield _run(unit, process, step, started, ros.where.span)
             followed = True
     program = _program(process)
     if process.key == "ExecStart" and not followed and not process.shell and is_plain(program):
-        found = _script(program, robot)
+        found = _script(program, tree)
         target = file_node("script", found) if found else Node("program", str(program))
         yield Edge("runs", unit, target, program.span, "ExecStart=")
 
@@ -76,9 +78,9 @@ def _program(process: Process) -> Located:
     return words[0]
 
 
-def _script(program: Located, robot: Robot) -> Source | None:
+def _script(program: Located, tree: Tree) -> Source | None:
     """The program in the tree, if it is a script: nothing is learnt from reading others."""
-    return robot.tree.find(program) if _SCRIPT.fullmatch(program) and is_plain(program) else None
+    return tree.find(program) if _SCRIPT.fullmatch(program) and is_plain(program) else None
 
 
 def _run(unit: Node, process: Process, step: Step, target: Node, where: Span) -> Edge:
@@ -89,12 +91,12 @@ def _run(unit: Node, process: Process, step: Step, target: Node, where: Span) ->
     return Edge("runs", file_node("script", step.script), target, words[0].span if words else where, "command")
 
 
-def started_node(ros: Ros, launch: Launch) -> Node | None:
+def started_node(ros: Ros, launch: Callable[[], Launch]) -> Node | None:
     """What ``ros2 launch``, ``ros2 run`` or an installed executable starts, when its name is known."""
     if ros.target is None or ros.kind == "cli" or not is_plain(ros.target) or not is_plain(ros.package or ""):
         return None
     if ros.kind == "launch":
-        file = launch.named(ros.package, ros.target)
+        file = launch().named(ros.package, ros.target)
         if file is not None:
             return file_node("launch-file", file.source)
         return Node("launch-file", f"{ros.package}/{ros.target}" if ros.package else str(ros.target))

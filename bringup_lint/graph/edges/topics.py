@@ -12,16 +12,17 @@ from bringup_lint.graph.graph import Node
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
-    from bringup_lint.robot import Robot
+    from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.topics.topics import Topics
 
 KINDS = {"publisher": "publishes", "subscription": "subscribes"}
 
 
-def topic_edges(robot: Robot) -> Iterator[Edge]:
+def topic_edges(topics: Topics) -> Iterator[Edge]:
     """``publishes`` and ``subscribes``, from the nodes that the launch layer's edges start to topics. One that only the
     table of known nodes tells has the node in the launch file as its place."""
     seen = set()
-    for running in robot.topics.entries:
+    for running in topics.entries:
         for node in running.nodes:
             for use in node.uses:
                 edge = Edge(
@@ -32,10 +33,10 @@ def topic_edges(robot: Robot) -> Iterator[Edge]:
                     yield edge
 
 
-def program_places(robot: Robot) -> Iterator[tuple[Node, Span]]:
+def program_places(launch: Launch, topics: Topics) -> Iterator[tuple[Node, Span]]:
     """The sources of the nodes that launch files start, where the tree holds them."""
-    for expansion in robot.launch.entries:
+    for expansion in launch.entries:
         for started in expansion.nodes:
-            code = robot.topics.code(started) if started.is_node else None
+            code = topics.code(started) if started.is_node else None
             if code is not None and code.source is not None:
                 yield ros_node(started), file_place(code.source)

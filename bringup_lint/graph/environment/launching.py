@@ -30,6 +30,7 @@ from bringup_lint.parsers.shell import commands
 from bringup_lint.source import Located
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.launch.launch import Launch
     from bringup_lint.model.compose import Service
     from bringup_lint.model.dockerfile import Stage
     from bringup_lint.robot import Robot
@@ -109,9 +110,9 @@ def _words(instruction: Instruction) -> list[Located]:
     return [instruction.value.part(word.start(1), word.end(1)) for word in _WORD.finditer(instruction.value)]
 
 
-def expansion_of(ros: Ros, robot: Robot) -> Expansion | None:
+def expansion_of(ros: Ros, launch: Launch) -> Expansion | None:
     """What ``ros2 launch`` leads to with its arguments; None when its file is not in the tree."""
-    file = robot.launch.named(ros.package, ros.target) if ros.kind == "launch" else None
+    file = launch.named(ros.package, ros.target) if ros.kind == "launch" else None
     if file is None:
         return None
     arguments = {}
@@ -120,7 +121,7 @@ def expansion_of(ros: Ros, robot: Robot) -> Expansion | None:
         value = word.part(len(name) + 2, len(word))
         if colon:
             arguments[name] = Unknown("shell", word.span) if _EXPANDED.search(text) else Literal(value, value.span)
-    return robot.launch.expand(file, arguments) if arguments else robot.launch.expansion(file)
+    return launch.expand(file, arguments) if arguments else launch.expansion(file)
 
 
 def launched(expansion: Expansion, base: Environment) -> Iterator[Launched]:

@@ -197,7 +197,7 @@ class RosEnvironment:
         """What a command of a launcher leads to with its arguments, always the same object; None when its launch file
         is not in the tree."""
         if id(start) not in self._expanded:
-            self._expanded[id(start)] = expansion_of(start.ros, self.robot)
+            self._expanded[id(start)] = expansion_of(start.ros, self.robot.launch)
         return self._expanded[id(start)]
 
     def _expansions(self, launcher: RosProcess) -> list[tuple[Expansion, Environment]]:

@@ -10,6 +10,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from bringup_lint import facts
+from bringup_lint.source import Source
 
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
@@ -41,16 +42,15 @@ class Accounts:
 
     def home_of(self, user: str) -> str | None:
         """The home folder that the tree's /etc/passwd gives to a user."""
-        source = self.files.tree.find("/etc/passwd") if self.files.tree.root is not None else None
-        entries = (line.split(":") for line in source.text.splitlines()) if source else ()
+        source = self._source("/etc/passwd")
+        entries = _entries(source) if source else []
         return next((entry[5].rstrip("/") for entry in entries if entry[0] == user and len(entry) > 5), None)
 
     def login_home(self, user: str) -> str | None:
         """The home of a regular user who can log in; None for system users, and when the tree cannot tell."""
-        source = self.files.tree.find("/etc/passwd") if self.files.tree.root is not None else None
+        source = self._source("/etc/passwd")
         if source is not None:
-            entries = [line.split(":") for line in source.text.splitlines()]
-            entry = next((entry for entry in entries if entry[0] == user and len(entry) > 6), None)
+            entry = next((entry for entry in _entries(source) if entry[0] == user and len(entry) > 6), None)
             if entry is None or not entry[2].isdigit() or not 1000 <= int(entry[2]) < 60000:
                 return None
             return None if entry[6].endswith(("nologin", "false")) else entry[5].rstrip("/")
@@ -61,11 +61,10 @@ class Accounts:
 
     def groups_of(self, user: str) -> frozenset[str] | None:
         """The groups that the tree's /etc/passwd and /etc/group give to a user; None without these files."""
-        tree = self.files.tree
-        found = [tree.find(path) if tree.root is not None else None for path in ("/etc/passwd", "/etc/group")]
-        if None in found:
+        passwd, group = self._source("/etc/passwd"), self._source("/etc/group")
+        if passwd is None or group is None:
             return None
-        users, groups = ([line.split(":") for line in source.text.splitlines()] for source in found)
+        users, groups = _entries(passwd), _entries(group)
         primary = {entry[3] for entry in users if entry[0] == user and len(entry) > 3}
         return frozenset(
             entry[0]
@@ -81,8 +80,12 @@ class Accounts:
         return True if name in self._usual or name in self._created else None
 
     def _database(self, path: str) -> frozenset[str]:
-        source = self.files.tree.find(path) if self.files.tree.root is not None else None
-        return frozenset(line.partition(":")[0] for line in source.text.splitlines()) if source else frozenset()
+        source = self._source(path)
+        return frozenset(entry[0] for entry in _entries(source)) if source else frozenset()
+
+    def _source(self, path: str) -> Source | None:
+        """A file of a root file system: a repository's overlay need not be all of it."""
+        return self.files.tree.find(path) if self.files.tree.root is not None else None
 
     def _declared(self, kinds: str) -> frozenset[str]:
         """Names that sysusers.d(5) lines of these types create; a user comes with a group of its name."""
@@ -112,3 +115,8 @@ class Accounts:
             source = tree.read(path, judged=False)
             if source is not None:
                 yield source.text
+
+
+def _entries(source: Source) -> list[list[str]]:
+    """The fields of passwd(5) and group(5)."""
+    return [line.split(":") for line in source.text.splitlines()]

@@ -71,13 +71,13 @@ class Can:
     @cached_property
     def users(self) -> list[tuple[Unit, str, Located]]:
         """The services that name a CAN interface, with the word that does; those that set one up are none."""
-        found = {}
+        found: dict[tuple[Unit, str], tuple[Unit, str, Located]] = {}
         for unit in self.units.services:
             if _SETS.search("\n".join(_text(unit))):
                 continue
             for value in [*unit.values("ExecStart", unit.section), *unit.values("Environment", unit.section)]:
                 for match in _CAN.finditer(value):
-                    found.setdefault((id(unit), match[0]), (unit, match[0], value.part(*match.span())))
+                    found.setdefault((unit, match[0]), (unit, match[0], value.part(*match.span())))
         return list(found.values())
 
     def sets_up(self, unit: Unit, name: str, after: Iterable[str]) -> bool:

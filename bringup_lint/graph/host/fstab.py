@@ -65,10 +65,10 @@ class Mounts:
         if fstab is None or not any(mount.is_tmpfs for mount in fstab.mounts):
             return
         for unit in self._units_of(fstab):
-            seen = set()
+            seen: set[str] = set()
             for path, where in [*_written(unit, self.units()), *_bound(unit)]:
                 mount = fstab.mount_of(path)
-                if mount is None or not mount.is_tmpfs or path in seen or path == mount.target.rstrip("/"):
+                if mount is None or not mount.is_tmpfs or path in seen or path == str(mount.target).rstrip("/"):
                     continue
                 seen.add(path)
                 if not _is_created(unit, path, self.files, self.units()):
@@ -100,7 +100,9 @@ def _written(unit: Unit, units: Units) -> Iterator[tuple[str, Located]]:
         yield log.text.rstrip("/"), log.value
     for key in ("StandardOutput", "StandardError"):
         value = unit.get(key)
-        match = _FILE.fullmatch(value) if value is not None else None
+        if value is None:
+            continue
+        match = _FILE.fullmatch(value)
         if match and "%" not in match[1]:
             yield posixpath.dirname(match[1]), value
 

@@ -105,8 +105,10 @@ class RosLogs:
                 found.setdefault(path, LogPath(path, variable.value, unit, True))
             for key in ("StandardOutput", "StandardError"):
                 value = unit.get(key)
-                match = _FILE.fullmatch(value) if value is not None else None
-                if match and not unit.is_opaque(value):
+                if value is None or unit.is_opaque(value):
+                    continue
+                match = _FILE.fullmatch(value)
+                if match:
                     found.setdefault(match[1], LogPath(match[1], value, unit, False))
         return list(found.values())
 

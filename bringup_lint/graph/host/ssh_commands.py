@@ -69,5 +69,5 @@ def _forwards(source: Source, words: tuple[Located, ...], variables: dict[str, s
             text = word.part(2, len(word))
         match = _FORWARD.match(text) if text is not None else None
         port = evaluate(match["remote"], variables) if match else None
-        if port is not None:
+        if text is not None and port is not None:
             yield source, port, text

@@ -138,7 +138,7 @@ def _tunnel(interface: Interface) -> Iterator[Problem]:
     elif mode == "wireguard":
         yield from _wireguard(interface)
     elif mode == "vxlan":
-        if not interface.number("id") or interface.number("id") > 16777215:
+        if not 1 <= (interface.number("id") or 0) <= 16777215:
             yield Problem("incomplete", interface.value("id") or interface.name, "a VXLAN needs an id in 1..16777215")
     else:
         yield from _tunnel_numbers(interface)
@@ -200,8 +200,9 @@ def _networkd(interface: Interface) -> Iterator[Problem]:
                 yield Problem("unsupported", point.mode, "networkd cannot create an access point")
             yield from _passphrase(point.password, point.key_management, point.auth)
     yield from _tunnel_keys(interface, KEYED_TUNNELS)
-    if interface.value("mode") == "isatap" and interface.kind == "tunnels":
-        yield Problem("unsupported", interface.value("mode"), "networkd does not support ISATAP tunnels")
+    mode = interface.value("mode")
+    if mode is not None and mode == "isatap" and interface.kind == "tunnels":
+        yield Problem("unsupported", mode, "networkd does not support ISATAP tunnels")
     if interface.dhcp4 and interface.dhcp6:
         for key in OVERRIDES:
             one, other = interface.value("dhcp4-overrides", key), interface.value("dhcp6-overrides", key)

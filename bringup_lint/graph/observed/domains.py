@@ -11,8 +11,8 @@ from bringup_lint.parsers.ros_values import domain_id
 from bringup_lint.source import Located
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.environment.ros import RosEnvironment
     from bringup_lint.graph.systemd.environment import Environment
-    from bringup_lint.robot import Robot
 
 
 class Domain(NamedTuple):
@@ -26,18 +26,18 @@ def of_environment(environment: Environment | None) -> Domain | None:
     return _domain(variable.value, variable.text) if variable else None
 
 
-def configured(robot: Robot) -> Domain | None:
+def configured(ros: RosEnvironment) -> Domain | None:
     """The one domain of all processes that set one; without processes, of all files that set one."""
-    found = [domain for process in robot.ros.processes if (domain := of_environment(process.environment))]
+    found = [domain for process in ros.processes if (domain := of_environment(process.environment))]
     if not found:
-        settings = [each for each in robot.ros.of("ROS_DOMAIN_ID") if not each.development]
+        settings = [each for each in ros.of("ROS_DOMAIN_ID") if not each.development]
         found = [domain for each in settings if (domain := _domain(each.value, each.text))]
     return found[0] if len({domain.number for domain in found}) == 1 else None
 
 
-def mentioned(robot: Robot) -> list[int]:
+def mentioned(ros: RosEnvironment) -> list[int]:
     """Every domain that a file sets, and the default, ascending."""
-    found = (_domain(each.value, each.text) for each in robot.ros.of("ROS_DOMAIN_ID"))
+    found = (_domain(each.value, each.text) for each in ros.of("ROS_DOMAIN_ID"))
     return sorted({0, *(domain.number for domain in found if domain)})
 
 
@@ -46,7 +46,7 @@ def _domain(value: Located, text: str | None) -> Domain | None:
     return Domain(number, value) if number is not None and number <= MAX_DOMAIN else None
 
 
-def middleware(robot: Robot) -> Located | None:
+def middleware(ros: RosEnvironment) -> Located | None:
     """The middleware that all files agree on, when it is one that is known."""
-    values = {each.text: each.value for each in robot.ros.of("RMW_IMPLEMENTATION") if not each.development}
+    values = {each.text: each.value for each in ros.of("RMW_IMPLEMENTATION") if not each.development}
     return next(iter(values.values())) if len(values) == 1 and next(iter(values)) in RMW_IMPLEMENTATIONS else None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shlex
+from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -27,13 +28,20 @@ from bringup_lint.graph.topics.process_arguments import ros_arguments
 from bringup_lint.model.launch import LaunchFile
 from bringup_lint.model.launch import Timer
 from bringup_lint.model.launch_values import Literal
+from bringup_lint.model.launch_values import Value
 from bringup_lint.source import Located
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
+    from bringup_lint.discover.tree import Tree
+    from bringup_lint.graph.environment.ros import RosEnvironment
     from bringup_lint.graph.environment.ros import RosProcess
+    from bringup_lint.graph.files import Files
+    from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.nodes.nodes import Nodes
     from bringup_lint.graph.systemd.unit import Unit
-    from bringup_lint.robot import Robot
+    from bringup_lint.graph.systemd.units import Units
+    from bringup_lint.graph.topics.topics import Topics
 
 PROGRAMS = ("launch", "run", "node")
 """What starts nodes."""
@@ -107,106 +115,135 @@ class Expected:
         return next(iter(sorted(found, key=lambda node: not node.must)), None)
 
 
-def expected(robot: Robot) -> Expected:
-    """From what ``--launch`` names; else what units and services start; else from the only launch file there is."""
-    result = Expected()
-    if robot.launch_commands:
-        for command in robot.launch_commands:
-            _commanded(robot, result, command)
-    else:
-        for entry, ros in _programs(robot, result):
-            _program(robot, result, entry, ros)
-    lists = [expansion for expansion in robot.launch.entries if not robot.launch.simulated(expansion.entry)]
-    started_by_files = any(node.entry.runs for node in result.nodes)
-    result.ambiguous = not started_by_files and not robot.launch_commands and len(lists) > 1
-    gaps = list(result.gaps)
-    for expansion in robot.launch.entries:
-        file = expansion.entry
-        alone = not started_by_files and not gaps and not robot.launch_commands and lists == [expansion]
-        _nodes(robot, result, Entry(file.entry or file.source.whole, "", alone), expansion)
-    if started_by_files or robot.launch_commands:
-        result.gaps = gaps
-    return result
-
-
-def _commanded(robot: Robot, result: Expected, command: str) -> None:
-    """``[PACKAGE] FILE [NAME:=VALUE]...`` from the command line."""
-    words = shlex.split(command)
-    named = [word for word in words if ":=" not in word]
-    file = launch_file(robot, named)
-    if file is None:
-        return
-    passed = (word.partition(":=") for word in words if ":=" in word)
-    arguments = {name: Literal(Located(value, file.source.whole), file.source.whole) for name, _, value in passed}
-    expansion = robot.launch.expand(file, arguments)
-    _nodes(robot, result, Entry(file.entry or file.source.whole, "", True, command), expansion)
-
-
-def launch_file(robot: Robot, named: list[str]) -> LaunchFile | None:
+def launch_file(tree: Tree, launch: Launch, named: list[str]) -> LaunchFile | None:
     """The launch file that the words of ``ros2 launch`` name: a path, or a package and a file name."""
-    import os
-
     if len(named) == 1:
-        path = os.path.realpath(named[0])
-        found = [file for file in robot.launch.files if os.path.realpath(file.source.name) == path]
-        return found[0] if found else robot.launch.named(None, named[0])
-    return robot.launch.named(named[0], named[1]) if len(named) == 2 else None
+        path = tree.real_path(named[0])
+        found = [file for file in launch.files if tree.real_path(file.source.name) == path]
+        return found[0] if found else launch.named(None, named[0])
+    return launch.named(named[0], named[1]) if len(named) == 2 else None
 
 
-def _programs(robot: Robot, result: Expected) -> Iterator[tuple[Entry, Ros]]:
-    """The ROS 2 programs that units and compose services start."""
-    if robot.of_kind("systemd-unit", "systemd-dropin"):
-        units = robot.units
-        for unit in units.ros:
-            if not unit.judged or unit.masked or unit.get("Type") == "oneshot" or unit.name in units.triggered:
+@dataclass(frozen=True)
+class Sources:
+    """The layers that say which nodes the files start."""
+
+    files: Files
+    units: Callable[[], Units]
+    ros: Callable[[], RosEnvironment]
+    launch: Launch
+    nodes: Callable[[], Nodes]
+    topics: Topics
+
+    def expected(self, commands: tuple[str, ...] = ()) -> Expected:
+        """From ``commands``, what was launched; else what units and services start; else from the only launch file
+        there is."""
+        result = Expected()
+        if commands:
+            for command in commands:
+                self._add_command(result, command)
+        else:
+            for entry, ros in self._programs(result):
+                self._add_program(result, entry, ros)
+        lists = [expansion for expansion in self.launch.entries if not self.launch.simulated(expansion.entry)]
+        started_by_files = any(node.entry.runs for node in result.nodes)
+        result.ambiguous = not started_by_files and not commands and len(lists) > 1
+        gaps = list(result.gaps)
+        for expansion in self.launch.entries:
+            file = expansion.entry
+            alone = not started_by_files and not gaps and not commands and lists == [expansion]
+            self._add_nodes(result, Entry(file.entry or file.source.whole, "", alone), expansion)
+        if started_by_files or commands:
+            result.gaps = gaps
+        return result
+
+    def _add_command(self, result: Expected, command: str) -> None:
+        """``[PACKAGE] FILE [NAME:=VALUE]...`` from the command line."""
+        words = shlex.split(command)
+        file = launch_file(self.files.tree, self.launch, [word for word in words if ":=" not in word])
+        if file is None:
+            return
+        passed = (word.partition(":=") for word in words if ":=" in word)
+        arguments: dict[str, Value] = {
+            name: Literal(Located(value, file.source.whole), file.source.whole) for name, _, value in passed
+        }
+        expansion = self.launch.expand(file, arguments)
+        self._add_nodes(result, Entry(file.entry or file.source.whole, "", True, command), expansion)
+
+    def _programs(self, result: Expected) -> Iterator[tuple[Entry, Ros]]:
+        """The ROS 2 programs that units and compose services start."""
+        if self.files.of_kind("systemd-unit", "systemd-dropin"):
+            yield from _of_units(result, self.units())
+        if self.files.of_kind("compose"):
+            for process in self.ros().launchers:
+                yield from _of_service(result, process)
+
+    def _add_program(self, result: Expected, entry: Entry, ros: Ros) -> None:
+        if ros.kind == "launch":
+            expansion = expansion_of(ros, self.launch)
+            if expansion is None:
+                result.gaps.append((entry.where, "this launch file is not in the tree"))
+                return
+            if entry.simulates or self.launch.simulated(expansion.entry):
+                self._add_nodes(Expected(result.nodes), replace(entry, runs=False), expansion)
+            else:
+                self._add_nodes(result, entry, expansion)
+            return
+        name = _run_name(ros.arguments, self._own_name(ros))
+        if name is None:
+            result.gaps.append((entry.where, "the name of this node is not known here"))
+        else:
+            result.nodes.append(ExpectedNode(name, entry.where, entry.runs and not entry.simulates, entry))
+
+    def _own_name(self, ros: Ros) -> str | None:
+        """What a program of the tree calls its only node."""
+        program = self.nodes().program(str(ros.package), str(ros.target)) if ros.kind == "run" else None
+        if program is None or len(program.classes) != 1 or program.classes[0].namespace is not None:
+            return None
+        return program.classes[0].node_name
+
+    def _add_nodes(self, result: Expected, entry: Entry, expansion: Expansion) -> None:
+        if expansion.open:
+            result.gaps.append((entry.where, "not everything that this leads to is in the tree"))
+        ended = {handler.target for handler, _ in expansion.handlers if handler.event == "OnProcessExit"}
+        for node in expansion.nodes:
+            if not node.is_node:
+                result.gaps.append((node.span, "this process may be a node"))
                 continue
-            runs = not unit.is_template and any(True for _ in units.wanted_by(unit))
-            for process in units.started(unit):
-                programs = [(step, ros) for step, ros in process.ros if ros.kind in PROGRAMS]
-                for _, ros in programs:
-                    environment = units.environment(unit)
-                    yield Entry(ros.where.span, unit.name, runs, f"{unit.manager} {unit.place}", unit, environment), ros
-                if process.mentions_ros and (process.opaque or not programs):
-                    result.gaps.append((unit.where, f"what {unit.name} starts is not known to the end"))
-    for process in robot.ros.launchers if robot.of_kind("compose") else ():
-        if process.service is not None:
-            yield from _of_service(result, process)
+            name = self.topics.node(node).fqn or full_name(node, self.launch.role(node))
+            if name is None or not ros_arguments(node).known:
+                result.gaps.append((node.span, "the name of this node is not known here"))
+                continue
+            if literal_text(node.package) in OPEN_ENDED:
+                result.gaps.append((node.span, "this node brings along others"))
+            must = entry.runs and _certainly_stays(node, name) and node.action.key not in ended
+            result.nodes.append(ExpectedNode(name, _place(node), must, entry, node))
+
+
+def _of_units(result: Expected, units: Units) -> Iterator[tuple[Entry, Ros]]:
+    for unit in units.ros:
+        if not unit.judged or unit.masked or unit.get("Type") == "oneshot" or unit.name in units.triggered:
+            continue
+        runs = not unit.is_template and any(True for _ in units.wanted_by(unit))
+        for process in units.started(unit):
+            programs = [(step, ros) for step, ros in process.ros if ros.kind in PROGRAMS]
+            for _, ros in programs:
+                environment = units.environment(unit)
+                yield Entry(ros.where.span, unit.name, runs, f"{unit.manager} {unit.place}", unit, environment), ros
+            if process.mentions_ros and (process.opaque or not programs):
+                result.gaps.append((unit.where, f"what {unit.name} starts is not known to the end"))
 
 
 def _of_service(result: Expected, process: RosProcess) -> Iterator[tuple[Entry, Ros]]:
     service = process.service
+    if service is None:
+        return
     programs = [start.ros for start in process.starts if start.ros.kind in PROGRAMS]
     who, runs = f"service '{service.name}'", service.get("profiles") is None
     for ros in programs:
         yield Entry(ros.where.span, who, runs, service.source.name, environment=process.environment), ros
     if not programs:
         result.gaps.append((service.name.span, f"what {who} starts is not known"))
-
-
-def _program(robot: Robot, result: Expected, entry: Entry, ros: Ros) -> None:
-    if ros.kind == "launch":
-        expansion = expansion_of(ros, robot)
-        if expansion is None:
-            result.gaps.append((entry.where, "this launch file is not in the tree"))
-            return
-        if entry.simulates or robot.launch.simulated(expansion.entry):
-            _nodes(robot, Expected(result.nodes), replace(entry, runs=False), expansion)
-        else:
-            _nodes(robot, result, entry, expansion)
-        return
-    name = _run_name(ros.arguments, _own_name(robot, ros))
-    if name is None:
-        result.gaps.append((entry.where, "the name of this node is not known here"))
-    else:
-        result.nodes.append(ExpectedNode(name, entry.where, entry.runs and not entry.simulates, entry))
-
-
-def _own_name(robot: Robot, ros: Ros) -> str | None:
-    """What a program of the tree calls its only node."""
-    program = robot.nodes.program(str(ros.package), str(ros.target)) if ros.kind == "run" else None
-    if program is None or len(program.classes) != 1 or program.classes[0].namespace is not None:
-        return None
-    return program.classes[0].node_name
 
 
 def _run_name(words: Iterable[Located], own: str | None) -> str | None:
@@ -218,25 +255,11 @@ def _run_name(words: Iterable[Located], own: str | None) -> str | None:
     return f"{namespace.rstrip('/')}/{name}"
 
 
-def _nodes(robot: Robot, result: Expected, entry: Entry, expansion: Expansion) -> None:
-    if expansion.open:
-        result.gaps.append((entry.where, "not everything that this leads to is in the tree"))
-    ended = {handler.target for handler, _ in expansion.handlers if handler.event == "OnProcessExit"}
-    for node in expansion.nodes:
-        if not node.is_node:
-            result.gaps.append((node.span, "this process may be a node"))
-            continue
-        name = robot.topics.node(node).fqn or full_name(node, robot.launch.role(node))
-        name = name if ros_arguments(node).known else None
-        if name is None:
-            result.gaps.append((node.span, "the name of this node is not known here"))
-            continue
-        if literal_text(node.package) in OPEN_ENDED:
-            result.gaps.append((node.span, "this node brings along others"))
-        must = entry.runs and node.by_default is True and not _loops(node) and node.action.key not in ended
-        must = must and all(isinstance(action, Timer) for action in node.context) and not _passes(node)
-        must = must and not is_on_screen(name)
-        result.nodes.append(ExpectedNode(name, _place(node), must, entry, node))
+def _certainly_stays(node: Started, name: str) -> bool:
+    """Whether a node that its entry starts runs for as long as that does."""
+    if node.by_default is not True or _loops(node) or _passes(node) or is_on_screen(name):
+        return False
+    return all(isinstance(action, Timer) for action in node.context)
 
 
 def _passes(node: Started) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import product
@@ -34,19 +35,27 @@ from bringup_lint.source import Located
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
-    from bringup_lint.robot import Robot
+    from bringup_lint.graph.environment.ros import RosEnvironment
+    from bringup_lint.graph.environment.ros import Setting
+    from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.systemd.environment import Variable
+    from bringup_lint.graph.systemd.units import Units
+    from bringup_lint.graph.topics.topics import Topics
 
 
 @dataclass(eq=False)
 class Observed:
     """What runs, what should, and where the files speak of it."""
 
-    robot: Robot
     graph: ObservedGraph
-
-    @property
-    def expected(self) -> Expected:
-        return self.robot.expected
+    expected: Expected
+    ros: RosEnvironment
+    units: Callable[[], Units]
+    launch: Launch
+    node_topics: Topics
+    """What the files say of the topics of nodes."""
+    complete: bool
+    """Whether the files are a whole root file system."""
 
     @cached_property
     def nodes(self) -> list[RunningNode]:
@@ -69,7 +78,7 @@ class Observed:
     @cached_property
     def configured(self) -> Domain | None:
         """The domain that the files agree on."""
-        return configured(self.robot)
+        return configured(self.ros)
 
     @cached_property
     def astray(self) -> dict[tuple[Entry, int], list[RunningNode]]:
@@ -100,7 +109,7 @@ class Observed:
         which may be robots or variants of their own, only those that come up together with one that did."""
         here = [entry for entry in self.expected.entries if self._is_here(entry)]
         up = [entry for entry in here if self._is_up(entry)]
-        groups = {entry.group for entry in (here if self.robot.tree.complete or not up else up)}
+        groups = {entry.group for entry in (here if self.complete or not up else up)}
         return [
             entry for entry in here if entry.group in groups and not any(self._conflict(entry, each) for each in up)
         ]
@@ -116,7 +125,7 @@ class Observed:
         return bool((own - {node.name for node in others} or own) & self.names)
 
     def _conflict(self, entry: Entry, other: Entry) -> bool:
-        return bool(entry.unit and other.unit and self.robot.units.conflict(entry.unit, other.unit))
+        return bool(entry.unit and other.unit and self.units().conflict(entry.unit, other.unit))
 
     @property
     def wants(self) -> bool:
@@ -157,10 +166,11 @@ class Observed:
     @cached_property
     def security(self) -> Located | None:
         """What switches security on for a process of the robot; where the files start none, for any."""
-        processes = self.robot.ros.processes
-        found = [each.environment.get("ROS_SECURITY_ENABLE") for each in processes]
-        if not processes:
-            found = [each for each in self.robot.ros.of("ROS_SECURITY_ENABLE") if not each.development]
+        found: list[Variable | Setting | None] = []
+        if self.ros.processes:
+            found += (each.environment.get("ROS_SECURITY_ENABLE") for each in self.ros.processes)
+        else:
+            found += (each for each in self.ros.of("ROS_SECURITY_ENABLE") if not each.development)
         return next((each.value for each in found if each is not None and each.text == "true"), None)
 
     def place(self, name: str) -> Span:
@@ -192,7 +202,7 @@ class Observed:
         """The endpoint in the source of its node."""
         known = self.expected.named(endpoint.node)
         role = "publisher" if endpoint.publishes else "subscription"
-        for use in self.robot.topics.node(known.started).uses if known and known.started else ():
+        for use in self.node_topics.node(known.started).uses if known and known.started else ():
             if use.role == role and use.topic == endpoint.topic and not use.of_table:
                 return use
         return None
@@ -201,7 +211,7 @@ class Observed:
     def managed(self) -> dict[str, tuple[Managed, Manager]]:
         """Full name -> the entry in the list of a lifecycle manager."""
         found: dict[str, tuple[Managed, Manager]] = {}
-        for expansion in self.robot.launch.entries:
+        for expansion in self.launch.entries:
             for manager in managers(expansion):
                 for node in manager.managed or ():
                     found.setdefault(node.fqn, (node, manager))
@@ -214,12 +224,3 @@ class Observed:
             return False
         value = manager.autostart.value
         return value is None or truth(value) is False
-
-
-def load_observed(robot: Robot) -> Observed | None:
-    """None in a run that looks at files only."""
-    from bringup_lint.parsers.observed import KIND
-    from bringup_lint.parsers.observed import parse
-
-    graphs = robot.parsed(parse, robot.of_kind(KIND))
-    return Observed(robot, graphs[0]) if graphs else None

@@ -230,7 +230,7 @@ class Udev:
         """The links that may mean the device now found as ``/dev/ttyUSB0``, each once, in effective order."""
         name = path.removeprefix("/dev/")
         subsystem = subsystem_of_name(name)
-        found = {}
+        found: dict[str, Link] = {}
         for link in self.links:
             rule = link.rule
             named = all(condition.accepts(name) for condition in rule.on("KERNEL"))

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from bringup_lint.discover.tree import Tree
 from bringup_lint.discover.walk import discover
 from bringup_lint.graph.edges.launch import launch_edges
 from bringup_lint.graph.launch.launch import Launch
@@ -252,7 +253,8 @@ def test_edges_lead_from_launch_files_to_parameters(tmp_path: Path) -> None:
         },
     )
     edges = [
-        (edge.kind, Path(edge.source.name).name, Path(edge.target.name).name, edge.why) for edge in launch_edges(launch)
+        (edge.kind, Path(edge.source.name).name, Path(edge.target.name).name, edge.why)
+        for edge in launch_edges(Tree(), launch)
     ]
     assert edges == [
         ("includes", "top.launch.xml", "part.launch.xml", "include (if $(var on))"),

@@ -255,7 +255,7 @@ def test_full_names(tmp_path: Path) -> None:
         ("/slam_toolbox", "pub", "/map"),
     } <= found
     assert not running.complete
-    assert {edge.kind for edge in topic_edges(robot)} == {"publishes", "subscribes"}
+    assert {edge.kind for edge in topic_edges(robot.topics)} == {"publishes", "subscribes"}
 
 
 def test_files_in_folders_that_tell_nothing_are_for_one_robot(tmp_path: Path) -> None:
