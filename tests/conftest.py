@@ -1,4 +1,4 @@
-"""The flag that rewrites expected outputs, and the folder of real configuration."""
+"""What all tests share: the flag that rewrites expected outputs, how long random inputs are tried, what is slow."""
 
 from __future__ import annotations
 
@@ -6,12 +6,22 @@ import os
 from pathlib import Path
 
 import pytest
+from hypothesis import settings
 
 PROJECT = Path(__file__).parent.parent
+
+settings.register_profile("dev", max_examples=25, deadline=None)
+settings.register_profile("ci", max_examples=200, deadline=None)
+settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "dev"))
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--update-expected", action="store_true", help="rewrite expected outputs; read the diff")
+
+
+def pytest_itemcollected(item: pytest.Item) -> None:
+    if item.get_closest_marker("corpus"):
+        item.add_marker("slow")
 
 
 @pytest.fixture

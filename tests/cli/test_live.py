@@ -13,7 +13,6 @@ from pathlib import Path
 
 import pytest
 from hypothesis import given
-from hypothesis import settings
 from hypothesis import strategies as st
 
 from bringup_lint.cli.live import command
@@ -185,7 +184,6 @@ def test_a_second_look_adds_to_the_first() -> None:
     st.lists(st.tuples(st.text(), st.text()), max_size=4),
     st.lists(st.tuples(st.text(), st.text(), st.text(), st.sampled_from((None, 0.25, 1e6))), max_size=4),
 )
-@settings(max_examples=100, deadline=None)
 def test_whatever_names_are_on_the_network_they_are_read_as_they_are(
     nodes: list[tuple[str, str]], ends: list[tuple[str, str, str, float | None]]
 ) -> None:
@@ -205,7 +203,6 @@ def test_whatever_names_are_on_the_network_they_are_read_as_they_are(
 @given(
     st.text() | st.from_regex(r"domain: [0-9]\n(nodes|endpoints|elsewhere):(\n- [a-z{}:,\[\] /]*)*\n", fullmatch=True)
 )
-@settings(max_examples=100, deadline=None)
 def test_no_text_makes_the_reader_raise(text: str) -> None:
     parse(Source("graph.yaml", text))
 

@@ -1,4 +1,7 @@
-"""Tests that use ``answers`` run twice: on what a real tool answered once, and on what the installed one says."""
+"""Tests that use ``answers`` run twice: on what a real tool answered once, and on what the installed one says.
+
+Whatever asks a real tool is slow.
+"""
 
 from __future__ import annotations
 
@@ -7,6 +10,12 @@ import pytest
 from tests.oracles.answers import Oracle
 
 
-@pytest.fixture(params=["recorded", pytest.param("real", marks=pytest.mark.slow)])
+@pytest.fixture(params=["recorded", "real"])
 def answers(request: pytest.FixtureRequest, update_expected: bool) -> Oracle:
     return Oracle(request.param == "real", update_expected)
+
+
+def pytest_itemcollected(item: pytest.Item) -> None:
+    parameters = item.callspec.params if hasattr(item, "callspec") else {}
+    if parameters.get("answers") != "recorded":
+        item.add_marker("slow")

@@ -177,7 +177,6 @@ def test_slips_inline(answers: Oracle, tmp_path: Path) -> None:
     compare(answers.of("cyclonedds/inline", tool(), texts, lambda texts: ask(texts, tmp_path)).pairs, inline=True)
 
 
-@pytest.mark.slow
 @pytest.mark.corpus
 @pytest.mark.skipif(not is_installed(), reason="needs pip install cyclonedds")
 def test_corpus(corpus: Path, tmp_path: Path) -> None:

@@ -214,7 +214,6 @@ def test_slips(answers: Oracle, tmp_path: Path) -> None:
     compare(answers.of("fastdds/slips", tool(), texts, lambda texts: ask(texts, tmp_path)).pairs)
 
 
-@pytest.mark.slow
 @pytest.mark.corpus
 @needs_library
 def test_corpus(corpus: Path, tmp_path: Path) -> None:
@@ -227,7 +226,6 @@ def test_corpus(corpus: Path, tmp_path: Path) -> None:
     compare(list(zip(texts, ask(texts, tmp_path), strict=True)))
 
 
-@pytest.mark.slow
 @needs_library
 @pytest.mark.parametrize(
     ("old", "new", "message"),
@@ -253,7 +251,6 @@ def test_a_node_says_so_and_starts_all_the_same(old: str, new: str, message: str
     assert parse(Source("a.xml", file.read_text("utf-8")), VERSION).dropped == bool(message)
 
 
-@pytest.mark.slow
 @needs_library
 def test_no_transport_stops_the_node(tmp_path: Path) -> None:
     file = tmp_path / "fastdds.xml"

@@ -102,7 +102,6 @@ def test_broken_configurations(answers: Oracle, tmp_path: Path) -> None:
     lines.judge(said.pairs, ours, DIFFERENCES)
 
 
-@pytest.mark.slow
 @pytest.mark.corpus
 @pytest.mark.skipif(tool() == "logrotate", reason="needs logrotate, and root")
 @pytest.mark.skipif(not CORPUS, reason="BRINGUP_LINT_CORPUS names no folder")

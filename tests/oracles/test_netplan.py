@@ -165,7 +165,6 @@ def test_broken_configurations(answers: Oracle, tmp_path: Path) -> None:
     assert len(unexplained) <= len(pairs) // 100
 
 
-@pytest.mark.slow
 @pytest.mark.corpus
 @pytest.mark.skipif(tool() == "netplan", reason="needs netplan")
 @pytest.mark.skipif(not CORPUS, reason="BRINGUP_LINT_CORPUS names no folder")

@@ -170,7 +170,6 @@ def test_every_file_gives_the_same_table(answers: Oracle) -> None:
     assert sum(answer is not None for _, answer in given.pairs) > len(given.pairs) // 5
 
 
-@pytest.mark.slow
 @pytest.mark.corpus
 @pytest.mark.skipif(tool() == "rclpy", reason="needs rclpy")
 @pytest.mark.skipif(not CORPUS, reason="BRINGUP_LINT_CORPUS names no folder")

@@ -12,7 +12,6 @@ from pathlib import Path
 
 import pytest
 from hypothesis import given
-from hypothesis import settings
 from hypothesis import strategies as st
 
 from bringup_lint.graph.topics.compatible import conflicts
@@ -47,7 +46,6 @@ def refusal(check, *arguments) -> str | None:
 
 
 @given(NAMES)
-@settings(deadline=None, max_examples=100)
 def test_names_are_valid_as_for_rcl(name: str) -> None:
     from rclpy.validate_topic_name import validate_topic_name
 
@@ -55,7 +53,6 @@ def test_names_are_valid_as_for_rcl(name: str) -> None:
 
 
 @given(NAMES, NAMESPACES)
-@settings(deadline=None, max_examples=100)
 def test_names_are_expanded_as_by_rcl(name: str, namespace: str) -> None:
     from rclpy.expand_topic_name import expand_topic_name
     from rclpy.validate_full_topic_name import validate_full_topic_name
@@ -256,7 +253,6 @@ def test_data_arrives_only_without_a_conflict(offered: tuple[str, str], asked: t
 
 
 @given(st.text(alphabet=string.ascii_lowercase + "/_:=~{}", max_size=14))
-@settings(deadline=None, max_examples=100)
 def test_rules_are_read_without_failing(text: str) -> None:
     rule = remapping(text)
     assert rule is None or remap([rule], "/a/b", "n", "/a") is not None

@@ -272,7 +272,6 @@ def _unit_of(path: str) -> str:
     return folder.removesuffix(".d") if folder.endswith(".d") else name
 
 
-@pytest.mark.slow
 @pytest.mark.corpus
 @pytest.mark.skipif(systemd_version() < 250, reason="needs systemd-analyze 250 or newer")
 def test_units_of_the_corpus(corpus: Path, tmp_path: Path) -> None:

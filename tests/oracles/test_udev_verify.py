@@ -212,7 +212,6 @@ def real_files() -> list[str]:
     return [path.read_bytes().decode(errors="surrogateescape") for path in paths]
 
 
-@pytest.mark.slow
 @pytest.mark.skipif(udevadm() is None, reason="needs udevadm of systemd 254 or newer")
 def test_real_rules(tmp_path: Path) -> None:
     texts = [text for text in real_files() if text and "@SERIAL@" not in text]

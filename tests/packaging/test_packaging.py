@@ -14,6 +14,8 @@ import pytest
 from bringup_lint.registry import Registry
 from tests.conftest import PROJECT
 
+pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("packaging")]
+
 LATIN1 = b"[Service]\nExecStart=/bin/\xff\n"
 RULES = set(Registry.of().paths)
 
@@ -59,14 +61,27 @@ def robot(tmp_path: Path) -> Path:
     return folder
 
 
-def environment(folder: Path, *requirements: str | Path) -> Path:
-    """A fresh virtual environment with the project; its libraries come from the one that runs the tests."""
-    checked(sys.executable, "-m", "venv", folder, cwd=PROJECT)
+@pytest.fixture(scope="session")
+def wheel(repository: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """What pip builds of the repository."""
+    folder = tmp_path_factory.mktemp("wheel")
+    pip("wheel", "-q", "--no-deps", "--no-build-isolation", "-w", folder, f"git+file://{repository}")
+    (wheel,) = folder.glob("*.whl")
+    return wheel
+
+
+def pip(*arguments: str | Path) -> None:
+    checked(sys.executable, "-m", "pip", "--disable-pip-version-check", *arguments, cwd=PROJECT)
+
+
+def installed(folder: Path, *requirements: str | Path) -> Path:
+    """The command in a fresh virtual environment, whose libraries come from the one that runs the tests."""
+    checked(sys.executable, "-m", "venv", "--without-pip", folder, cwd=PROJECT)
     libraries = next((folder / "lib").iterdir()) / "site-packages"
     ours = [path for path in sys.path if path.endswith("-packages")]
     (libraries / "theirs.pth").write_text("\n".join(ours) + "\n")
-    checked(folder / "bin/python", "-m", "pip", "install", "-q", "--no-deps", "--no-build-isolation",
-            "--disable-pip-version-check", "--force-reinstall", *requirements, cwd=PROJECT)  # fmt: skip
+    python = folder / "bin/python"
+    pip("--python", python, "install", "-q", "--no-deps", "--no-build-isolation", "--force-reinstall", *requirements)
     return folder / "bin/bringup-lint"
 
 
@@ -76,26 +91,21 @@ def rules_of(command: Path, cwd: Path) -> set[str]:
     return {rule["id"] for rule in json.loads(checked(command, "rules", "--output-format", "json", cwd=cwd))}
 
 
-def test_wheel_carries_the_rules_and_no_top_level_rules(repository: Path, tmp_path: Path, robot: Path) -> None:
-    checked(sys.executable, "-m", "pip", "wheel", "-q", "--no-deps", "--no-build-isolation", "-w", tmp_path, repository,
-            cwd=tmp_path)  # fmt: skip
-    (wheel,) = tmp_path.glob("*.whl")
+def test_wheel_carries_the_rules_and_no_top_level_rules(wheel: Path) -> None:
     names = zipfile.ZipFile(wheel).namelist()
     assert "bringup_lint/rules/lint/encoding.py" in names
     assert "bringup_lint/report/html/page.html" in names
     assert not [name for name in names if name.startswith(("rules/", "tests/", "fixtures/"))]
-    command = environment(tmp_path / "env", wheel)
+
+
+def test_wheel_from_git_is_installed(wheel: Path, tmp_path: Path, robot: Path) -> None:
+    command = installed(tmp_path / "env", wheel)
     assert rules_of(command, robot) == RULES
     assert run(command, ".", cwd=robot).returncode == 1
 
 
-def test_install_from_git(repository: Path, tmp_path: Path, robot: Path) -> None:
-    command = environment(tmp_path / "env", f"git+file://{repository}")
-    assert rules_of(command, robot) == RULES
-
-
 def test_editable_install(repository: Path, tmp_path: Path, robot: Path) -> None:
-    command = environment(tmp_path / "env", "--editable", repository)
+    command = installed(tmp_path / "env", "--editable", repository)
     assert rules_of(command, robot) == RULES
 
 

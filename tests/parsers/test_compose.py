@@ -1,7 +1,6 @@
 """Compose files: services with what merge keys, extends and both syntaxes bring."""
 
 from hypothesis import given
-from hypothesis import settings
 from hypothesis import strategies as st
 
 from bringup_lint.model.compose import ComposeFile
@@ -131,7 +130,6 @@ BODY = st.dictionaries(
 )
 
 
-@settings(max_examples=100, deadline=None)
 @given(BODY, BODY)
 def test_no_text_raises(one, other):
     bodies = ["{" + ", ".join(f"{key}: {value}" for key, value in body.items()) + "}" for body in (one, other)]

@@ -6,7 +6,6 @@ from pathlib import Path
 
 import pytest
 from hypothesis import given
-from hypothesis import settings
 from hypothesis import strategies as st
 
 from bringup_lint.discover.kinds import kind_of
@@ -46,7 +45,6 @@ def inside(where: object, text: str) -> bool:
     return 0 <= span.start <= span.end <= len(text)
 
 
-@settings(max_examples=100, deadline=None)
 @given(elements(NAMES, "CycloneDDS"), st.sampled_from(VERSIONS), st.booleans())
 def test_cyclonedds_reads_anything(text: str, version: str, inline: bool) -> None:
     configuration = cyclonedds.parse(Source("a.xml", text), version, inline=inline)
@@ -55,7 +53,6 @@ def test_cyclonedds_reads_anything(text: str, version: str, inline: bool) -> Non
         assert all(inside(setting.value, text) and setting.item.path for setting in domain.settings)
 
 
-@settings(max_examples=100, deadline=None)
 @given(elements(PROFILE_NAMES, "profiles"), st.sampled_from(FAST_VERSIONS))
 def test_fastdds_reads_anything(text: str, version: str) -> None:
     profiles = fastdds.parse(Source("a.xml", text), version)
@@ -63,7 +60,6 @@ def test_fastdds_reads_anything(text: str, version: str) -> None:
 
 
 @given(st.text(max_size=200))
-@settings(max_examples=100, deadline=None)
 def test_any_text_is_read(text: str) -> None:
     cyclonedds.parse(Source("a.xml", text))
     fastdds.parse(Source("a.xml", text))

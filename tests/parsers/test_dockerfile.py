@@ -1,7 +1,6 @@
 """Dockerfiles: instructions, continued lines, here-documents and stages."""
 
 from hypothesis import given
-from hypothesis import settings
 from hypothesis import strategies as st
 
 from bringup_lint.model.dockerfile import Dockerfile
@@ -91,7 +90,6 @@ BITS = st.sampled_from(
 )
 
 
-@settings(max_examples=100, deadline=None)
 @given(st.one_of(st.lists(BITS, max_size=12).map("".join), st.text(max_size=60)))
 def test_no_text_raises_and_every_span_lies_inside(text):
     file = read(text)

@@ -2,7 +2,6 @@
 
 import pytest
 from hypothesis import given
-from hypothesis import settings
 from hypothesis import strategies as st
 
 from bringup_lint.parsers.arithmetic import evaluate
@@ -93,7 +92,6 @@ WORDS = [
 ]
 
 
-@settings(max_examples=100, deadline=None)
 @given(
     st.lists(st.sampled_from([*WORDS, ";", "\n", "A=1", "!", "-L"]), max_size=14),
     st.sampled_from(["shell-script", "iptables-rules", "nftables"]),

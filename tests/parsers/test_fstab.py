@@ -5,7 +5,6 @@ import subprocess
 
 import pytest
 from hypothesis import given
-from hypothesis import settings
 from hypothesis import strategies as st
 
 from bringup_lint.model.fstab import Fstab
@@ -56,7 +55,6 @@ def test_libmount_refuses_the_same_lines(line, tmp_path):
     assert ("parse error" in run.stderr) == ours
 
 
-@settings(max_examples=100, deadline=None)
 @given(st.text(alphabet="/da =,#\\0471\n\t", max_size=60))
 def test_no_text_raises_and_every_span_lies_inside(text):
     for mount in read(text).mounts:

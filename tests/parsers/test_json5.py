@@ -6,7 +6,6 @@ import json
 
 import pytest
 from hypothesis import given
-from hypothesis import settings
 from hypothesis import strategies as st
 
 from bringup_lint.parsers.json5 import fault
@@ -54,13 +53,11 @@ SCALARS = st.none() | st.booleans() | st.floats() | st.text()
 
 
 @given(st.recursive(SCALARS, lambda inner: st.lists(inner) | st.dictionaries(st.text(), inner)))
-@settings(max_examples=100, deadline=None)
 def test_all_json_is_json5(value: object) -> None:
     assert fault(Source("x.json", json.dumps(value))) is None
 
 
 @given(st.text(alphabet="{}[],:'\"ab1 \n/*\\", max_size=60))
-@settings(max_examples=100, deadline=None)
 def test_no_text_makes_it_fail(text: str) -> None:
     problem = fault(Source("x.json5", text))
     if problem is not None:

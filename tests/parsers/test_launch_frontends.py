@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import pytest
 from hypothesis import given
-from hypothesis import settings
 from hypothesis import strategies as st
 
 from bringup_lint.model.launch import DeclareArgument
@@ -135,21 +134,18 @@ PIECES = st.sampled_from(
 TEXTS = st.lists(PIECES, max_size=14).map("".join)
 
 
-@settings(max_examples=100, deadline=None)
 @given(TEXTS)
 def test_no_substitution_makes_it_raise(text: str) -> None:
     found = value(text)
     assert found.span.end <= len(text)
 
 
-@settings(max_examples=100, deadline=None)
 @given(st.lists(st.tuples(TAGS, TEXTS), max_size=8))
 def test_no_xml_makes_it_raise(tags: list[tuple[str, str]]) -> None:
     body = "".join(f"<{tag} name='{text}' value=\"{text}\" if='{text}'>" for tag, text in tags)
     check_spans(launch_xml.parse(Source("x.launch.xml", f"<launch>{body}</launch>")))
 
 
-@settings(max_examples=100, deadline=None)
 @given(st.lists(st.tuples(TAGS, TEXTS), max_size=8))
 def test_no_yaml_makes_it_raise(tags: list[tuple[str, str]]) -> None:
     body = "".join(f"- {tag}:\n    name: {text}\n    param: [{text}, {{a: {text}}}]\n" for tag, text in tags)

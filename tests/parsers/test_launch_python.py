@@ -335,14 +335,13 @@ WORDS = st.sampled_from(
 )
 
 
-@settings(max_examples=100, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@settings(suppress_health_check=[HealthCheck.too_slow])
 @given(st.lists(WORDS, max_size=40))
 def test_no_token_soup_makes_it_raise(words: list[str]) -> None:
     body = "def generate_launch_description():\n    " + " ".join(words) + "\n"
     check_spans(parse(Source("robot.launch.py", HEAD + body)))
 
 
-@settings(max_examples=60, deadline=None)
 @given(st.text(max_size=200))
 def test_no_text_makes_it_raise(text: str) -> None:
     check_spans(parse(Source("robot.launch.py", text)))
@@ -353,7 +352,6 @@ NAMES = st.text(
 )
 
 
-@settings(max_examples=60, deadline=None)
 @given(NAMES, NAMES)
 def test_columns_count_code_points(before: str, name: str) -> None:
     file = described(f"Node(package='{before}', executable='e', name='{name}')")

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import pytest
 from hypothesis import given
-from hypothesis import settings
 from hypothesis import strategies
 
 from bringup_lint.parsers import logrotate
@@ -51,7 +50,6 @@ def inside(value: object, source: Source) -> bool:
 
 
 @given(TEXTS)
-@settings(max_examples=100, deadline=None)
 def test_logrotate_reads_any_text(text: str) -> None:
     source = Source("robot", text)
     file = logrotate.parse(source)
@@ -63,7 +61,6 @@ def test_logrotate_reads_any_text(text: str) -> None:
 
 
 @given(TEXTS)
-@settings(max_examples=100, deadline=None)
 def test_sshd_reads_any_text(text: str) -> None:
     source = Source("sshd_config", text)
     file = sshd.parse(source)

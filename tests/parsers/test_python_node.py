@@ -330,7 +330,7 @@ PIECES = [
 ]
 
 
-@settings(max_examples=100, deadline=None, suppress_health_check=list(HealthCheck))
+@settings(suppress_health_check=list(HealthCheck))
 @given(st.lists(st.one_of(st.sampled_from(PIECES), st.text(max_size=12)), max_size=12).map("".join), st.booleans())
 def test_nothing_makes_the_parser_raise(text: str, with_head: bool) -> None:
     source = Source("driver.py", HEAD + text if with_head else text)

@@ -6,7 +6,6 @@ from datetime import date
 from pathlib import Path
 
 from hypothesis import given
-from hypothesis import settings
 from hypothesis import strategies as st
 
 from bringup_lint.discover.kinds import kind_of
@@ -62,7 +61,6 @@ def test_other_xml_is_not_claimed() -> None:
 
 
 @given(st.data())
-@settings(max_examples=60, deadline=None)
 def test_no_cut_makes_the_readers_fail(data: st.DataObject) -> None:
     start = data.draw(st.integers(0, len(PERMISSIONS)))
     end = data.draw(st.integers(start, len(PERMISSIONS)))
@@ -74,7 +72,6 @@ def test_no_cut_makes_the_readers_fail(data: st.DataObject) -> None:
 
 
 @given(st.binary(max_size=80))
-@settings(max_examples=60, deadline=None)
 def test_no_certificate_makes_the_reader_fail(data: bytes) -> None:
     from base64 import b64encode
 
@@ -107,7 +104,6 @@ def test_what_a_policy_includes_is_never_read_and_stays_open() -> None:
 
 
 @given(st.integers(0, len(POLICY)), st.integers(0, 40), st.text(alphabet='<>&;/a" =!-[]', max_size=12))
-@settings(max_examples=100, deadline=None)
 def test_no_policy_makes_the_reader_fail(start: int, size: int, put_in: str) -> None:
     text = POLICY[:start] + put_in + POLICY[start + size :]
     found = policy(Source("policy.xml", text))

@@ -6,7 +6,6 @@ import math
 
 import pytest
 from hypothesis import given
-from hypothesis import settings
 from hypothesis import strategies as st
 
 from bringup_lint import facts
@@ -30,7 +29,6 @@ def test_legacy_names_are_directives():
 
 
 @pytest.mark.parametrize("kind", KINDS)
-@settings(max_examples=60, deadline=None)
 @given(text=TEXT)
 def test_no_text_makes_a_grammar_raise(kind, text):
     value = nowhere(text)
@@ -39,7 +37,6 @@ def test_no_text_makes_a_grammar_raise(kind, text):
         assert problem.effect in ("line", "word", "unit", "nothing")
 
 
-@settings(max_examples=100, deadline=None)
 @given(text=TEXT)
 def test_words_of_a_command_line_know_their_place(text):
     for command in values.split_command_line(nowhere(text)).commands:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import pytest
 from hypothesis import given
-from hypothesis import settings
 from hypothesis import strategies as st
 
 from bringup_lint.model.udev import RulesFile
@@ -145,7 +144,6 @@ PIECES = st.sampled_from(
 )
 
 
-@settings(max_examples=100, deadline=None)
 @given(st.lists(PIECES | st.text(max_size=4), max_size=40).map("".join), st.sampled_from(["", "jinja"]))
 def test_every_text_can_be_read_and_every_span_lies_inside(text: str, template: str) -> None:
     file = read(text, template)

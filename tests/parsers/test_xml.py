@@ -180,7 +180,6 @@ MARKUP = st.sampled_from(
 )
 
 
-@settings(max_examples=100, deadline=None)
 @given(st.lists(MARKUP, max_size=40).map("".join))
 def test_never_raises_and_spans_lie_inside(text):
     document = read(text)
@@ -203,7 +202,7 @@ WELL_FORMED = (
 )
 
 
-@settings(max_examples=100, deadline=None, derandomize=True)
+@settings(derandomize=True)
 @given(st.data())
 def test_agrees_with_libxml2(data):
     etree = pytest.importorskip("lxml.etree")

@@ -2,7 +2,6 @@
 
 import pytest
 from hypothesis import given
-from hypothesis import settings
 from hypothesis import strategies as st
 
 from bringup_lint.model.yaml_node import Mapping
@@ -142,7 +141,6 @@ RARE = ["<<: ", "? ", "%YAML 1.1\n", "\ud800", "''", "\\\n"]
 YAML_BITS = st.lists(st.sampled_from(WORDS + SIGNS + RARE), max_size=60).map("".join)
 
 
-@settings(max_examples=100, deadline=None)
 @given(st.one_of(YAML_BITS, st.text(max_size=80)))
 def test_no_text_raises_and_every_span_lies_inside(text):
     file = read(text)

@@ -24,6 +24,8 @@ from tests.report.sample import clean
 from tests.report.sample import sample
 from tests.report.test_html import hostile_report
 
+pytestmark = pytest.mark.slow
+
 playwright = pytest.importorskip("playwright.sync_api")
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
 WIDE = {"width": 1400, "height": 900}

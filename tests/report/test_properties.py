@@ -7,7 +7,6 @@ import re
 from html import escape
 
 from hypothesis import given
-from hypothesis import settings
 from hypothesis import strategies as st
 
 from bringup_lint.finding import Edit
@@ -51,7 +50,6 @@ def findings(draw: st.DrawFn) -> Finding:
     )
 
 
-@settings(max_examples=100, deadline=None)
 @given(st.lists(findings(), max_size=3), st.integers(0, 200), st.booleans())
 def test_every_format_renders(found: list[Finding], width: int, colour: bool) -> None:
     report = Report(tuple(found), root="/robot", width=width, colour=colour)
@@ -65,7 +63,6 @@ def test_every_format_renders(found: list[Finding], width: int, colour: bool) ->
             assert set(text) - blank == {sign for sign in text if sign.isprintable()}
 
 
-@settings(max_examples=60, deadline=None)
 @given(SECRETS, TEXTS, TEXTS, st.sampled_from(FORMATS))
 def test_no_format_shows_a_secret(secret: str, before: str, after: str, output_format: str) -> None:
     source = Source("robot.env", f"{before}\nKEY={secret}\nAGAIN={secret}\n{after}", "env-file")

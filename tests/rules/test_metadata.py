@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import re
+from functools import cache
 
 import pytest
 
@@ -11,12 +12,13 @@ from bringup_lint.registry import HEADINGS
 from bringup_lint.registry import Registry
 from bringup_lint.registry import Rule
 
-RULES = list(Registry.of().all())
+REGISTRY = Registry.of()
+loaded = cache(REGISTRY.get)
 
 
-@pytest.fixture(params=RULES, ids=lambda rule: rule.id)
+@pytest.fixture(params=sorted(REGISTRY.paths))
 def rule(request: pytest.FixtureRequest) -> Rule:
-    return request.param
+    return loaded(request.param)
 
 
 def test_docstring_has_the_fixed_headings_in_order(rule: Rule) -> None:

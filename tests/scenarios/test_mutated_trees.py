@@ -16,6 +16,8 @@ from bringup_lint.registry import Registry
 from bringup_lint.robot import Robot
 from tests.conftest import PROJECT
 
+pytestmark = pytest.mark.slow
+
 FIXTURES = PROJECT / "fixtures"
 SCRAPS = [
     *"\0\v\f\x1c\x85\u2003\u2028\ufeff\r\t\"'\\`$%{}[]()<>&|;:=#*~!@,^é😀",

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import pytest
 from hypothesis import given
-from hypothesis import settings
 from hypothesis import strategies as st
 
 from bringup_lint.graph.systemd.environment import process_environment
@@ -47,7 +46,6 @@ def test_problems_have_their_places():
 
 
 @given(st.text(alphabet="A=1 \"'\\\n#;x$", max_size=60))
-@settings(max_examples=100, deadline=None)
 def test_any_text_is_read_and_spans_lie_inside(text):
     source = Source("x.env", text)
     found = parse(source)

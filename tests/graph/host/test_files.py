@@ -1,7 +1,6 @@
 """Small readers of the host family: jails, and the commands that install packages."""
 
 from hypothesis import given
-from hypothesis import settings
 from hypothesis import strategies as st
 
 from bringup_lint.graph.host.fail2ban import parse_jail
@@ -24,7 +23,6 @@ def test_the_last_value_of_a_jail_wins():
     assert jail.get("nginx", "port") is None
 
 
-@settings(max_examples=100, deadline=None)
 @given(st.text(alphabet="[]a =#;\n\t", max_size=60))
 def test_no_text_raises_and_every_span_lies_inside(text):
     for value in parse_jail(Source("jail.local", text)).values.values():

@@ -5,7 +5,6 @@ from pathlib import Path
 
 import pytest
 from hypothesis import given
-from hypothesis import settings
 from hypothesis import strategies as st
 
 from bringup_lint.graph.netplan.netplan import assemble
@@ -163,7 +162,6 @@ TREES = st.recursive(
 )
 
 
-@settings(max_examples=100, deadline=None)
 @given(st.sampled_from(["", "network: ", "network: {ethernets: ", "network: {wifis: {wlan0: "]), TREES)
 def test_no_text_raises_and_every_problem_lies_inside(start, tree):
     text = start + tree + "}" * start.count("{")

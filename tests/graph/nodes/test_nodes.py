@@ -223,7 +223,7 @@ PIECES = [
 ]
 
 
-@settings(max_examples=60, deadline=None, suppress_health_check=list(HealthCheck))
+@settings(suppress_health_check=list(HealthCheck))
 @given(st.lists(st.one_of(st.sampled_from(PIECES), st.text(max_size=6)), max_size=10).map("".join))
 def test_no_source_makes_a_rule_fail(text: str) -> None:
     source = Source("arm/arm/driver.py", text, "python-node")

@@ -6,7 +6,6 @@ from pathlib import Path
 
 import pytest
 from hypothesis import given
-from hypothesis import settings
 from hypothesis import strategies as st
 
 from bringup_lint.discover.walk import discover
@@ -40,14 +39,12 @@ def trips(policy: RestartPolicy, fail: float = 0.0) -> bool:
 whole = st.integers(0, 40).map(float)
 
 
-@settings(max_examples=100, deadline=None)
 @given(whole, whole, st.integers(0, 12))
 def test_never_trips_is_what_the_rate_limit_does(delay: float, interval: float, burst: int) -> None:
     found = policy(delay, interval, burst)
     assert found.never_trips is not trips(found)
 
 
-@settings(max_examples=100, deadline=None)
 @given(st.integers(1, 10), st.integers(1, 60), st.integers(1, 8), st.integers(1, 90), st.integers(1, 8))
 def test_growing_delays_trip_in_the_first_interval_or_never(
     delay: int, longest: int, steps: int, interval: int, burst: int

@@ -6,7 +6,6 @@ from pathlib import Path
 
 import pytest
 from hypothesis import given
-from hypothesis import settings
 from hypothesis import strategies as st
 
 from bringup_lint.discover.walk import discover
@@ -89,7 +88,6 @@ def test_arguments_are_counted(tmp_path: Path) -> None:
     assert wait(tmp_path, script, "/dev/a /dev/b") == 20
 
 
-@settings(max_examples=100, deadline=None)
 @given(
     st.lists(
         st.sampled_from(

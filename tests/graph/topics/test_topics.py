@@ -7,7 +7,6 @@ from pathlib import Path
 
 import pytest
 from hypothesis import given
-from hypothesis import settings
 from hypothesis import strategies as st
 
 from bringup_lint.discover.walk import discover
@@ -199,7 +198,6 @@ PIECES = st.sampled_from(
 
 
 @given(st.lists(PIECES, max_size=40).map("".join))
-@settings(deadline=None, max_examples=100)
 def test_any_text_is_read(text: str) -> None:
     source = Source("a.cpp", text)
     for endpoint in cpp_node.parse(source).endpoints:
@@ -299,7 +297,6 @@ def test_displays_of_rviz() -> None:
 
 
 @given(st.text(max_size=60))
-@settings(deadline=None, max_examples=100)
 def test_any_rviz_text_is_read(text: str) -> None:
     assert isinstance(rviz.parse(Source("a.rviz", text)), list)
 

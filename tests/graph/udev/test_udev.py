@@ -6,7 +6,6 @@ from fnmatch import fnmatchcase
 
 import pytest
 from hypothesis import given
-from hypothesis import settings
 from hypothesis import strategies as st
 
 from bringup_lint.graph.udev.overlap import may_both_fire
@@ -48,14 +47,12 @@ def test_overlap_of_patterns(one: str, other: str, expected: bool) -> None:
     assert may_overlap(other, one) is expected
 
 
-@settings(max_examples=100, deadline=None)
 @given(st.text("ab*?[]!", max_size=6), st.text("ab*?[]!", max_size=6), st.text("ab", max_size=4))
 def test_patterns_that_match_one_text_overlap(one: str, other: str, text: str) -> None:
     if matches(one, text) and matches(other, text):
         assert may_overlap(one, other)
 
 
-@settings(max_examples=100, deadline=None)
 @given(st.text("ab*?", max_size=6), st.text("ab", max_size=5))
 def test_matching_is_that_of_fnmatch(pattern: str, text: str) -> None:
     assert matches(pattern, text) is fnmatchcase(text, pattern)
