@@ -76,7 +76,7 @@ def decode(data: bytes) -> tuple[str, str]:
             "utf-16", errors="replace"
         ), "is UTF-16, which none of its readers understands; save it as UTF-8"
     if b"\0" in data:
-        return "", "holds NUL bytes: it is binary or damaged"
+        return "", "contains NUL bytes: it is binary or damaged"
     try:
         return data.decode("utf-8"), ""
     except UnicodeDecodeError as error:

@@ -1,8 +1,9 @@
 """ROS services of one compose file cannot reach each other.
 
 ## What it finds
-A ROS service on a bridge network while another ROS service of the same file has `network_mode: host`, without a
-discovery server, static peers or Zenoh. Also `ports:` together with `network_mode: host`, which Docker ignores.
+A ROS service on a bridge network while another ROS service of the same file has `network_mode: host`. Silent if the
+service has a discovery server, static peers, a CYCLONEDDS_URI or Zenoh. Also `ports:` together with `network_mode:
+host`, which Docker ignores.
 
 ## Why it matters on a robot
 Multicast discovery does not leave the bridge: the two halves of the robot never see each other's nodes.

@@ -3,11 +3,9 @@
 ## What it finds
 `/dev/ttyUSB0`, `/dev/ttyACM1`, `/dev/video2` and similar paths. The severity depends on the place:
 
-| place | severity |
-|---|---|
-| unit, environment file of a unit, compose, launch or parameter file | error |
-| script, default value in a shell line | warning |
-| default of a launch argument | info |
+- Error: units and their environment files, compose, launch and parameter files.
+- Warning: scripts, and default values of shell variables.
+- Info: the default of a launch argument.
 
 On-board ports (ttyS, ttyTHS, ttyAMA), links by id or path, and files for simulation are not reported.
 

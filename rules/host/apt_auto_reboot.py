@@ -17,7 +17,7 @@ Unattended-Upgrade::Automatic-Reboot "false";
 ```
 
 ## When to ignore it
-When `Automatic-Reboot-Time` is in a window in which the robot is always parked and off.
+When `Automatic-Reboot-Time` is an hour at which the robot is always parked with its motors off.
 
 ## References
 - unattended-upgrades, README

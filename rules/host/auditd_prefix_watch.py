@@ -45,6 +45,6 @@ def auditd_prefix_watch(robot: Robot) -> Iterator[Finding]:
                 folder = path.rpartition("/")[0] or "/"
                 yield finding(
                     path,
-                    f"auditd watches exactly '{path}', without globs or prefixes, and no such file exists",
+                    f"auditd watches exactly '{path}': it supports neither globs nor prefixes",
                     advice=f"watch the folder: -w {folder}/",
                 )

@@ -14,7 +14,7 @@ Restart=always
 
 ## Good
 ```ini
-# bringup-lint: ignore[systemd/restart-unlimited] -- the safety node must retry for ever
+# bringup-lint: ignore[systemd/restart-unlimited] -- the safety node must retry forever
 Restart=always
 ```
 

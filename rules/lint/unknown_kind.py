@@ -21,7 +21,7 @@ $ bringup-lint robot.service
 When a tool such as pre-commit passes a fixed list of files and some of them are not configuration.
 
 ## References
-- the README, "What it reads"
+- the README, "What it finds"
 """
 
 from collections.abc import Iterator

@@ -9,12 +9,12 @@ A file that is not read is not checked: a mistake in it stays hidden.
 
 ## Bad
 ```
-$ chmod 000 /etc/systemd/system/robot.service
+$ bringup-lint /etc          # as a user who cannot read netplan's files
 ```
 
 ## Good
 ```
-$ chmod 644 /etc/systemd/system/robot.service
+$ sudo bringup-lint /etc
 ```
 
 ## When to ignore it

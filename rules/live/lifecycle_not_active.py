@@ -2,14 +2,12 @@
 
 ## What it finds
 Lifecycle nodes of the running graph that are in another state than `active`, or that do not report their state
-within 2 s. Nodes whose lifecycle manager does not start them (`autostart` false) are not reported.
+within 2 s. Nodes whose lifecycle manager does not start them (`autostart` false) are not reported. The severity
+depends on the case:
 
-| node | severity |
-|---|---|
-| named in the files, in a final state | error |
-| in a transition, or without an answer | warning |
-| not named in the files, in another state than inactive | warning |
-| not named in the files, inactive (such as a controller in reserve) | info |
+- Error: the files name the node, and its state is final.
+- Warning: the node is in a transition or does not answer, or the files do not name it.
+- Info: the files do not name the node and it is inactive, such as a controller in reserve.
 
 ## Why it matters on a robot
 The process runs and the node is listed, but it publishes nothing and rejects every goal. A manager that gave up at

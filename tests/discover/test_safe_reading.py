@@ -92,7 +92,7 @@ def test_nul_bytes_and_utf_16(tree: Path) -> None:
     (tree / "etc/systemd/system/nul.service").write_bytes(b"\0\0\0")
     run = concise(cwd=tree)
     assert got_through(run)
-    assert "etc/systemd/system/nul.service:1:1: error[lint/encoding] The file holds NUL bytes" in run.stdout
+    assert "etc/systemd/system/nul.service:1:1: error[lint/encoding] The file contains NUL bytes" in run.stdout
 
 
 def test_large_file_is_reported_not_read(tree: Path) -> None:

@@ -176,7 +176,7 @@ def _timeout(ending: Ending, call: ast.Call, index: int) -> str:
     if given is None:
         return ""
     seconds = ending.file.constant(given, ending.syntax.function(call))
-    return f"for {seconds:g} s" if isinstance(seconds, (int, float)) else "until its time-out"
+    return f"for {seconds:g} s" if isinstance(seconds, (int, float)) else "until its timeout"
 
 
 def _open(ending: Ending, call: ast.Call, name: str) -> tuple[str, str]:

@@ -103,7 +103,7 @@ class Topics:
         for running in self.entries:
             for node in running.nodes:
                 for value, where in node.refused:
-                    yield node, where, str(value), "when it makes the topic"
+                    yield node, where, str(value), "when it creates the topic"
                 for side in refused_sides(node.started):
                     yield node, side.span, str(side), "before it starts, 'Couldn't parse remap rule'"
 
