@@ -135,7 +135,7 @@ def _listen(words: Words) -> Verdict:
 
 def _rekey(words: Words) -> Verdict:
     if not words or not (words[0] == "default" or _REKEY.fullmatch(words[0])):
-        return 1, "an amount such as 1G, then perhaps a time"
+        return 1, "an amount such as 1G, optionally followed by a time"
     if words[0].isdigit() and 0 < int(words[0]) < 16:
         return 1, "an amount of at least 16 bytes"
     if len(words) > 1:

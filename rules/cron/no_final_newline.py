@@ -18,7 +18,7 @@ will be ignored`).
 ```
 
 ## When to ignore it
-When the robot runs a cron that accepts such a file, such as cronie. The newline does no harm there.
+Never: a newline does no harm, and without it Debian's cron ignores the file.
 
 ## References
 - crontab(5)

@@ -23,8 +23,8 @@ SystemMaxUse=1G
 ```
 
 ## When to ignore it
-When the same file is deployed to robots with older and newer releases, and the older ones can do without the
-setting.
+The warning, when the same file is deployed to robots with older and newer releases, and the older ones can do
+without the setting. Never ignore the error: the key has no effect anywhere.
 
 ## References
 - journald.conf(5)

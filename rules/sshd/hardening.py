@@ -28,7 +28,7 @@ AllowUsers robot-admin
 
 ## When to ignore it
 When operators use the feature, for example TCP forwarding to reach a web interface on the robot, or X11
-forwarding for rviz2.
+forwarding for a graphical tool.
 
 ## References
 - sshd_config(5)

@@ -22,8 +22,8 @@ RuntimeWatchdogSec=20s
 ```
 
 ## When to ignore it
-When the same file is deployed to robots with older and newer releases, and the older ones can do without the
-setting.
+The warning, when the same file is deployed to robots with older and newer releases, and the older ones can do
+without the setting. Never ignore the error: the key has no effect anywhere.
 
 ## References
 - systemd-system.conf(5)

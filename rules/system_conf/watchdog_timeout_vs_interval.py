@@ -24,8 +24,7 @@ interval = 2
 ```
 
 ## When to ignore it
-The warning, when the device has a larger timeout that it does not let watchdog.conf change. Never ignore the
-error.
+The warning, when the hardware enforces a longer timeout than watchdog.conf sets. Never ignore the error.
 
 ## References
 - watchdog.conf(5)

@@ -24,8 +24,8 @@ ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch rob
 ```
 
 ## When to ignore it
-When ros2 is installed in a system folder such as /usr/bin, for example as a snap or a wrapper script. Never
-for shell keywords.
+When ros2 is a wrapper script in a folder of systemd's search path, such as /usr/local/bin. Never for shell
+keywords.
 
 ## References
 - systemd.service(5), "Command lines": the search path is fixed when systemd is built

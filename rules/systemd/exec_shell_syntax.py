@@ -23,7 +23,8 @@ StandardOutput=append:/var/log/robot.log
 ```
 
 ## When to ignore it
-When the program interprets the word itself, for example an own wrapper that passes its arguments to a shell.
+When the program interprets the word itself, for example a wrapper of yours that passes its arguments to a
+shell.
 
 ## References
 - systemd.service(5), "Command lines": redirection, pipes and background jobs are not supported

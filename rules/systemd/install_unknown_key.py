@@ -20,7 +20,7 @@ WantedBy=multi-user.target
 ```
 
 ## When to ignore it
-Only if the robot's systemd is newer than this tool and knows the key.
+Only if the robot's systemd is newer than this tool and knows the key. Otherwise the line has no effect.
 
 ## References
 - systemd.unit(5), "[Install] Section Options"

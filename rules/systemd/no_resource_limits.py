@@ -24,8 +24,8 @@ CPUQuota=300%
 ```
 
 ## When to ignore it
-When the service is the only one on the machine, or when systemd-oomd or a cgroup outside of this tree limits
-it.
+When systemd-oomd or a cgroup outside of this tree limits the service, or when throttling it would be unsafe,
+as for a control loop.
 
 ## References
 - systemd.resource-control(5)

@@ -23,8 +23,7 @@ Restart=on-failure
 ```
 
 ## When to ignore it
-Only if the robot's systemd is new enough to allow the combination; `systemd-analyze verify` on the robot
-shows it.
+Never: systemd refuses the unit.
 
 ## References
 - systemd.service(5), "Restart="

@@ -22,7 +22,7 @@ ExecStart=/opt/rover/bin/rviz
 ```
 
 ## When to ignore it
-When User= names the very user whose manager runs the unit: it then changes nothing, and can be deleted.
+Never: the user manager always runs the unit as its own user.
 
 ## References
 - systemd.exec(5), "User="

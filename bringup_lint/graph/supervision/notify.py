@@ -75,9 +75,7 @@ class Notify:
         if len(idle) < len(self.sources):
             return None
         named = os.path.basename(idle[0].name) if idle else ""
-        return (
-            f"{named} is in no launch file that is started" if named else "no code of the tree talks to systemd"
-        ), idle
+        return (f"the launch file does not start {named}" if named else "no code in the tree notifies systemd"), idle
 
     def speakers(self, ros: Ros) -> Iterator[tuple[Started, Located]]:
         """The nodes of a launch file whose code talks to systemd, with the place where it does."""

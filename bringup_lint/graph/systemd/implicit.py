@@ -102,7 +102,7 @@ def _mounts(instance: Instance, units: Units) -> Iterator[Edge]:
             wanted.append((value, f"implicit: {key}=", "requires"))
     if unit.type == "mount":
         parent = (unit.get("Where") or "").rstrip("/").rpartition("/")[0]
-        wanted.append((parent, "implicit: a mount needs the mount above it", "requires"))
+        wanted.append((parent, "implicit: a mount requires the mount above it", "requires"))
     for path, why, kind in wanted:
         for folder in _upwards(path):
             name = f"{escape_path(folder)}.mount"
@@ -150,7 +150,7 @@ def _trigger(instance: Instance, units: Units) -> Iterator[Edge]:
         there = resolve(f"{instance.name.rpartition('.')[0]}.service", unit, units)
         ends = [(there, unit.where)] if there else []
     for there, span in ends:
-        why = f"{key}=" if named else f"implicit: a {unit.type} is ordered before the service it starts"
+        why = f"{key}=" if named else f"implicit: a {unit.type} is ordered before the service that it starts"
         yield Edge("triggers", here, there, span, why)
         yield Edge("orders", here, there, span if named else None, why)
 
@@ -196,7 +196,7 @@ def after_members(graph: Graph, units: Units) -> Iterator[Edge]:
                 and edge.target not in ordered
                 and edge.target not in without
             ):
-                why = f"implicit: {target.name} is ordered after what it pulls in"
+                why = f"implicit: {target.name} is ordered after the units that it pulls in"
                 why = f"{why} ({edge.why})" if edge.where else why
                 yield Edge("orders", edge.target, target, edge.where, why, edge.of_package)
                 ordered.add(edge.target)

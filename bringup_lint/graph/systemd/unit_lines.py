@@ -71,7 +71,7 @@ class Line:
         if problem.effect == "word":
             return "systemd ignores this word"
         if problem.effect == "nothing":
-            return "systemd takes it as it stands"
+            return "systemd uses it unchanged"
         default = default_of(self.key) if self._alone else ""
         return f"systemd ignores the line and {default}" if default else "systemd ignores the line"
 

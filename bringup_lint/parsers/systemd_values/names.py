@@ -102,7 +102,7 @@ def is_interface_name(text: str) -> bool:
 
 def check_interface(value: Located, version: int) -> Iterator[ValueProblem]:
     if value != "*" and not is_interface_name(value):
-        yield ValueProblem("invalid", value, "the name of a network interface, 15 characters at most")
+        yield ValueProblem("invalid", value, "the name of a network interface, at most 15 characters")
 
 
 def check_interfaces(value: Located, version: int) -> Iterator[ValueProblem]:
@@ -110,7 +110,7 @@ def check_interfaces(value: Located, version: int) -> Iterator[ValueProblem]:
     yield from found.problems
     for word in found.words:
         if not is_interface_name(word):
-            yield ValueProblem("invalid", word, "the name of a network interface, 15 characters at most", WORD)
+            yield ValueProblem("invalid", word, "the name of a network interface, at most 15 characters", WORD)
 
 
 def check_unit_name(name: Located, version: int, effect: str, suffix: str = "") -> Iterator[ValueProblem]:
