@@ -16,8 +16,8 @@ from bringup_lint.schema.names import Spelling
 from bringup_lint.schema.table import Schema
 from bringup_lint.schema.table import load
 
-IN_FILES = Spelling(folds=True)
-INLINE = Spelling(folds=True, shortens=True)
+IN_FILES = Spelling(folds=True, tells_prefixes=True)
+INLINE = Spelling(folds=True, tells_prefixes=True, shortens=True)
 
 
 @lru_cache

@@ -10,15 +10,16 @@ import re
 from dataclasses import replace
 from functools import cache
 
-from bringup_lint import facts
 from bringup_lint.model.logrotate import Directive
 from bringup_lint.model.logrotate import LogrotateFile
 from bringup_lint.model.logrotate import Script
 from bringup_lint.model.logrotate import Stanza
+from bringup_lint.model.schema import Item
 from bringup_lint.parsers.logrotate_values import SPACE
 from bringup_lint.parsers.logrotate_values import check_value
 from bringup_lint.parsers.logrotate_values import owners
 from bringup_lint.parsers.logrotate_values import split_words
+from bringup_lint.schema.table import load
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
@@ -31,9 +32,9 @@ _COMMENT_LINE = re.compile(r"^[ \t]*#[^\n]*", re.M)
 
 
 @cache
-def directives() -> dict[str, str]:
-    """Name to kind of value."""
-    return {name: kind for name, kind, _ in facts.rows("host/logrotate_directives")[1]}
+def directives() -> dict[str, Item]:
+    """The directives that logrotate knows."""
+    return load("host/logrotate_directives").top.children
 
 
 def parse(source: Source) -> LogrotateFile:
@@ -197,7 +198,8 @@ class _Reader:
             self.problem("not-separated", name, self.char)
             self.fail()
             return
-        kind = directives().get(name)
+        known = directives().get(name)
+        kind = known.type if known else None
         if kind is None:
             self.problem("unknown-directive", name)
             if self.char != "\n":

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import re
 from functools import cache
-from typing import NamedTuple
 
-from bringup_lint import facts
+from bringup_lint.model.schema import Item
 from bringup_lint.model.sshd import Match
 from bringup_lint.model.sshd import Option
 from bringup_lint.model.sshd import SshdFile
 from bringup_lint.parsers.sshd_values import judge
+from bringup_lint.schema.names import FOLDED
+from bringup_lint.schema.names import find
+from bringup_lint.schema.table import load
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
@@ -21,21 +23,10 @@ _CRITERIA = frozenset({"user", "group", "host", "address", "localaddress", "loca
 _BARE_CRITERIA = frozenset({"all", "invalid-user"})
 
 
-class Keyword(NamedTuple):
-    name: str
-    kind: str
-    in_match: bool
-    alias: str
-    since: str
-
-
 @cache
-def keywords() -> dict[str, Keyword]:
-    """Keyword in small letters to what it is."""
-    return {
-        name.lower(): Keyword(name, kind, scope == "match", alias, since)
-        for name, kind, scope, alias, since in facts.rows("host/sshd_options")[1]
-    }
+def keywords() -> dict[str, Item]:
+    """The keywords that sshd knows, in their usual spelling."""
+    return load("host/sshd_options").top.children
 
 
 def parse(source: Source) -> SshdFile:
@@ -69,36 +60,36 @@ def _option(file: SshdFile, line: Located, found: re.Match[str], match: Match | 
     if rest_at >= len(line):
         file.problems.append(Problem("no-argument", word))
         return None
-    known = keywords().get(word.lower())
+    known = find(keywords(), word, FOLDED).item
     words = split(line.part(rest_at, len(line)))
     if known is None:
         file.problems.append(Problem("unknown-option", word))
     if words is None:
         file.problems.append(Problem("invalid-quotes", line.part(rest_at, len(line))))
         return None
-    name = (known.alias or known.name) if known else str(word)
+    name = (known.row["alias"] or known.name) if known else str(word)
     option = Option(word, name, tuple(words), match, line.span)
     if known is None:
         return option
-    if match is not None and not match.always and not known.in_match:
+    if match is not None and not match.always and known.row["scope"] != "match":
         file.problems.append(Problem("not-in-match", word, match.condition))
-    elif known.kind == "match":
+    elif known.type == "match":
         return option._replace(match=_match(file, word, words))
     else:
         _judge(file, option, known)
     return option
 
 
-def _judge(file: SshdFile, option: Option, known: Keyword) -> None:
-    if known.kind in ("deprecated", "ignored"):
-        if known.kind == "deprecated":
+def _judge(file: SshdFile, option: Option, known: Item) -> None:
+    if known.type in ("deprecated", "ignored"):
+        if known.type == "deprecated":
             file.problems.append(Problem("deprecated", option.keyword))
         return
-    taken, expected = judge(known.kind, option.arguments)
+    taken, expected = judge(known.type, option.arguments)
     if expected:
         wrong = option.arguments[0] if option.arguments else option.keyword
         file.problems.append(Problem("bad-value", wrong, expected))
-    elif known.kind == "subsystem" and any(
+    elif known.type == "subsystem" and any(
         each.name == "Subsystem" and each.value == option.value for each in file.options
     ):
         file.problems.append(Problem("duplicate-subsystem", option.value))

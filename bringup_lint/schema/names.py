@@ -28,17 +28,20 @@ class Spelling(NamedTuple):
 
     folds: bool = False
     """Case does not count."""
+    tells_prefixes: bool = False
+    """A prefix of a single name is told from other unknown names."""
     shortens: bool = False
-    """A unique prefix of a name counts as the name."""
+    """Such a prefix counts as the name."""
     drops_prefix: bool = False
     """A namespace prefix does not count."""
 
 
 EXACT = Spelling()
+FOLDED = Spelling(folds=True)
 
 
 def find(items: Mapping[str, Item], name: str, spelling: Spelling = EXACT) -> Match:
-    """The item among siblings that a written name means. A prefix is told even where the program takes none."""
+    """The item among siblings that a written name means."""
     item = items.get(name)
     if item is not None:
         return Match(item, How.EXACT)
@@ -50,7 +53,7 @@ def find(items: Mapping[str, Item], name: str, spelling: Spelling = EXACT) -> Ma
             return Match(item, How.EXACT)
         if any((alias.lower() if spelling.folds else alias) == wanted for alias in item.aliases):
             return Match(item, How.ALIAS)
-    prefixed = [item for item in items.values() if _begins(item, wanted)] if spelling.folds else []
+    prefixed = [item for item in items.values() if _begins(item, wanted)] if spelling.tells_prefixes else []
     if len(prefixed) == 1:
         return Match(prefixed[0], How.PREFIX)
     return Match(None, How.AMBIGUOUS if prefixed and spelling.shortens else How.UNKNOWN)

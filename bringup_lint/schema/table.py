@@ -51,11 +51,11 @@ def schema_of(rows: Iterable[Mapping[str, str]], version: str = "") -> Schema:
         if status != "no":
             items[row["path"]] = _item(row, status, version)
     top = Item("", "group")
-    for path, item in list(items.items()):
-        parent = parent_of(path)
-        if parent and parent not in paths:
-            items.setdefault(parent, Item(parent, "group"))
-        owner = items.get(parent) if parent else top
+    for path in list(items):
+        while (path := parent_of(path)) and path not in paths:
+            items.setdefault(path, Item(path, "group"))
+    for path, item in items.items():
+        owner = items.get(parent_of(path)) if parent_of(path) else top
         if owner is not None:
             (owner.attributes if item.is_attribute else owner.children)[item.name] = item
     return Schema(items, top)

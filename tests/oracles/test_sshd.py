@@ -71,7 +71,7 @@ def equals_sign(line: str, chance: Random) -> str:
 
 
 def new_line(chance: Random) -> str:
-    keyword = chance.choice([known.name for known in keywords().values() if known.kind != "match"])
+    keyword = chance.choice([known.name for known in keywords().values() if known.type != "match"])
     return f"{keyword} {chance.choice(WORDS)}"
 
 

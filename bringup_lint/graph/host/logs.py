@@ -76,7 +76,7 @@ class RosLogs:
     @staticmethod
     def owners(directive: Directive) -> tuple[Located | None, Located | None]:
         """The user and the group that ``create``, ``createolddir`` or ``su`` names."""
-        kind = directives()[directive.name]
+        kind = directives()[directive.name].type
         user, group, _ = owners(kind, directive.value) if kind in ("owner", "su") else (None, None, False)
         return user, group
 

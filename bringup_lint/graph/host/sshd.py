@@ -102,7 +102,7 @@ class Sshd:
     @property
     def keywords(self) -> list[str]:
         """The keywords that sshd knows."""
-        return [known.name for known in keywords().values()]
+        return list(keywords())
 
     def overridden(self) -> Iterator[tuple[Option, Option]]:
         """Lines that lose against an earlier one with another value: the line, and the one that wins."""

@@ -17,18 +17,12 @@ from typing import TYPE_CHECKING
 from typing import NamedTuple
 from typing import TypeVar
 
-from bringup_lint.facts.systemd.daemon_settings import SECTIONS
-from bringup_lint.facts.systemd.daemon_settings import DaemonSetting
-from bringup_lint.facts.systemd.daemon_settings import daemon_settings
+from bringup_lint.model.schema import Item
 from bringup_lint.model.unit import Assignment
 from bringup_lint.model.unit import Section
 from bringup_lint.model.unit import UnitFile
+from bringup_lint.parsers import daemon_conf
 from bringup_lint.parsers.systemd_values import ValueProblem
-from bringup_lint.parsers.systemd_values import check
-from bringup_lint.parsers.systemd_values import parse_bool
-from bringup_lint.parsers.systemd_values import parse_integer
-from bringup_lint.parsers.systemd_values import parse_size
-from bringup_lint.parsers.systemd_values import parse_timespan
 from bringup_lint.parsers.unit import parse
 from bringup_lint.source import Located
 from bringup_lint.source import Source
@@ -48,7 +42,7 @@ class DaemonLine(NamedTuple):
 
     file: UnitFile
     assignment: Assignment
-    setting: DaemonSetting | None
+    setting: Item | None
     """None when the daemon has no such key."""
 
 
@@ -67,7 +61,7 @@ class Daemon:
 
     @property
     def section(self) -> str:
-        return SECTIONS[self.name]
+        return daemon_conf.section_of(self.name).name
 
     @property
     def judged(self) -> list[UnitFile]:
@@ -76,7 +70,7 @@ class Daemon:
     @cached_property
     def lines(self) -> list[DaemonLine]:
         """Every line of the daemon's section."""
-        known = daemon_settings(self.name)
+        known = daemon_conf.settings(self.name)
         return [
             DaemonLine(file, assignment, known.get(assignment.key))
             for file in self.files
@@ -109,7 +103,7 @@ class Daemon:
 
     def commented(self) -> Iterator[tuple[UnitFile, Located, Located, Located]]:
         """Comment lines of judged files that hold an assignment: the file, the line, the key and the value."""
-        known = daemon_settings(self.name)
+        known = daemon_conf.settings(self.name)
         for file in self.judged:
             for match in _COMMENTED.finditer(file.source.text):
                 if match[1] in known:
@@ -152,45 +146,14 @@ def _merged(name: str, root: str, group: list[tuple[int, bool, UnitFile]]) -> Da
 
 def value_problems(line: DaemonLine, version: int) -> Iterator[ValueProblem]:
     """What the daemon finds wrong with the value of a known key."""
-    value, kind = line.assignment.value, line.setting.type if line.setting else "any"
-    if line.assignment.opaque or not value:
-        return
-    if kind in _OWN:
-        read, expected = _OWN[kind]
-        if read(value) is None:
-            yield ValueProblem("invalid", value, expected)
-    else:
-        yield from check(kind, value, version)
-
-
-def watchdog_seconds(text: str) -> float | None:
-    """Seconds of a watchdog setting; 0 for ``off``, and -1 for ``default``, the driver's own timeout."""
-    if text in ("off", "default"):
-        return 0.0 if text == "off" else -1.0
-    return parse_timespan(text)
-
-
-def _count(text: str) -> int | None:
-    number = parse_integer(text)
-    return number if number is not None and 0 <= number < 2**64 else None
-
-
-def _bool_or_size(text: str) -> int | None:
-    flag = parse_bool(text)
-    return parse_size(text) if flag is None else int(flag)
-
-
-_OWN: dict[str, tuple[Callable[[str], object], str]] = {
-    "watchdog": (watchdog_seconds, "a time span such as 30s, off or default"),
-    "count": (_count, "a whole number"),
-    "bool-or-size": (_bool_or_size, "yes, no or a size such as 512"),
-    "ignored": (lambda text: text, ""),
-}
+    value = line.assignment.value
+    if line.setting is not None and value and not line.assignment.opaque:
+        yield from daemon_conf.value_problems(line.setting, value, version)
 
 
 def setting_names(name: str) -> list[str]:
     """The keys that a daemon knows."""
-    return list(daemon_settings(name))
+    return list(daemon_conf.settings(name))
 
 
 def unknown_keys(daemon: Daemon) -> Iterator[Assignment]:
@@ -203,8 +166,8 @@ def unknown_keys(daemon: Daemon) -> Iterator[Assignment]:
 def newer_keys(daemon: Daemon, version: int) -> Iterator[tuple[Assignment, int]]:
     """Lines of judged files whose key this release does not know yet, with the release that does."""
     for line in daemon.lines:
-        if line.setting is not None and line.setting.since > version and _ours(line.file):
-            yield line.assignment, line.setting.since
+        if line.setting is not None and daemon_conf.since(line.setting) > version and _ours(line.file):
+            yield line.assignment, daemon_conf.since(line.setting)
 
 
 def bad_values(daemon: Daemon, version: int) -> Iterator[tuple[Assignment, ValueProblem]]:
@@ -226,7 +189,7 @@ def other_sections(daemon: Daemon) -> Iterator[Section]:
 
 def headless(daemon: Daemon) -> Iterator[tuple[Located, int]]:
     """For each judged file with lines before any section header: the first of them, and how many there are."""
-    known = daemon_settings(daemon.name)
+    known = daemon_conf.settings(daemon.name)
     for file in daemon.judged:
         lines = [problem.where for problem in file.problems if problem.code == "line-outside-section"]
         if any(line.partition("=")[0].strip() in known for line in lines) and not file.source.template:
