@@ -15,8 +15,8 @@ from bringup_lint.graph.systemd.daemons import newer_keys
 from bringup_lint.graph.systemd.daemons import other_sections
 from bringup_lint.graph.systemd.daemons import setting_names
 from bringup_lint.graph.systemd.daemons import unknown_keys as keys_unknown_to
-from bringup_lint.parsers.daemon_conf import watchdog_seconds
 from bringup_lint.graph.target import Target
+from bringup_lint.parsers.daemon_conf import watchdog_seconds
 from bringup_lint.spelling import nearest
 
 __all__ = ["Daemon", "invalid_values", "lines_without_section", "unknown_keys", "unknown_sections", "watchdog_seconds"]

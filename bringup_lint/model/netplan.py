@@ -9,8 +9,6 @@ from dataclasses import field
 from functools import cached_property
 from typing import NamedTuple
 
-from bringup_lint.model.netplan_schema import home_of
-from bringup_lint.model.netplan_schema import tables
 from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.model.yaml_node import Node
 from bringup_lint.model.yaml_node import Scalar
@@ -389,16 +387,6 @@ class Netplan:
     def interfaces(self) -> Iterator[Interface]:
         for plan in self.plans:
             yield from plan.interfaces.values()
-
-    @staticmethod
-    def keys(table: str) -> list[str]:
-        """The keys that a mapping takes, by the name of its table."""
-        return list(tables()[table])
-
-    @staticmethod
-    def home_of(key: str) -> str | None:
-        """Where else this key would stand."""
-        return home_of(str(key))
 
     def problems(self, *codes: str) -> Iterator[Problem]:
         """What netplan would refuse, by code; templates, whose text is not final, say nothing."""

@@ -50,8 +50,10 @@ class Code(str, Enum):
     BARE_NUMBER = "bare-number"
     DURATION = "duration"
     DATE = "date"
+    NAME = "name"
     ADDRESS = "address"
     PREFIX_LENGTH = "prefix-length"
+    RENDERER = "renderer"
     VERSION = "version"
     EXPANSION = "expansion"
     # of values together, Cyclone DDS

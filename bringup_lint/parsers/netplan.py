@@ -6,17 +6,16 @@ import re
 
 from bringup_lint.model.netplan import Definition
 from bringup_lint.model.netplan import NetplanFile
-from bringup_lint.model.netplan_schema import Key
-from bringup_lint.model.netplan_schema import tables
+from bringup_lint.model.schema import Code
 from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.model.yaml_node import Node
 from bringup_lint.model.yaml_node import Scalar
 from bringup_lint.model.yaml_node import Sequence
 from bringup_lint.parsers import yaml_nodes
-from bringup_lint.parsers.netplan_values import ADDRESS_CHECKS
+from bringup_lint.parsers.netplan_schema import mapping_of
 from bringup_lint.parsers.netplan_values import NAME
 from bringup_lint.parsers.netplan_values import check
-from bringup_lint.parsers.netplan_values import words_of
+from bringup_lint.schema.walk import level
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
@@ -28,8 +27,7 @@ NAMED = re.compile(r"\{(?P<key>\w+):(?P<value>[\w-]+)\}\Z")
 def parse(source: Source) -> NetplanFile:
     """Read a netplan file, or the ``network:`` of a cloud-init configuration.
 
-    Problems: those of YAML, ``unknown-key`` (the detail is the table), ``wrong-shape``, ``bad-value``,
-    ``bad-address``, ``bad-renderer``, ``bad-version`` and ``bad-name``.
+    Problems: those of YAML, and those of ``Code``; the item of an unknown name is the mapping that it is in.
     """
     yaml = yaml_nodes.parse(source)
     file = NetplanFile(source, yaml, embedded=source.kind == "cloud-init-network")
@@ -57,30 +55,29 @@ class _Reader:
     def __init__(self, file: NetplanFile) -> None:
         self.file = file
 
-    def problem(self, code: str, where: Located | Span, detail: str) -> None:
+    def problem(self, code: Code, where: Located | Span, detail: str) -> None:
         self.file.problems.append(Problem(code, where, detail))
 
     def mapping(self, node: Node, table: str) -> None:
-        if not isinstance(node, Mapping):
+        inside = mapping_of(table)
+        if not isinstance(node, Mapping) or inside is None:
             self.shape(node, "mapping")
             return
         for key, value in node.pairs:
             if not isinstance(key, Scalar):
                 self.shape(key, "scalar")
                 continue
-            known = tables()[table].get(str(key.value))
-            if known is None:
-                self.problem("unknown-key", key.value, table)
-                continue
-            if known.since:
-                self.file.newer.append(Problem("key", key.value, known.since))
-            if table == "root":
-                self.network(value)
-            elif table == "network" and known.value.startswith("{id:"):
-                self.devices(value, known.name)
-            elif not (table == "vlans" and key.value == "renderer" and _text(value) == "sriov"):
-                self.value(value, known)
-            self.remember(table, key, value)
+            found = level([(key.value, value)], inside.children, inside)
+            for remark in found.remarks:
+                (self.file.newer if remark.code is Code.TOO_NEW else self.file.problems).append(remark)
+            for _, known in found.known:
+                if table == "root":
+                    self.network(value)
+                elif table == "network" and known.type.startswith("{id:"):
+                    self.devices(value, known.name)
+                elif not (table == "vlans" and key.value == "renderer" and _text(value) == "sriov"):
+                    self.value(value, known.name, known.type)
+                self.remember(table, key, value)
 
     def network(self, node: Node) -> None:
         self.mapping(node, "network")
@@ -104,9 +101,9 @@ class _Reader:
             if not isinstance(key, Scalar):
                 self.shape(key, "scalar")
             elif not NAME.match(key.value):
-                self.problem("bad-name", key.value, "is not an interface name")
+                self.problem(Code.NAME, key.value, "is not an interface name")
             elif set("*[]?") & set(key.value):
-                self.problem("bad-name", key.value, "must not contain a glob; use match instead")
+                self.problem(Code.NAME, key.value, "must not contain a glob; use match instead")
             elif key.value == "renderer":
                 renderer = self.renderer(value)
             elif not isinstance(value, Mapping):
@@ -116,17 +113,16 @@ class _Reader:
                 self.mapping(value, kind)
 
     def renderer(self, node: Node) -> Located | None:
-        self.value(node, Key("renderer", "renderer", ""))
+        self.value(node, "renderer", "renderer")
         return node.value if isinstance(node, Scalar) else None
 
-    def value(self, node: Node, key: Key) -> None:
-        grammar = key.value
+    def value(self, node: Node, key: str, grammar: str) -> None:
         if grammar == "string or {tunnel-keys}":
             grammar = "{tunnel-keys}" if isinstance(node, Mapping) else "string"
         elif grammar == "driver" and isinstance(node, Sequence):
             grammar = "[driver]"
             if not node.items:
-                self.problem("bad-value", node.span, "is an empty sequence")
+                self.problem(Code.VALUE, node.span, "is an empty sequence")
         if grammar.startswith("["):
             self.sequence(node, key, grammar[1:-1])
         elif grammar == "{*}":
@@ -140,19 +136,19 @@ class _Reader:
         else:
             self.shape(node, "scalar")
 
-    def sequence(self, node: Node, key: Key, item: str) -> None:
+    def sequence(self, node: Node, key: str, item: str) -> None:
         if not isinstance(node, Sequence):
             self.shape(node, "sequence")
             return
-        if key.name == "port-range" and len(node.items) != 2:
-            self.problem("bad-value", node.span, "needs exactly two values")
+        if key == "port-range" and len(node.items) != 2:
+            self.problem(Code.VALUE, node.span, "needs exactly two values")
         for entry in node.items:
             if item == "address" or item == "allowed-ip":
                 self.address(entry, item)
             elif item == "[id]" and isinstance(entry, Sequence) and len(entry.items) != 2:
-                self.problem("bad-value", entry.span, "needs exactly two ports")
+                self.problem(Code.VALUE, entry.span, "needs exactly two ports")
             else:
-                self.value(entry, Key(key.name, item, ""))
+                self.value(entry, key, item)
 
     def address(self, node: Node, grammar: str) -> None:
         """An address, or a mapping of one address to its options."""
@@ -166,9 +162,9 @@ class _Reader:
         else:
             self.shape(node, "scalar")
 
-    def named(self, node: Node, value: str, key: Key) -> None:
+    def named(self, node: Node, value: str, key: str) -> None:
         """A mapping of names to a table, or to scalars of one kind."""
-        if value not in tables():
+        if mapping_of(value) is None:
             self.free(node, value, key)
         elif isinstance(node, Mapping):
             for name, body in node.pairs:
@@ -179,29 +175,25 @@ class _Reader:
         else:
             self.shape(node, "mapping")
 
-    def free(self, node: Node, grammar: str, key: Key) -> None:
+    def free(self, node: Node, grammar: str, key: str) -> None:
         if not isinstance(node, Mapping):
             self.shape(node, "mapping")
             return
         for name, value in node.pairs:
             if isinstance(name, Scalar):
-                self.value(value, Key(key.name, grammar, ""))
+                self.value(value, key, grammar)
             else:
                 self.shape(name, "scalar")
 
     def scalar(self, node: Scalar, grammar: str) -> None:
-        reason, since = check(grammar, node)
+        fault, since = check(grammar, node)
         if since:
-            self.file.newer.append(Problem("value", node.value, since))
-        if reason is not None:
-            kinds = set(words_of(grammar)[0])
-            code = "bad-address" if kinds & ADDRESS_CHECKS else "bad-value"
-            if grammar in ("renderer", "version"):
-                code = f"bad-{grammar}"
-            self.problem(code, node.value if node.value else node.span, reason)
+            self.file.newer.append(Problem(Code.TOO_NEW, node.value, since))
+        if fault is not None:
+            self.problem(fault.code, node.value if node.value else node.span, fault.detail)
 
     def shape(self, node: Node, expected: str, key: Scalar | None = None) -> None:
         where = node.value if isinstance(node, Scalar) and node.value else node.span
         if isinstance(node, Scalar) and not node.value and key is not None:
             where = key.value
-        self.problem("wrong-shape", where, expected)
+        self.problem(Code.SHAPE, where, expected)

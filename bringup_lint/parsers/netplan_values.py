@@ -6,6 +6,8 @@ import re
 import socket
 from collections.abc import Callable
 
+from bringup_lint.model.schema import Code
+from bringup_lint.model.schema import Fault
 from bringup_lint.model.yaml_node import Scalar
 
 TRUE = frozenset(("true", "on", "yes", "y"))
@@ -59,50 +61,51 @@ def leading_number(text: str) -> int:
     return int(match[1][:20]) if match else 0
 
 
-def address(text: str, *, zero_prefix: bool = False) -> str | None:
+def address(text: str, *, zero_prefix: bool = False) -> Fault | None:
     """Check an address with its prefix length."""
     host, slash, prefix = text.rpartition("/")
     if not slash:
-        return "has no prefix length"
+        return Fault(Code.PREFIX_LENGTH, "has no prefix length")
     length = leading_number(prefix)
     if is_ip4(host):
         longest = 32
     elif is_ip6(host):
         longest = 128
     else:
-        return "is not an IPv4 or IPv6 address"
+        return Fault(Code.ADDRESS, "is not an IPv4 or IPv6 address")
     if length > longest or (length == 0 and not zero_prefix):
-        return f"has a prefix length that is not in 1..{longest}"
+        return Fault(Code.PREFIX_LENGTH, f"has a prefix length that is not in 1..{longest}")
     return None
 
 
-def network(text: str) -> str | None:
+def network(text: str) -> Fault | None:
     host = text.rpartition("/")[0] if "/" in text else text
-    return None if is_ip4(host) or is_ip6(host) else "is not an IPv4 or IPv6 address or network"
+    known = is_ip4(host) or is_ip6(host)
+    return None if known else Fault(Code.ADDRESS, "is not an IPv4 or IPv6 address or network")
 
 
-def endpoint(text: str) -> str | None:
+def endpoint(text: str) -> Fault | None:
     """Check a WireGuard endpoint: host or address, colon, port."""
     if text.startswith("["):
         host, bracket, rest = text[1:].rpartition("]")
         _, colon, port = rest.rpartition(":")
         if not bracket:
-            return "has no closing bracket"
+            return Fault(Code.VALUE, "has no closing bracket")
     else:
         host, colon, port = text.rpartition(":")
     if len(text) < 3 or not colon:
-        return "is not host:port"
+        return Fault(Code.VALUE, "is not host:port")
     if leading_number(port) > 65535:
-        return "has a port above 65535"
+        return Fault(Code.VALUE, "has a port above 65535")
     known = is_ip4(host) or is_ip6(host) or all(HOST_LABEL.match(label) for label in host.split("."))
-    return None if known else "is not host:port"
+    return None if known else Fault(Code.VALUE, "is not host:port")
 
 
-def _expect(test: Callable[[str], bool], message: str) -> Callable[[str], str | None]:
-    return lambda text: None if test(text) else message
+def _expect(test: Callable[[str], bool], message: str, code: Code = Code.VALUE) -> Callable[[str], Fault | None]:
+    return lambda text: None if test(text) else Fault(code, message)
 
 
-CHECKS: dict[str, Callable[[str], str | None]] = {
+CHECKS: dict[str, Callable[[str], Fault | None]] = {
     "string": lambda text: None,
     "id": lambda text: None,
     "member": lambda text: None,
@@ -113,18 +116,17 @@ CHECKS: dict[str, Callable[[str], str | None]] = {
     "macaddress": _expect(lambda text: bool(MAC.match(text)), "is not a MAC address XX:XX:XX:XX:XX:XX"),
     "name": _expect(lambda text: bool(NAME.match(text)), "is not an interface name"),
     "driver": _expect(lambda text: " " not in text, "contains a space; write several drivers as a sequence"),
-    "ip4": _expect(is_ip4, "is not an IPv4 address"),
-    "ip6": _expect(is_ip6, "is not an IPv6 address"),
-    "ip": _expect(lambda text: is_ip4(text) or is_ip6(text), "is not an IPv4 or IPv6 address"),
+    "ip4": _expect(is_ip4, "is not an IPv4 address", Code.ADDRESS),
+    "ip6": _expect(is_ip6, "is not an IPv6 address", Code.ADDRESS),
+    "ip": _expect(lambda text: is_ip4(text) or is_ip6(text), "is not an IPv4 or IPv6 address", Code.ADDRESS),
     "address": address,
     "allowed-ip": lambda text: address(text, zero_prefix=True),
     "network": network,
     "destination": lambda text: None if text == "default" else network(text),
     "endpoint": endpoint,
-    "renderer": _expect(lambda text: text in ("networkd", "NetworkManager"), "is not a renderer"),
-    "version": _expect(lambda text: leading_number(text) == 2, "is not 2"),
+    "renderer": _expect(lambda text: text in ("networkd", "NetworkManager"), "is not a renderer", Code.RENDERER),
+    "version": _expect(lambda text: leading_number(text) == 2, "is not 2", Code.VERSION),
 }
-ADDRESS_CHECKS = frozenset(("ip4", "ip6", "ip", "address", "allowed-ip", "network", "destination"))
 
 
 def words_of(grammar: str) -> tuple[dict[str, str], bool]:
@@ -134,20 +136,21 @@ def words_of(grammar: str) -> tuple[dict[str, str], bool]:
     return {word: since for word, _, since in pairs}, not any_case
 
 
-def check(grammar: str, scalar: Scalar) -> tuple[str | None, str]:
+def check(grammar: str, scalar: Scalar) -> tuple[Fault | None, str]:
     """What is wrong with the scalar, and the release that its value needs."""
     words, case = words_of(grammar)
     text = str(scalar.value)
-    reasons = []
+    faults = []
     for word, since in words.items():
         if word in CHECKS:
-            reason = CHECKS[word](text)
-            if reason is None:
+            fault = CHECKS[word](text)
+            if fault is None:
                 return None, since
-            reasons.append(reason)
+            faults.append(fault)
         elif text == word or (not case and text.lower() == word.lower()):
             return None, since
+    reasons = [fault.detail for fault in faults]
     plain = [word for word in words if word not in CHECKS]
     if plain:
         reasons.append(f"not one of {', '.join(plain)}" if reasons else f"is not one of {', '.join(plain)}")
-    return " and ".join(reasons), ""
+    return Fault(faults[0].code if faults else Code.VALUE, " and ".join(reasons)), ""

@@ -33,14 +33,15 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.schema import Code
 from bringup_lint.api.spelling import nearest
 
 
 @rule("error", fix="safe", symptoms=["Error in network definition: unknown key"])
 def bad_top_level(robot: Robot) -> Iterator[Finding]:
-    for problem in robot.netplan.problems("unknown-key"):
+    for problem in robot.netplan.problems(Code.UNKNOWN):
         key = problem.where
-        if problem.detail != "root":
+        if problem.item.name != "{root}":
             continue
         change = fix("rename to network", (key, "network")) if nearest(key, ["network"]) else None
         advice = "rename it to network" if change else "only network: is allowed at the top level"

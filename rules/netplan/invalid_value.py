@@ -40,11 +40,12 @@ from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.schema import Code
 
 CODES = (
-    "wrong-shape",
-    "bad-value",
-    "bad-name",
+    Code.SHAPE,
+    Code.VALUE,
+    Code.NAME,
     "type-changed",
     "two-masters",
     "duplicate-ssid",
@@ -61,7 +62,7 @@ SHAPES = {
 
 def _explain(code: str, where: str, detail: str) -> tuple[str, str]:
     """How to describe a problem, and what to do about it."""
-    if code == "wrong-shape":
+    if code == Code.SHAPE:
         return f"{SHAPES[detail]} is expected here", f"write {SHAPES[detail]}"
     if code == "type-changed":
         return f"'{where}' is already one of the {detail}", "use one device type for one name"

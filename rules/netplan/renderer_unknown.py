@@ -31,12 +31,13 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.schema import Code
 from bringup_lint.api.spelling import nearest
 
 
 @rule("error", fix="safe", symptoms=["unknown renderer"])
 def renderer_unknown(robot: Robot) -> Iterator[Finding]:
-    for problem in robot.netplan.problems("bad-renderer"):
+    for problem in robot.netplan.problems(Code.RENDERER):
         word = problem.where
         near = nearest(str(word), ["networkd", "NetworkManager"]) or (["networkd"] if "systemd" in word.lower() else [])
         change = fix(f"write {near[0]}", (word, near[0])) if near else None

@@ -45,8 +45,8 @@ from bringup_lint.api import rule
 
 @rule("error", symptoms=["networkd does not support this wifi mode", "networkd backend does not support"])
 def renderer_unsupported(robot: Robot) -> Iterator[Finding]:
-    for problem in robot.netplan.problems("unsupported"):
+    for problem in robot.netplan.problems("unsupported", "different-overrides"):
         other = "NetworkManager" if problem.detail.startswith("networkd") else "networkd"
-        same = "needs the same" in problem.detail
+        same = problem.code == "different-overrides"
         advice = "write the same value in both" if same else f"choose renderer: {other}, or remove this setting"
         yield finding(problem.where, f"netplan stops halfway: {problem.detail}", advice=advice)

@@ -40,6 +40,8 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.netplan import home_of
+from bringup_lint.api.schema import Code
 from bringup_lint.api.spelling import nearest
 
 FOREIGN = {
@@ -56,12 +58,12 @@ FOREIGN = {
 
 @rule("error", fix="safe", symptoms=["Error in network definition: unknown key"])
 def unknown_key(robot: Robot) -> Iterator[Finding]:
-    for problem in robot.netplan.problems("unknown-key"):
-        key, table = problem.where, problem.detail
+    for problem in robot.netplan.problems(Code.UNKNOWN):
+        key, table = problem.where, problem.item.name.strip("{}")
         if table == "root":
             continue
-        near = [] if key in FOREIGN else nearest(key, robot.netplan.keys(table))
-        elsewhere = None if near else robot.netplan.home_of(key)
+        near = [] if key in FOREIGN else nearest(key, problem.item.children)
+        elsewhere = None if near else home_of(str(key))
         if near:
             advice = f"did you mean {' or '.join(near)}?"
         elif key in FOREIGN:

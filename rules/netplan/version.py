@@ -33,11 +33,12 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.schema import Code
 
 
 @rule("error", fix="safe", symptoms=["Only version 2 is supported"])
 def version(robot: Robot) -> Iterator[Finding]:
-    for problem in robot.netplan.problems("bad-version"):
+    for problem in robot.netplan.problems(Code.VERSION):
         change = fix("write version 2", (problem.where, "2"))
         yield finding(
             problem.where,
