@@ -29,6 +29,11 @@ def keywords() -> dict[str, Item]:
     return load("host/sshd_options").top.children
 
 
+def keyword_of(word: str) -> Item | None:
+    """What sshd knows by a word, whatever its case."""
+    return find(keywords(), word, FOLDED).item
+
+
 def parse(source: Source) -> SshdFile:
     """Read a configuration file or drop-in. Never raises; codes: ``unknown-option``, ``no-argument``,
     ``invalid-quotes``, ``bad-value``, ``extra-arguments``, ``not-in-match``, ``bad-match``, ``duplicate-subsystem``,
@@ -60,7 +65,7 @@ def _option(file: SshdFile, line: Located, found: re.Match[str], match: Match | 
     if rest_at >= len(line):
         file.problems.append(Problem("no-argument", word))
         return None
-    known = find(keywords(), word, FOLDED).item
+    known = keyword_of(word)
     words = split(line.part(rest_at, len(line)))
     if known is None:
         file.problems.append(Problem("unknown-option", word))

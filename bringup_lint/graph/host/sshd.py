@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.model.sshd import Match
 from bringup_lint.model.sshd import Option
 from bringup_lint.model.sshd import SshdFile
+from bringup_lint.parsers.sshd import keyword_of
 from bringup_lint.parsers.sshd import keywords
 from bringup_lint.parsers.sshd import parse
 from bringup_lint.parsers.sshd_values import algorithms
@@ -108,7 +109,7 @@ class Sshd:
         """Lines that lose against an earlier one with another value: the line, and the one that wins."""
         first: dict[str, Option] = {}
         for option in self.options:
-            if option.name in COLLECTED or not option.everywhere or option.keyword.lower() not in keywords():
+            if option.name in COLLECTED or not option.everywhere or keyword_of(option.keyword) is None:
                 continue
             winner = first.setdefault(option.name, option)
             if [str(word).lower() for word in winner.arguments] != [str(word).lower() for word in option.arguments]:
@@ -116,7 +117,7 @@ class Sshd:
 
     def weak_algorithms(self) -> Iterator[Located]:
         """The words of Ciphers, MACs and the like that switch something weak on."""
-        kinds = {known.name: known.kind for known in keywords().values()}
+        kinds = {known.name: known.type for known in keywords().values()}
         for option in self.options:
             kind = kinds.get(option.name)
             if kind in ("cipher", "mac", "kex", "keys") and not option.value.startswith("-"):
