@@ -49,6 +49,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.observed.observed import Observed
     from bringup_lint.graph.params.params import Params
     from bringup_lint.graph.provenance import Provenance
+    from bringup_lint.graph.runners.runners import Runners
     from bringup_lint.graph.secrets.in_clear import Secret
     from bringup_lint.graph.secrets.ros import Indirect
     from bringup_lint.graph.sros2.sros2 import Sros2
@@ -176,7 +177,7 @@ class Robot:
     def env_files(self) -> list[UsedEnvFile]:
         from bringup_lint.graph.environment.env_files import used_env_files
 
-        return used_env_files(self)
+        return used_env_files(self.files, self.units)
 
     @cached_property
     def netplan(self) -> Netplan:
@@ -241,9 +242,9 @@ class Robot:
 
     @cached_property
     def launch(self) -> Launch:
-        from bringup_lint.graph.launch.launch import load_launch
+        from bringup_lint.graph.launch.launch import Launch
 
-        return load_launch(self)
+        return Launch(self.files)
 
     @cached_property
     def nodes(self) -> Nodes:
@@ -254,9 +255,9 @@ class Robot:
 
     @cached_property
     def params(self) -> Params:
-        from bringup_lint.graph.params.params import load_params
+        from bringup_lint.graph.params.params import Params
 
-        return load_params(self)
+        return Params(self.files, lambda: self.launch)
 
     @cached_property
     def topics(self) -> Topics:
@@ -400,6 +401,7 @@ class Robot:
             Layers(
                 self.files,
                 units=lambda: self.units,
+                runners=lambda: self.runners,
                 ros=lambda: self.ros,
                 compose=lambda: self.compose,
                 launch=lambda: self.launch,
@@ -414,11 +416,19 @@ class Robot:
         )
 
     @cached_property
+    def runners(self) -> Runners:
+        """Whoever starts processes: units, compose services, images, cron's @reboot lines, scripts."""
+        from bringup_lint.graph.runners.layers import Layers
+        from bringup_lint.graph.runners.runners import Runners
+
+        return Runners(self.files, Layers(lambda: self.units, lambda: self.compose), lambda: self.launch)
+
+    @cached_property
     def ros(self) -> RosEnvironment:
         """The variables of ROS 2, wherever they are set, and the environment of every process that runs it."""
         from bringup_lint.graph.environment.ros import RosEnvironment
 
-        return RosEnvironment(self)
+        return RosEnvironment(self.files, self.runners, lambda: self.units, lambda: self.compose, lambda: self.launch)
 
     @cached_property
     def sros2(self) -> Sros2:
@@ -433,10 +443,8 @@ class Robot:
         from bringup_lint.graph.provenance import Provenance
 
         return Provenance(
-            self.files,
+            self.runners,
             self.launch,
-            units=lambda: self.units,
-            ros=lambda: self.ros,
             params=lambda: self.params,
             dds=lambda: self.dds,
         )

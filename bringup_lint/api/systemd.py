@@ -4,18 +4,18 @@ from __future__ import annotations
 
 from bringup_lint.facts.systemd import directives
 from bringup_lint.facts.systemd.directives import Legacy
+from bringup_lint.graph.commands.command_line import Step
+from bringup_lint.graph.commands.environment import Environment
+from bringup_lint.graph.commands.environment import Variable
+from bringup_lint.graph.commands.ros_command import Ros
 from bringup_lint.graph.systemd.capabilities import file_capabilities
 from bringup_lint.graph.systemd.cycles import Cycle
-from bringup_lint.graph.systemd.environment import Environment
-from bringup_lint.graph.systemd.environment import Variable
 from bringup_lint.graph.systemd.filesystem import forgotten
 from bringup_lint.graph.systemd.filesystem import is_made
 from bringup_lint.graph.systemd.filesystem import is_there
 from bringup_lint.graph.systemd.limits import granted_limits
 from bringup_lint.graph.systemd.memory import memory
 from bringup_lint.graph.systemd.process import Process
-from bringup_lint.graph.systemd.process import Ros
-from bringup_lint.graph.systemd.process import Step
 from bringup_lint.graph.systemd.restart import RestartPolicy
 from bringup_lint.graph.systemd.sandbox import LogDirectory
 from bringup_lint.graph.systemd.sandbox import Sandbox

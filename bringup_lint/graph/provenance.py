@@ -18,21 +18,19 @@ from bringup_lint.source import Source
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.commands.command_line import CommandLine
+    from bringup_lint.graph.commands.command_line import Step
     from bringup_lint.graph.dds.dds import Dds
     from bringup_lint.graph.dds.selection import Selection
-    from bringup_lint.graph.environment.ros import RosEnvironment
     from bringup_lint.graph.environment.ros import RosProcess
-    from bringup_lint.graph.files import Files
-    from bringup_lint.graph.launch.commands import LaunchCommand
     from bringup_lint.graph.launch.expansion import Expansion
     from bringup_lint.graph.launch.launch import Launch
     from bringup_lint.graph.launch.started import Started
     from bringup_lint.graph.params.loads import Load
     from bringup_lint.graph.params.params import Params
-    from bringup_lint.graph.systemd.process import Process
-    from bringup_lint.graph.systemd.process import Step
-    from bringup_lint.graph.systemd.unit import Unit
-    from bringup_lint.graph.systemd.units import Units
+    from bringup_lint.graph.runners.launching import Launching
+    from bringup_lint.graph.runners.runner import Runner
+    from bringup_lint.graph.runners.runners import Runners
     from bringup_lint.model.launch import Action
     from bringup_lint.model.launch import LaunchFile
 
@@ -43,10 +41,8 @@ Steps = tuple[Related, ...]
 class Provenance:
     """The chains of one robot; each is empty when nothing in the tree leads there."""
 
-    files: Files
+    runners: Runners
     launch: Launch
-    units: Callable[[], Units]
-    ros: Callable[[], RosEnvironment]
     params: Callable[[], Params]
     dds: Callable[[], Dds]
 
@@ -82,11 +78,8 @@ class Provenance:
     @cached_property
     def _starts(self) -> list[tuple[Steps, Expansion]]:
         """Every command that starts a launch file, as steps, with what it leads to."""
-        return [
-            (self._to_command(command), self.launch.expansion(command.file))
-            for command in self.launch.commands
-            if command.file is not None
-        ]
+        commands = [command for command in self.runners.launches if command.file is not None]
+        return [(self._to_command(command), self.launch.expansion(command.file)) for command in commands]
 
     @cached_property
     def _nodes(self) -> dict[Action, tuple[Steps, Started]]:
@@ -107,50 +100,41 @@ class Provenance:
         steps, _ = self._nodes.get(node.action, ((), node))
         return (*steps, Related(node.span, f"{node.file.source.basename} starts {node.label()}"))
 
-    def _to_command(self, command: LaunchCommand) -> Steps:
+    def _to_command(self, command: Launching) -> Steps:
         file = command.target.rpartition("/")[2]
-        if command.process is None or command.step is None or command.step.script is None:
-            return (Related(command.target.span, f"{command.runner} launches {file}"),)
-        script = command.step.script
+        script = command.start.step.script
+        if script is None:
+            return (Related(command.target.span, f"{command.runner.name} launches {file}"),)
         launches = Related(command.target.span, f"{script.basename} launches {file}")
-        return (*self._to_script(command.process, script), launches)
+        return (*self._to_script(command.runner, command.start.line, script), launches)
 
-    def _to_script(self, process: Process, script: Source) -> Steps:
-        """From the Exec line of a unit through the scripts that call each other."""
+    def _to_script(self, runner: Runner, line: CommandLine, script: Source) -> Steps:
+        """From the command line of a runner through the scripts that call each other."""
         steps: list[Related] = []
         seen: set[Source] = set()
         wanted: Source | None = script
         while wanted is not None and wanted not in seen:
             seen.add(wanted)
-            caller = next((step for step in process.steps if step.script is not wanted and _calls(step, wanted)), None)
+            caller = next((step for step in line.steps if step.script is not wanted and _calls(step, wanted)), None)
             if caller is None:
                 break
             word = next(word for word in caller.command.words if word.endswith(f"/{wanted.basename}"))
-            who = caller.script.basename if caller.script else process.unit.name
+            who = caller.script.basename if caller.script else runner.name
             steps.insert(0, Related(word.span, f"{who} runs {wanted.basename}"))
             wanted = caller.script
         return tuple(steps)
 
     def _to_variable(self, process: RosProcess | Selection, value: Located) -> Steps:
-        source = value.span.source
-        if process.unit is not None:
-            return self._from_unit(process.unit, source)
-        service = process.service
-        if service is None:
-            return ()
-        for path in service.env_files:
-            if self.files.tree.beside(service.source, str(path)) is source:
-                return (Related(path.span, f"service '{service.name}' reads {source.basename}"),)
-        return ()
+        return self._from_runner(process.runner, value.span.source) if process.runner is not None else ()
 
-    def _from_unit(self, unit: Unit, source: Source) -> Steps:
-        """From a unit to an environment file that it reads, or a script that it runs."""
-        for file in self.units().environment_files(unit):
-            if file.source is source:
-                return (Related(file.value.span, f"{unit.name} reads {source.basename}"),)
-        for process in self.units().processes(unit):
-            if any(step.script is source for step in process.steps):
-                return self._to_script(process, source)
+    def _from_runner(self, runner: Runner, source: Source) -> Steps:
+        """From a runner to an environment file that it reads, or a script that it runs."""
+        for word, file in runner.environment_files:
+            if file is source:
+                return (Related(word.span, f"{runner.name} reads {source.basename}"),)
+        for line in runner.lines:
+            if any(step.script is source for step in line.steps):
+                return self._to_script(runner, line, source)
         return ()
 
     def _in_launch_file(self, span: Span) -> Steps:
@@ -193,11 +177,8 @@ class Provenance:
         return ()
 
     def _in_read_file(self, span: Span) -> Steps:
-        units = self.units().judged if self.files.of_kind("systemd-unit", "systemd-dropin") else ()
-        found = (self._from_unit(unit, span.source) for unit in units)
-        value = span.source.located(span.start, span.end)
-        services = (self._to_variable(process, value) for process in self.ros().processes if process.service)
-        return next(filter(None, (*found, *services)), ())
+        found = (self._from_runner(runner, span.source) for runner in self.runners.all)
+        return next(filter(None, found), ())
 
 
 def _includes(chain: tuple[Span, ...], file: LaunchFile) -> Steps:

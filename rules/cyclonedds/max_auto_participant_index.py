@@ -55,7 +55,7 @@ def max_auto_participant_index(robot: Robot) -> Iterator[Finding]:
                 )
         index = domain.get("Discovery/ParticipantIndex")
         limit = domain.get("Discovery/MaxAutoParticipantIndex")
-        readers = robot.dds.together(configuration)
+        readers = robot.dds.largest_coexisting_group(configuration)
         count = sum(selection.processes for selection in readers)
         if index is None or (index.effective or "").lower() != "auto" or not readers:
             continue

@@ -39,7 +39,7 @@ from bringup_lint.api import rule
 
 @rule("warning", symptoms=["failed to load shared library", "Error getting RMW implementation identifier"])
 def rmw_package_missing(robot: Robot) -> Iterator[Finding]:
-    for each in robot.ros.lacking_middleware:
+    for each in robot.ros.missing_middleware:
         yield finding(
             each.variable.value,
             f"The image does not contain {each.variable.text}: every ROS process of the container exits at start",

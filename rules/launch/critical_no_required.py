@@ -50,7 +50,7 @@ def critical_no_required(robot: Robot) -> Iterator[Finding]:
         if robot.launch.simulated(entry):
             continue
         others = [node for node in expansion.nodes if robot.launch.role(node).role not in (*ASIDE, *WATCHED_ROLES)]
-        units = robot.launch.units_of(entry)
+        units = [each for each in robot.runners.launching(entry) if each.runner.unit is not None]
         for node in expansion.nodes:
             role = robot.launch.role(node).role
             if role not in WATCHED_ROLES or not isinstance(node.action, launch.Node) or node.by_default is False:
@@ -72,10 +72,10 @@ def critical_no_required(robot: Robot) -> Iterator[Finding]:
 def starts(robot: Robot, entry: launch.LaunchFile) -> list[Related]:
     """The commands that launch the file, and the restart policies that do not see the end of a node."""
     related = []
-    for command in robot.launch.commands:
-        if command.file is entry and command.process is not None:
-            policy = robot.units.restart(command.process.unit)
-            related.append(note(command.target, f"{command.runner} starts it"))
+    for command in robot.runners.launches:
+        if command.file is entry and command.runner.unit is not None:
+            policy = robot.units.restart(command.runner.unit)
+            related.append(note(command.target, f"{command.runner.name} starts it"))
             if policy.restart in ("on-failure", "on-abnormal", "on-abort") and policy.restart_at is not None:
                 related.append(note(policy.restart_at, "launch itself does not fail"))
     return related

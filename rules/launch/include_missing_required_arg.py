@@ -57,9 +57,9 @@ def include_missing_required_arg(robot: Robot) -> Iterator[Finding]:
                     chain=robot.provenance.chain_to(include.action.file.span, f"nothing passes '{declared.name}'"),
                     severity="warning" if include.conditions else None,
                 )
-    for command in robot.launch.commands:
+    for command in robot.runners.launches:
         passed = {str(name) for name, _ in command.arguments}
-        known = command.file is not None and command.is_of_tree
+        known = command.file is not None and command.runner.certain
         for declared in robot.launch.expansion(command.file).declared if known else ():
             own = declared.file is command.file and not declared.conditions and declared.before is None
             if own and declared.action.default is None and declared.name not in passed:

@@ -56,11 +56,11 @@ def include_not_found(robot: Robot) -> Iterator[Finding]:
 
 
 def commands(robot: Robot) -> Iterator[Finding]:
-    for command in robot.launch.commands:
+    for command in robot.runners.launches:
         package = robot.launch.workspace.packages.get(command.package or "")
         if package is None or command.file is not None or not package.installs_known or "$" in command.target:
             continue
-        if not command.is_of_tree:
+        if not command.runner.certain:
             continue
         known = [os.path.basename(each.source.name) for each in robot.launch.files_of(package)]
         if command.target in known or not command.target.endswith((".py", ".xml", ".yaml", ".yml", ".launch")):
@@ -68,7 +68,7 @@ def commands(robot: Robot) -> Iterator[Finding]:
         near = nearest(command.target, known, 3)
         yield finding(
             command.target,
-            f"{command.target} does not exist in {package.name}: {command.runner} fails at every start",
+            f"{command.target} does not exist in {package.name}: {command.runner.name} fails at every start",
             advice=f"launch {near[0]}" if near else "correct the name",
             related=[note(package.manifest.name, f"the package {package.name}")],
             chain=robot.provenance.chain_to(command.target, f"{command.target} is launched"),

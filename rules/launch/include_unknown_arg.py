@@ -49,8 +49,8 @@ def include_unknown_arg(robot: Robot) -> Iterator[Finding]:
             inner = robot.launch.expansion(include.target).files
             own = [name for name in names if name and not robot.launch.read_elsewhere(name, file, inner)]
             yield from unknown(robot, own, include.target)
-    for command in robot.launch.commands:
-        if command.file is not None and command.is_of_tree:
+    for command in robot.runners.launches:
+        if command.file is not None and command.runner.certain:
             yield from unknown(robot, [name for name, _ in command.arguments], command.file)
 
 

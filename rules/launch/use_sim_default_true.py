@@ -52,7 +52,7 @@ def use_sim_default_true(robot: Robot) -> Iterator[Finding]:
             where = word if word.span.text == word else default.span
             false = "false" if where is word else "'false'"
             owner = robot.launch.workspace.owner(file.source)
-            bringup = owner is None or "bringup" in owner.name or robot.launch.units_of(file)
+            bringup = owner is None or "bringup" in owner.name or robot.runners.launching(file)
             yield finding(
                 where,
                 f"{name} is true by default: started without arguments, the nodes wait for a simulated clock",

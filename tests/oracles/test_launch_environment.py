@@ -12,10 +12,10 @@ from pathlib import Path
 import pytest
 
 from bringup_lint.discover.walk import discover
-from bringup_lint.graph.environment.launching import launched
+from bringup_lint.graph.commands.environment import Environment
+from bringup_lint.graph.commands.environment import Variable
+from bringup_lint.graph.environment.launched import launched
 from bringup_lint.graph.launch.resolve import text_of
-from bringup_lint.graph.systemd.environment import Environment
-from bringup_lint.graph.systemd.environment import Variable
 from bringup_lint.robot import Robot
 from bringup_lint.source import Source
 from tests.oracles.answers import Oracle

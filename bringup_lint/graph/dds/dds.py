@@ -12,18 +12,18 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.facts.ros import distros
 from bringup_lint.facts.ros.distros import at_least
+from bringup_lint.graph.commands.environment import stays_local
 from bringup_lint.graph.dds import cyclonedds_discovery
 from bringup_lint.graph.dds import cyclonedds_names
 from bringup_lint.graph.dds import fastdds_names
 from bringup_lint.graph.dds import machines
 from bringup_lint.graph.dds import network as dds_network
 from bringup_lint.graph.dds.selection import Selection
+from bringup_lint.graph.dds.selection import largest_coexisting_group
 from bringup_lint.graph.dds.selection import profile_selections
 from bringup_lint.graph.dds.selection import selections
 from bringup_lint.graph.dds.selection import sharing_memory
-from bringup_lint.graph.dds.selection import together
 from bringup_lint.graph.dds.selection import user_of
-from bringup_lint.graph.systemd.environment import stays_local
 from bringup_lint.model.cyclonedds import Configuration
 from bringup_lint.model.cyclonedds import Domain
 from bringup_lint.model.fastdds import Profiles
@@ -157,14 +157,14 @@ class Dds:
     @cached_property
     def selections(self) -> list[Selection]:
         """The processes of the robot that surely read a Cyclone DDS configuration."""
-        return list(selections(self.robot))
+        return list(selections(self.robot.files, self.robot.ros))
 
     user_of = staticmethod(user_of)
 
     @cached_property
     def sharing_memory(self) -> list[RosProcess]:
         """The unit processes that surely talk over Fast DDS shared memory."""
-        return list(sharing_memory(self.robot))
+        return list(sharing_memory(self.robot.ros))
 
     def domains_of(self, process: RosProcess) -> Iterator[Domain]:
         """The Domain blocks of the Cyclone DDS files that a process reads."""
@@ -196,16 +196,16 @@ class Dds:
 
     @cached_property
     def _profile_selections(self) -> list[tuple[RosProcess, Located, Source]]:
-        return list(profile_selections(self.robot, self.fastdds.version))
+        return list(profile_selections(self.robot.files, self.robot.ros, self.fastdds.version))
 
     def profile_readers(self, profiles: Profiles) -> list[tuple[RosProcess, Located]]:
         """The processes that read a profiles file, each with the value that names it."""
         found = self._profile_selections
         return [(process, value) for process, value, source in found if source is profiles.source]
 
-    def together(self, configuration: Configuration) -> list[Selection]:
+    def largest_coexisting_group(self, configuration: Configuration) -> list[Selection]:
         """The readers of a file that surely run at the same time."""
-        return together(self.robot, self.readers(configuration))
+        return largest_coexisting_group(self.robot.units, self.readers(configuration))
 
     def readers(self, configuration: Configuration) -> list[Selection]:
         """The processes that read a configuration file."""

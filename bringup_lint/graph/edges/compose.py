@@ -22,7 +22,7 @@ from bringup_lint.source import Span
 if TYPE_CHECKING:
     from bringup_lint.discover.tree import Tree
     from bringup_lint.graph.compose import Compose
-    from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.runners.runners import Runners
     from bringup_lint.graph.systemd.units import Units
 
 _NAMES = ("compose.yaml", "compose.yml", "docker-compose.yaml", "docker-compose.yml")
@@ -32,7 +32,7 @@ def service_node(service: Service) -> Node:
     return Node("compose-service", str(service.name), service.source.name)
 
 
-def compose_edges(tree: Tree, compose: Compose, launch: Launch) -> Iterator[Edge]:
+def compose_edges(tree: Tree, compose: Compose, runners: Runners) -> Iterator[Edge]:
     """``runs``, ``loads-env``, ``requires`` and ``orders`` of the services."""
     for service in _services(compose):
         here = service_node(service)
@@ -49,10 +49,10 @@ def compose_edges(tree: Tree, compose: Compose, launch: Launch) -> Iterator[Edge
                 yield Edge("loads-env", here, file_node("env-file", found), path.span, "env_file:")
             elif path.startswith("/") and is_plain(path):
                 yield Edge("loads-env", here, Node("env-file", str(path)), path.span, "env_file:")
-    for command in launch.commands:
-        if command.service is not None and command.file is not None:
+    for command in runners.launches:
+        if command.runner.service is not None and command.file is not None:
             target = file_node("launch-file", command.file.source)
-            yield Edge("runs", service_node(command.service), target, command.target.span, "command:")
+            yield Edge("runs", service_node(command.runner.service), target, command.target.span, "command:")
 
 
 def compose_places(compose: Compose) -> Iterator[tuple[Node, Span]]:

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.host.devices import Devices
     from bringup_lint.graph.launch.launch import Launch
     from bringup_lint.graph.params.params import Params
+    from bringup_lint.graph.runners.runners import Runners
     from bringup_lint.graph.sros2.sros2 import Sros2
     from bringup_lint.graph.systemd.units import Units
     from bringup_lint.graph.topics.topics import Topics
@@ -33,6 +34,7 @@ class Layers:
 
     files: Files
     units: Callable[[], Units]
+    runners: Callable[[], Runners]
     ros: Callable[[], RosEnvironment]
     compose: Callable[[], Compose]
     launch: Callable[[], Launch]
@@ -97,7 +99,7 @@ def _add_services(graph: Graph, layers: Layers) -> None:
     from bringup_lint.graph.edges.compose import compose_places
     from bringup_lint.graph.edges.compose import starting_units
 
-    graph.add(compose_edges(layers.files.tree, layers.compose(), layers.launch()))
+    graph.add(compose_edges(layers.files.tree, layers.compose(), layers.runners()))
     graph.define(compose_places(layers.compose()))
     if layers.files.of_kind(*UNITS):
         graph.add(starting_units(layers.files.tree, layers.compose(), layers.units()))

@@ -7,23 +7,23 @@ from collections.abc import Callable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.graph.commands.wrappers import unwrapped
 from bringup_lint.graph.edges.systemd import own_units
 from bringup_lint.graph.file_nodes import file_node
 from bringup_lint.graph.file_nodes import file_place
 from bringup_lint.graph.file_nodes import is_plain
 from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.graph import Node
-from bringup_lint.graph.systemd.process import unwrapped
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
     from bringup_lint.discover.tree import Tree
+    from bringup_lint.graph.commands.command_line import Step
+    from bringup_lint.graph.commands.ros_command import Ros
     from bringup_lint.graph.launch.launch import Launch
     from bringup_lint.graph.systemd.process import Process
-    from bringup_lint.graph.systemd.process import Ros
-    from bringup_lint.graph.systemd.process import Step
     from bringup_lint.graph.systemd.units import Units
 
 _INTERPRETER = re.compile(r"python[0-9.]*|perl|node|ruby")

@@ -9,7 +9,6 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 
-from bringup_lint.graph.systemd.environment import environment_files
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.model.env_file import Entry
 from bringup_lint.model.env_file import EnvFile
@@ -20,7 +19,8 @@ from bringup_lint.source import Span
 from bringup_lint.templates import has_placeholder
 
 if TYPE_CHECKING:
-    from bringup_lint.robot import Robot
+    from bringup_lint.graph.files import Files
+    from bringup_lint.graph.systemd.units import Units
 
 _LOOKS_LIKE_ENTRY = re.compile(r"^\s*(?:export\s+)?[A-Za-z_][A-Za-z0-9_]*=", re.M)
 
@@ -36,7 +36,8 @@ class Reader(NamedTuple):
 class UsedEnvFile:
     """An environment file that at least one unit reads."""
 
-    robot: Robot
+    files: Files
+    units: Units
     model: EnvFile
     readers: list[Reader]
 
@@ -55,15 +56,15 @@ class UsedEnvFile:
         name = re.escape(self.source.basename)
         pattern = re.compile(rf"(?:^|[\s;&'\"(])(?:source|\.)\s+[\"']?[^\s;&|\"']*{name}\b", re.M)
         return next(
-            (other for other in self.robot.sources if other is not self.source and pattern.search(other.text)),
+            (other for other in self.files.sources if other is not self.source and pattern.search(other.text)),
             None,
         )
 
     @cached_property
     def docker_run(self) -> Located | None:
         """The word of a ``docker run --env-file`` in an Exec line or script that names this file."""
-        for unit in self.robot.units.services:
-            for process in self.robot.units.processes(unit):
+        for unit in self.units.services:
+            for process in self.units.processes(unit):
                 for step in process.steps:
                     words = step.command.words
                     if "docker" not in {word.rpartition("/")[2] for word in words}:
@@ -71,7 +72,7 @@ class UsedEnvFile:
                     for option, following in zip(words, (*words[1:], None)):
                         path = following if option == "--env-file" else option.part(11, len(option))
                         named = option == "--env-file" or option.startswith("--env-file=")
-                        if named and path is not None and self.robot.tree.find(path) is self.source:
+                        if named and path is not None and self.files.tree.find(path) is self.source:
                             return path
         return None
 
@@ -114,14 +115,14 @@ class UsedEnvFile:
         return len(_LOOKS_LIKE_ENTRY.findall(rest))
 
 
-def used_env_files(robot: Robot) -> list[UsedEnvFile]:
+def used_env_files(files: Files, units: Units) -> list[UsedEnvFile]:
     """Every environment file of the tree that a judged unit reads."""
     readers: dict[str, list[Reader]] = {}
     sources: dict[str, Source] = {}
-    for unit in robot.units.judged:
-        for file in environment_files(unit, robot):
+    for unit in units.judged:
+        for file in units.environment_files(unit):
             if file.source is not None and file.source.judged:
                 sources[file.source.name] = file.source
                 readers.setdefault(file.source.name, []).append(Reader(unit, file.value))
-    models = robot.parsed(parse, sources.values())
-    return [UsedEnvFile(robot, model, readers[model.source.name]) for model in models]
+    models = files.parsed(parse, sources.values())
+    return [UsedEnvFile(files, units, model, readers[model.source.name]) for model in models]

@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 
 from bringup_lint.facts.ros import distros
-from bringup_lint.graph.environment.ros import image_variables
-from bringup_lint.graph.systemd.environment import Variable
+from bringup_lint.graph.commands.environment import Variable
+from bringup_lint.graph.runners.containers import image_variables
 from bringup_lint.source import Located
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.compose import Compose
+    from bringup_lint.graph.environment.ros import RosProcess
     from bringup_lint.model.compose import Service
     from bringup_lint.model.dockerfile import Stage
-    from bringup_lint.robot import Robot
 
 RMW = "RMW_IMPLEMENTATION"
 PACKAGES = {
@@ -41,7 +43,7 @@ _OPAQUE = re.compile(
 """What may bring a middleware unseen."""
 
 
-class Lacking(NamedTuple):
+class MissingMiddleware(NamedTuple):
     """A middleware that is selected in an image without it."""
 
     variable: Variable
@@ -50,15 +52,15 @@ class Lacking(NamedTuple):
     """The Debian package that would bring it."""
 
 
-def lacking(robot: Robot) -> Iterator[Lacking]:
+def missing_middleware(compose: Compose, processes: Iterable[RosProcess]) -> Iterator[MissingMiddleware]:
     """Every place that selects a middleware which the described image surely does not contain."""
-    found: dict[object, Lacking] = {}
-    for process in robot.ros.processes if robot.of_kind("compose") else ():
+    found: dict[object, MissingMiddleware] = {}
+    for process in processes:
         variable = process.environment.get(RMW)
         if process.service is not None and variable is not None:
-            for each in _of_service(robot, process.service, variable):
+            for each in _of_service(compose, process.service, variable):
                 found.setdefault(each.variable.value.span, each)
-    for dockerfile in robot.dockerfiles if robot.of_kind("dockerfile") else ():
+    for dockerfile in compose.dockerfiles():
         stage = dockerfile.final
         variables = [each for one in reversed(list(stage.chain)) for each in image_variables(one)] if stage else []
         selected = [each for each in variables if each.name == RMW]
@@ -67,14 +69,14 @@ def lacking(robot: Robot) -> Iterator[Lacking]:
     yield from found.values()
 
 
-def _of_service(robot: Robot, service: Service, variable: Variable) -> Iterator[Lacking]:
+def _of_service(compose: Compose, service: Service, variable: Variable) -> Iterator[MissingMiddleware]:
     own = " ".join(service.scripts)
     if re.search(r"apt|install/|ws/", own) or any(_hides_ros(str(each.target)) for each in service.volumes):
         return
-    stage = robot.compose.stage(service)
+    stage = compose.stage(service)
     if stage is not None:
         yield from _of_stage(stage, variable)
-    elif service.build is None and service.image is not None and not robot.compose.extends_elsewhere(service):
+    elif service.build is None and service.image is not None and not compose.extends_elsewhere(service):
         yield from _lacks(service.image, str(service.image), variable)
 
 
@@ -83,7 +85,7 @@ def _hides_ros(target: str) -> bool:
     return bool(re.search(r"/opt(?:/|$)|ws(?:/|$)|install(?:/|$)", target))
 
 
-def _of_stage(stage: Stage, variable: Variable) -> Iterator[Lacking]:
+def _of_stage(stage: Stage, variable: Variable) -> Iterator[MissingMiddleware]:
     package = PACKAGES.get(variable.text or "", "")
     for one in stage.chain:
         for instruction in one.instructions:
@@ -95,8 +97,8 @@ def _of_stage(stage: Stage, variable: Variable) -> Iterator[Lacking]:
     yield from _lacks(list(stage.chain)[-1].image, stage.origin, variable)
 
 
-def _lacks(place: Located, image: str, variable: Variable) -> Iterator[Lacking]:
+def _lacks(place: Located, image: str, variable: Variable) -> Iterator[MissingMiddleware]:
     official = _OFFICIAL.fullmatch(image)
     if official and variable.text in PACKAGES:
         distro = official["distro"] or official["desktop"]
-        yield Lacking(variable, place, f"ros-{distro}-{PACKAGES[variable.text]}")
+        yield MissingMiddleware(variable, place, f"ros-{distro}-{PACKAGES[variable.text]}")

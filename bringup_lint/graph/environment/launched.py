@@ -6,17 +6,22 @@ from nothing, ``additional_env`` is added to either).
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
+from typing import NamedTuple
 
+from bringup_lint.graph.commands.environment import Environment
+from bringup_lint.graph.commands.environment import Variable
+from bringup_lint.graph.launch.expansion import Expansion
 from bringup_lint.graph.launch.resolve import Resolver
 from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.scope import EnvChange
 from bringup_lint.graph.launch.scope import Scope
 from bringup_lint.graph.launch.started import Started
-from bringup_lint.graph.systemd.environment import Environment
-from bringup_lint.graph.systemd.environment import Variable
 from bringup_lint.model.launch import Action
+from bringup_lint.model.launch import ComposableNode
 from bringup_lint.model.launch import Process
 from bringup_lint.model.launch import SetEnv
 from bringup_lint.model.launch import walk_actions
@@ -27,10 +32,16 @@ from bringup_lint.model.launch_values import Value
 from bringup_lint.source import Located
 
 if TYPE_CHECKING:
-    from bringup_lint.robot import Robot
+    from bringup_lint.graph.launch.launch import Launch
 
-UNKNOWN = Environment(complete=False)
-"""The environment of somebody's shell."""
+
+class Launched(NamedTuple):
+    """A process that a launch file starts when nothing else is asked for."""
+
+    node: Started
+    environment: Environment
+    expansion: Expansion
+    """The launch file that was given to ``ros2 launch``, with all that it leads to."""
 
 
 def launched_environment(base: Environment, node: Started) -> Environment:
@@ -78,10 +89,10 @@ def text_in(value: Value, environment: Environment) -> str | None:
     return text_of(value)
 
 
-def launch_variables(robot: Robot) -> Iterator[Variable]:
+def launch_variables(launch: Launch) -> Iterator[Variable]:
     """Every variable that launch files set to a text that is known, whether or not its process is started."""
     resolver = Resolver(Scope())
-    for file in robot.launch.judged:
+    for file in launch.judged:
         for action in walk_actions(file.actions):
             for origin, name, value in _pairs(action):
                 named, text = text_of(resolver.value(name)), text_of(resolver.value(value))
@@ -102,3 +113,25 @@ def _place(value: Value) -> Located:
     if isinstance(value, Literal):
         return value.text
     return Located(value.span.text, value.span)
+
+
+def launched(expansion: Expansion, base: Environment) -> Iterator[Launched]:
+    """Every process of a launch file that surely starts; components live in the process of their container."""
+    for node in expansion.nodes:
+        if node.by_default is True and not isinstance(node.action, ComposableNode):
+            yield Launched(node, launched_environment(base, node) if node.env or node.own_env else base, expansion)
+
+
+def alike(found: Iterable[Launched], names: re.Pattern[str]) -> dict[tuple, list[Launched]]:
+    """The processes in groups that see the same variables, as far as ``names`` goes."""
+    groups: dict[tuple, list[Launched]] = {}
+    for each in found:
+        groups.setdefault(view(each.environment, names), []).append(each)
+    return groups
+
+
+def view(environment: Environment, names: re.Pattern[str]) -> tuple:
+    """What there is to see of an environment, as far as ``names`` goes: equal for equal texts from equal places."""
+    chains = ((name, chain) for name, chain in environment.chains.items() if names.fullmatch(name))
+    places = ((name, tuple((each.text, each.value.span) for each in chain)) for name, chain in chains)
+    return (environment.complete, *sorted(places, key=lambda pair: pair[0]))

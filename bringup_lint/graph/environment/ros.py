@@ -3,30 +3,27 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from collections.abc import Iterator
 from dataclasses import dataclass
-from dataclasses import field
 from functools import cached_property
 from typing import TYPE_CHECKING
+from typing import Any
 from typing import NamedTuple
 
 from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.discover.tree import display_name
-from bringup_lint.graph.environment.launched import UNKNOWN
+from bringup_lint.graph.commands.environment import UNKNOWN
+from bringup_lint.graph.commands.environment import Environment
+from bringup_lint.graph.commands.environment import Variable
+from bringup_lint.graph.environment.launched import Launched
+from bringup_lint.graph.environment.launched import alike
 from bringup_lint.graph.environment.launched import launch_variables
-from bringup_lint.graph.environment.launching import Launched
-from bringup_lint.graph.environment.launching import Launching
-from bringup_lint.graph.environment.launching import alike
-from bringup_lint.graph.environment.launching import expansion_of
-from bringup_lint.graph.environment.launching import launched
-from bringup_lint.graph.environment.launching import of_script
-from bringup_lint.graph.environment.launching import of_service
-from bringup_lint.graph.environment.launching import of_unit
-from bringup_lint.graph.environment.launching import view
-from bringup_lint.graph.systemd.environment import Environment
-from bringup_lint.graph.systemd.environment import Variable
-from bringup_lint.graph.systemd.environment import process_environment
-from bringup_lint.graph.systemd.unit import Unit
+from bringup_lint.graph.environment.launched import launched
+from bringup_lint.graph.environment.launched import view
+from bringup_lint.graph.files import Files
+from bringup_lint.graph.runners.runner import Runner
+from bringup_lint.graph.runners.runner import Start
 from bringup_lint.graph.target import mentions_of
 from bringup_lint.parsers.env_file import parse
 from bringup_lint.source import Located
@@ -35,19 +32,21 @@ from bringup_lint.source import Span
 from bringup_lint.templates import has_placeholder
 
 if TYPE_CHECKING:
-    from bringup_lint.graph.environment.images import Lacking
+    from bringup_lint.graph.commands.command_line import CommandLine
+    from bringup_lint.graph.compose import Compose
+    from bringup_lint.graph.environment.images import MissingMiddleware
     from bringup_lint.graph.launch.expansion import Expansion
-    from bringup_lint.graph.systemd.process import Step
+    from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.runners.runners import Runners
+    from bringup_lint.graph.systemd.unit import Unit
+    from bringup_lint.graph.systemd.units import Units
     from bringup_lint.model.compose import Service
-    from bringup_lint.robot import Robot
 
 OF_ROS = re.compile(r"(?:ROS|RMW|CYCLONEDDS|FASTRTPS|FASTDDS|RCUTILS|ZENOH)_\w+")
 """Names of variables that ROS 2 or its middleware reads."""
 
 _LOGIN_NAMES = (".bashrc", ".bash_profile", ".profile", ".zshrc", "bash.bashrc")
 _LOGIN = re.compile(r"/(?:\.bashrc|\.(?:bash_)?profile|\.zshrc|bash\.bashrc)$|/profile\.d/[^/]+$|/etc/environment$")
-_ROS2 = re.compile(r"\bros2[ \t]+(?:launch|run)\b")
-
 _SIMULATION = re.compile(
     r"(?:^|[/_.-])(?:sim|simulation|gazebo|gz|test|tests|ci|dev|devel|develop|development|example|examples)(?:[/_.-]|$)",
     re.I,
@@ -81,27 +80,46 @@ class RosProcess:
     """How a message calls it: ``robot.service``, ``service 'driver'``, ``camera of robot.service``."""
     where: Span
     environment: Environment
-    unit: Unit | None = None
-    service: Service | None = None
-    starts: tuple[Launching, ...] = ()
-    """The ROS programs on its command lines."""
+    runner: Runner | None = None
+    """Who starts it; None for what a launch file starts that nothing of the tree launches."""
+    line: CommandLine | None = None
+    """Its command line, when it has one."""
+    starts: tuple[Start, ...] = ()
+    """The ROS programs on its command line."""
     launched: tuple[Launched, ...] = ()
     """The processes of a launch file, when launch gives them another environment than it has itself."""
     launcher: RosProcess | None = None
-    """Who runs ``ros2 launch``; None when nothing of the tree does."""
+    """The process that runs ``ros2 launch``; None when nothing of the tree does."""
 
     @property
     def source(self) -> Source:
         return self.where.source
+
+    @property
+    def place(self) -> Located:
+        """Its command line; without one, its name or the node that launch starts."""
+        if self.line is not None and self.unit is not None:
+            return self.line.line
+        return self.source.located(self.where.start, self.where.end)
+
+    @property
+    def unit(self) -> Unit | None:
+        return self.runner.unit if self.runner is not None else None
+
+    @property
+    def service(self) -> Service | None:
+        return self.runner.service if self.runner is not None else None
 
 
 @dataclass(eq=False)
 class RosEnvironment:
     """All of it, read once."""
 
-    robot: Robot
-    _launched: dict[int, list[Launched]] = field(default_factory=dict)
-    _expanded: dict[int, Expansion | None] = field(default_factory=dict)
+    files: Files
+    runners: Runners
+    units: Callable[[], Units]
+    compose: Callable[[], Compose]
+    launch: Callable[[], Launch]
 
     @staticmethod
     def is_development(place: Located | Span) -> bool:
@@ -111,8 +129,8 @@ class RosEnvironment:
     @cached_property
     def login_files(self) -> list[Source]:
         """The files that only people's shells read: ``.bashrc``, ``profile.d``, ``/etc/environment`` and the like."""
-        tree = self.robot.tree
-        found = {source.name: source for source in self.robot.sources if _LOGIN.search(f"/{source.name}")}
+        tree = self.files.tree
+        found = {source.name: source for source in self.files.sources if _LOGIN.search(f"/{source.name}")}
         for path in (path for name in _LOGIN_NAMES for path in tree.named(name)):
             source = None if display_name(path) in found else tree.read(path)
             if source is not None:
@@ -120,16 +138,16 @@ class RosEnvironment:
         return list(found.values())
 
     @property
-    def lacking_middleware(self) -> Iterator[Lacking]:
+    def missing_middleware(self) -> Iterator[MissingMiddleware]:
         """The places that select a middleware which the image of the container does not contain."""
-        from bringup_lint.graph.environment.images import lacking
+        from bringup_lint.graph.environment.images import missing_middleware
 
-        return lacking(self.robot)
+        return missing_middleware(self.compose(), self.processes)
 
     def first_mention(self, distro: str) -> Located | None:
         """The first word of a judged file that says which distribution runs."""
         pattern = mentions_of(distro)
-        for source in self.robot.sources:
+        for source in self.files.sources:
             match = pattern.search(source.text) if source.judged else None
             if match is not None:
                 return source.located(match.start("name"), match.end("name"))
@@ -138,11 +156,11 @@ class RosEnvironment:
     @cached_property
     def settings(self) -> list[Setting]:
         """Every place of the tree that sets a variable of ROS, each once."""
-        found: dict[tuple[int, int], Setting] = {}
+        found: dict[tuple[Source, int], Setting] = {}
         for setting in self._all_settings():
             span = setting.value.span
             if OF_ROS.fullmatch(setting.name) and span.source.judged and not has_placeholder(setting.value):
-                found.setdefault((id(span.source), span.start), setting)
+                found.setdefault((span.source, span.start), setting)
         return list(found.values())
 
     def of(self, *names: str) -> list[Setting]:
@@ -151,57 +169,53 @@ class RosEnvironment:
 
     def _all_settings(self) -> Iterator[Setting]:
         for process in self.processes:
-            for chain in process.environment.chains.values():
-                yield from (_setting(variable) for variable in chain)
-        if self.robot.of_kind("systemd-unit", "systemd-dropin"):
-            for unit in self.robot.units.judged:
-                for chain in self.robot.units.environment(unit).chains.values():
-                    yield from (_setting(variable) for variable in chain)
-        for source in self.robot.of_kind("env-file"):
+            yield from _settings(process.environment)
+        if self.files.of_kind("systemd-unit", "systemd-dropin"):
+            units = self.units()
+            for unit in units.judged:
+                yield from _settings(units.environment(unit))
+        for source in self.files.of_kind("env-file"):
             yield from _of_file(source)
-        for source in self.robot.of_kind("shell-script"):
+        for source in self.files.of_kind("shell-script"):
             yield from _of_script(source)
         if self._set_in_launch:
-            yield from map(_setting, launch_variables(self.robot))
-        if self.robot.of_kind("dockerfile"):
-            for dockerfile in self.robot.dockerfiles:
+            yield from map(_setting, launch_variables(self.launch()))
+        if self.files.of_kind("dockerfile"):
+            from bringup_lint.graph.runners.containers import image_variables
+
+            for dockerfile in self.compose().dockerfiles():
                 for stage in dockerfile.stages:
                     yield from map(_setting, image_variables(stage))
 
     @cached_property
     def processes(self) -> list[RosProcess]:
-        """Everything that runs ROS 2: units, compose services and scripts, and apart from them those processes of their
-        launch files to which launch gives another environment."""
+        """Everything that runs ROS 2: what runners start, and apart from it those processes of launch files to which
+        launch gives another environment."""
         return [process for launcher in self.launchers for process in self._apart(launcher)] + list(self._by_hand())
 
     @cached_property
     def launchers(self) -> list[RosProcess]:
-        """The units, compose services and scripts that run ROS 2."""
-        found = []
-        if self.robot.of_kind("systemd-unit", "systemd-dropin"):
-            found += list(self._units())
-        if self.robot.of_kind("compose"):
-            found += list(self._services())
-        if self.robot.of_kind("shell-script"):
-            found += list(self._scripts(found))
-        return found
+        """The command lines of runners that run ROS 2; the runner itself where none of them does."""
+        return [process for runner in self.runners.ros for process in _of_runner(runner)]
 
     def launched_by(self, launcher: RosProcess) -> list[Launched]:
-        """Every process that the launch files of a unit, service or script start, with its environment."""
-        if id(launcher) not in self._launched:
+        """Every process that the launch files of a runner start, with its environment."""
+        if launcher not in self._launched:
             found = (launched(expansion, base) for expansion, base in self._expansions(launcher))
-            self._launched[id(launcher)] = [each for processes in found for each in processes]
-        return self._launched[id(launcher)]
+            self._launched[launcher] = [each for processes in found for each in processes]
+        return self._launched[launcher]
 
-    def expansion(self, start: Launching) -> Expansion | None:
+    @cached_property
+    def _launched(self) -> dict[RosProcess, list[Launched]]:
+        return {}
+
+    def expansion(self, start: Start) -> Expansion | None:
         """What a command of a launcher leads to with its arguments, always the same object; None when its launch file
         is not in the tree."""
-        if id(start) not in self._expanded:
-            self._expanded[id(start)] = expansion_of(start.ros, self.robot.launch)
-        return self._expanded[id(start)]
+        return self.runners.expansion(start)
 
     def _expansions(self, launcher: RosProcess) -> list[tuple[Expansion, Environment]]:
-        if not self.robot.of_kind(*LAUNCH):
+        if not self.files.of_kind(*LAUNCH):
             return []
         found = ((self.expansion(start), start.environment) for start in launcher.starts)
         return [(expansion, base) for expansion, base in found if expansion is not None]
@@ -210,8 +224,8 @@ class RosEnvironment:
         """How many processes have the environment of this one: a lower bound."""
         if process.launched:
             return sum(each.node.is_node for each in process.launched)
-        apart = {id(each.node) for other in self.processes if other.launcher is process for each in other.launched}
-        known = [each.node for each in self.launched_by(process) if id(each.node) not in apart]
+        apart = {each.node for other in self.processes if other.launcher is process for each in other.launched}
+        known = [each.node for each in self.launched_by(process) if each.node not in apart]
         return max(1, sum(node.is_node for node in known))
 
     def is_settled(self, process: RosProcess) -> bool:
@@ -223,12 +237,12 @@ class RosEnvironment:
     @cached_property
     def _set_in_launch(self) -> bool:
         """Whether launch files have anything to do with variables of ROS."""
-        return any(OF_ROS.search(source.text) for source in self.robot.of_kind(*LAUNCH))
+        return any(OF_ROS.search(source.text) for source in self.files.of_kind(*LAUNCH))
 
     def _apart(self, launcher: RosProcess) -> Iterator[RosProcess]:
         """The launcher for all that has its environment, then those that have another one."""
         expansions = self._expansions(launcher) if self._set_in_launch else []
-        groups: dict[tuple, list[Launched]] = {}
+        groups: dict[tuple[Any, ...], list[Launched]] = {}
         own = len(expansions) < len(launcher.starts) or not expansions
         for expansion, base in expansions:
             by_view = alike(launched(expansion, base), OF_ROS)
@@ -244,12 +258,10 @@ class RosEnvironment:
         """The processes of launch files that nothing of the tree starts, as far as they set variables of ROS."""
         if not self._set_in_launch:
             return
-        run = {
-            id(file) for each in self.launchers for expansion, _ in self._expansions(each) for file in expansion.files
-        }
-        seen: set[tuple[Span, tuple]] = set()
-        for expansion in self.robot.launch.entries:
-            if id(expansion.entry) in run or not expansion.entry.source.judged:
+        run = {file for each in self.launchers for expansion, _ in self._expansions(each) for file in expansion.files}
+        seen: set[tuple[Span, tuple[Any, ...]]] = set()
+        for expansion in self.launch().entries:
+            if expansion.entry in run or not expansion.entry.source.judged:
                 continue
             found = (each for each in launched(expansion, UNKNOWN) if any(map(OF_ROS.fullmatch, each.node.env)))
             for sight, members in alike(found, OF_ROS).items():
@@ -258,63 +270,15 @@ class RosEnvironment:
                 if new:
                     yield _group(new, None)
 
-    def _units(self) -> Iterator[RosProcess]:
-        for unit in self.robot.units.dds:
-            started = [process for process in self.robot.units.started(unit) if process.mentions_ros]
-            for process in started:
-                until = process.ros[0][0] if process.ros else None
-                environment = process_environment(process, self.robot, until)
-                environment.complete &= not process.opaque
-                starts = tuple(of_unit(process, self.robot))
-                yield RosProcess(unit.name, unit.where, environment, unit=unit, starts=starts)
-            if not started:
-                yield RosProcess(unit.name, unit.where, self.robot.units.environment(unit), unit=unit)
 
-    def _services(self) -> Iterator[RosProcess]:
-        compose = self.robot.compose
-        for service in compose.services:
-            if service.source.judged and service.is_ros:
-                environment = self._service_environment(service)
-                starts = tuple(of_service(service, compose.stage(service), environment))
-                if starts:
-                    environment = starts[0].environment
-                name = service.name
-                yield RosProcess(f"service '{name}'", name.span, environment, service=service, starts=starts)
-
-    def _scripts(self, found: list[RosProcess]) -> Iterator[RosProcess]:
-        """The scripts that no unit runs."""
-        run = {id(step.script) for each in found if each.unit for step in self._steps(each.unit) if step.script}
-        for source in self.robot.of_kind("shell-script"):
-            if source.judged and not source.template and id(source) not in run and _ROS2.search(source.text):
-                starts = tuple(of_script(source.located(0, len(source.text)), UNKNOWN))
-                if starts:
-                    where = starts[0].ros.program.span
-                    yield RosProcess(source.basename, where, starts[0].environment, starts=starts)
-
-    def _steps(self, unit: Unit) -> Iterator[Step]:
-        return (step for process in self.robot.units.processes(unit) for step in process.steps)
-
-    def _service_environment(self, service: Service) -> Environment:
-        """Dockerfile ENV, then env files, then ``environment:``."""
-        compose = self.robot.compose
-        environment = Environment()
-        stage = compose.stage(service)
-        environment.complete = stage is not None and not compose.extends_elsewhere(service)
-        for one in reversed(list(stage.chain) if stage else []):
-            for variable in image_variables(one):
-                environment.set(variable)
-        sources = compose.env_files(service)
-        environment.complete &= len(sources) == len(service.env_files)
-        for source in sources:
-            for setting in _of_file(source):
-                environment.set(Variable(setting.name, setting.value, setting.text, "env_file:"))
-        for name, variable in service.environment.items():
-            value = variable.value
-            if value is None:
-                environment.set(Variable(name, variable.name, None, "environment:"))
-            else:
-                environment.set(Variable(name, value, None if "$" in value else str(value), "environment:"))
-        return environment
+def _of_runner(runner: Runner) -> Iterator[RosProcess]:
+    lines = [line for line in runner.main if line.mentions_ros]
+    for line in lines:
+        starts = tuple(runner.starts_of(line))
+        environment = starts[0].environment if starts else runner.environment_at(line)
+        yield RosProcess(runner.name, runner.where, environment, runner, line, starts)
+    if not lines:
+        yield RosProcess(runner.name, runner.where, runner.environment, runner)
 
 
 def _group(members: list[Launched], launcher: RosProcess | None) -> RosProcess:
@@ -326,28 +290,14 @@ def _group(members: list[Launched], launcher: RosProcess | None) -> RosProcess:
         f"{name} of {holder}",
         first.node.span,
         first.environment,
-        launcher.unit if launcher else None,
-        launcher.service if launcher else None,
+        launcher.runner if launcher else None,
         launched=tuple(members),
         launcher=launcher,
     )
 
 
-def image_variables(stage) -> Iterator[Variable]:
-    """What the ENV instructions of a Dockerfile stage set: ``NAME=value ...`` or the old ``NAME value``."""
-    from bringup_lint.parsers.systemd_values import split_words
-
-    for instruction in stage.all("ENV"):
-        first = next(instruction.value.words(), None)
-        if first is not None and "=" not in first:
-            value = instruction.value.part(len(first), len(instruction.value)).strip_located()
-            yield Variable(str(first), value, None if "$" in value else str(value), "ENV")
-            continue
-        for word in split_words(instruction.value).words:
-            name, equals, text = word.partition("=")
-            if equals:
-                value = word.part(len(name) + 1, len(word))
-                yield Variable(name, value, None if "$" in text else str(value), "ENV")
+def _settings(environment: Environment) -> Iterator[Setting]:
+    return (_setting(variable) for chain in environment.chains.values() for variable in chain)
 
 
 def _setting(variable: Variable) -> Setting:

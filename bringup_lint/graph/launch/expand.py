@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from collections.abc import Iterable
+from collections.abc import Mapping
 from typing import Any
 
 from bringup_lint.graph.launch.expansion import Expansion
@@ -16,7 +17,6 @@ from bringup_lint.graph.launch.scope import later
 from bringup_lint.graph.launch.scope import perhaps
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import started
-from bringup_lint.graph.launch.visits import VISITS
 from bringup_lint.model.launch import Action
 from bringup_lint.model.launch import ComposableNode
 from bringup_lint.model.launch import LaunchFile
@@ -39,12 +39,25 @@ def both(first: bool | None, second: bool | None) -> bool | None:
     return False if False in (first, second) else (None if None in (first, second) else True)
 
 
-class Expander:
-    """``locate`` gives the launch file that a resolved value names, or None."""
+Visit = Callable[["Expander", Any, Resolver, Resolver], None]
+"""What one kind of action does: it gets the action, and the values as they are and in terms of the arguments."""
 
-    def __init__(self, entry: LaunchFile, locate: Callable[[Value], LaunchFile | None]) -> None:
+
+class Expander:
+    """Walks through the actions of one entry. ``visits`` says what each kind of action does, ``locate`` gives the
+    launch file that a resolved value names, or None; more than ``limit`` actions are left out."""
+
+    def __init__(
+        self,
+        entry: LaunchFile,
+        visits: Mapping[type[Action], Visit],
+        locate: Callable[[Value], LaunchFile | None],
+        limit: int = ACTIONS,
+    ) -> None:
         self.result = Expansion(entry)
+        self.visits = visits
         self.locate = locate
+        self.limit = limit
         self.scope = Scope()
         self.pushed: dict[str, list[Scope]] = {}
         """What ``PushEnvironment`` and ``PushLaunchConfigurations`` keep."""
@@ -77,7 +90,7 @@ class Expander:
     def visit(self, actions: Iterable[Action]) -> None:
         for action in actions:
             self.count += 1
-            if self.count > ACTIONS:
+            if self.count > self.limit:
                 self.result.open = True
                 return
             self.action(action)
@@ -99,7 +112,7 @@ class Expander:
         own = resolver.all_hold(action.conditions)
         self.by_default = both(by_default, own)
         self.result.actions.append((action, self.file))
-        handler = VISITS.get(type(action))
+        handler = self.visits.get(type(action))
         if handler is not None:
             if own is False:
                 self.scope = scope.copy()

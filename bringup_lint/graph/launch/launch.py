@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
 from functools import cached_property
@@ -15,8 +16,7 @@ from bringup_lint.facts.ros.node_roles import HARDWARE
 from bringup_lint.facts.ros.node_roles import Role
 from bringup_lint.facts.ros.node_roles import packages
 from bringup_lint.facts.ros.node_roles import role_of
-from bringup_lint.graph.launch.commands import LaunchCommand
-from bringup_lint.graph.launch.commands import launch_commands
+from bringup_lint.graph.launch.expand import ACTIONS
 from bringup_lint.graph.launch.expand import Expander
 from bringup_lint.graph.launch.expansion import Expansion
 from bringup_lint.graph.launch.expansion import Included
@@ -29,6 +29,7 @@ from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.scope import Scope
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import literal_text
+from bringup_lint.graph.launch.visits import VISITS
 from bringup_lint.graph.workspace import Found
 from bringup_lint.graph.workspace import Package
 from bringup_lint.graph.workspace import Place
@@ -43,11 +44,10 @@ from bringup_lint.model.launch_values import Condition
 from bringup_lint.model.launch_values import ParameterFile
 from bringup_lint.model.launch_values import Value
 from bringup_lint.model.launch_values import walk
-from bringup_lint.source import Located
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
-    from bringup_lint.robot import Robot
+    from bringup_lint.graph.files import Files
 
 SIMULATION = re.compile(
     r"(?:^|[/_.-])(?:sim|simulation|simulator|simulated|gazebo|gz|ign|ignition|webots|isaac\w*|mujoco|loopback|tests?|demos?"
@@ -63,19 +63,33 @@ PUBLIC = ("nav2_", "ros2_", "ros_", "rclcpp_", "tf2_", "launch_", "image_", "joi
 _LAUNCH_FILE = re.compile(r"[\w.-]+\.launch(?:\.(?:py|xml|ya?ml))?|[\w.-]+_launch\.py")
 EXPANSIONS = 2_000
 """Entries that are expanded in one run."""
+ACTIONS_OF_RUN = 100
+"""How often an action is expanded in one run, on average over all launch files."""
+MINIMUM_OF_RUN = 50_000
+"""Actions that are expanded in one run in any case."""
 
 
 class Launch:
-    """``files`` are the tree's launch files of ROS 2; ``expansions`` has one item for every entry."""
+    """Every launch file of ROS 2 in the tree, and the expansion of each, with the file as the entry."""
 
-    def __init__(self, robot: Robot, files: list[LaunchFile]) -> None:
-        self.robot = robot
-        self.files = files
-        self._by_path = {os.path.abspath(file.source.name): file for file in files}
+    def __init__(self, files: Files) -> None:
+        self._tree_files = files
+
+    @cached_property
+    def files(self) -> list[LaunchFile]:
+        """The launch files of ROS 2 in the tree."""
+        return [file for source in self._tree_files.of_kind(*LAUNCH) for file in self._parsed(source)]
+
+    def _parsed(self, source: Source) -> list[LaunchFile]:
+        return self._tree_files.parsed(_parser(source.kind), [source])
+
+    @cached_property
+    def _by_path(self) -> dict[str, LaunchFile]:
+        return {os.path.abspath(file.source.name): file for file in self.files}
 
     @cached_property
     def workspace(self) -> Workspace:
-        return load_workspace(self.robot.files)
+        return load_workspace(self._tree_files)
 
     @property
     def judged(self) -> list[LaunchFile]:
@@ -169,7 +183,16 @@ class Launch:
 
     def expand(self, file: LaunchFile, arguments: dict[str, Value] | None = None) -> Expansion:
         """What a file leads to when it is launched with these arguments."""
-        return Expander(file, self.locate).run(arguments or {})
+        limit = min(ACTIONS, self._actions_left)
+        expander = Expander(file, VISITS, self.locate, limit)
+        expansion = expander.run(arguments or {})
+        self._actions_left -= expander.count
+        return expansion
+
+    @cached_property
+    def _actions_left(self) -> int:
+        """How many actions may still be expanded in this run: enough for every file to be included many times."""
+        return max(MINIMUM_OF_RUN, ACTIONS_OF_RUN * sum(1 for file in self.files for _ in walk_actions(file.actions)))
 
     @property
     def nodes(self) -> Iterator[Started]:
@@ -182,7 +205,7 @@ class Launch:
         """Files in the syntax of ROS 1, read as if they were of ROS 2."""
         from bringup_lint.parsers.launch_xml import parse
 
-        return self.robot.parsed(parse, self.robot.of_kind("launch-ros1"))
+        return self._tree_files.parsed(parse, self._tree_files.of_kind("launch-ros1"))
 
     def references(self, file: LaunchFile) -> Iterator[Reference]:
         """The files that a launch file names through a package or beside itself, when launched without arguments."""
@@ -239,7 +262,7 @@ class Launch:
 
     def names_near(self, file: LaunchFile) -> frozenset[str]:
         """The bare names of all nodes that the launch files of one robot or variant start."""
-        near = (each for each in self.expansions if self.robot.same_robot(each.entry.source, file.source))
+        near = (each for each in self.expansions if self._tree_files.same_robot(each.entry.source, file.source))
         return frozenset(self._names(near))
 
     def _names(self, expansions: Iterable[Expansion]) -> Iterator[str]:
@@ -263,7 +286,7 @@ class Launch:
     def role(self, node: Started) -> Role:
         """What is known about a node's program."""
         program = literal_text(node.plugin) or literal_text(node.executable)
-        return role_of(literal_text(node.package), program, self.robot.target.ros)
+        return role_of(literal_text(node.package), program, self._tree_files.target.ros)
 
     def simulated(self, file: LaunchFile) -> bool:
         """Whether a launch file is for a simulator, a test or a look at a model: by its path, or by what it starts."""
@@ -301,23 +324,6 @@ class Launch:
                     seen.add(str(depend))
                     todo.append(self.workspace.packages[str(depend)])
         return False
-
-    @cached_property
-    def commands(self) -> list[LaunchCommand]:
-        """The ``ros2 launch`` commands of systemd units and compose services."""
-        return list(launch_commands(self.robot, self))
-
-    @cached_property
-    def _units(self) -> dict[int, list[Located]]:
-        found: dict[int, list[Located]] = {}
-        for command in self.commands:
-            if command.file is not None and command.process is not None:
-                found.setdefault(id(command.file), []).append(command.target)
-        return found
-
-    def units_of(self, file: LaunchFile) -> list[Located]:
-        """The words of systemd units that launch a file."""
-        return self._units.get(id(file), [])
 
     def named(self, package: str | None, target: str | None) -> LaunchFile | None:
         """The file that ``ros2 launch package target`` starts; a path when there is no package."""
@@ -360,7 +366,7 @@ class Launch:
 
     def names_of(self, module: str) -> frozenset[str] | None:
         """The public names of a module of launch or launch_ros; None when the module is not one of theirs."""
-        return launch_api.names(module, self.robot.target.ros)
+        return launch_api.names(module, self._tree_files.target.ros)
 
     def actions(self, kind: type[Action]) -> Iterator[tuple[LaunchFile, Action]]:
         """All actions of a kind in the judged files, with their file."""
@@ -378,16 +384,7 @@ def _substitutes(file: LaunchFile) -> bool:
     return False
 
 
-def load_launch(robot: Robot) -> Launch:
-    return Launch(robot, list(_files(robot, robot.of_kind(*LAUNCH))))
-
-
-def _files(robot: Robot, sources: Iterable[Source]) -> Iterator[LaunchFile]:
-    for source in sources:
-        yield from robot.parsed(_parser(source.kind), [source])
-
-
-def _parser(kind: str):
+def _parser(kind: str) -> Callable[[Source], LaunchFile]:
     if kind == "launch-python":
         from bringup_lint.parsers.launch_python import parse
     elif kind == "launch-xml":

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import TYPE_CHECKING
-from typing import Any
-
+from bringup_lint.graph.launch.expand import Expander
+from bringup_lint.graph.launch.expand import Visit
 from bringup_lint.graph.launch.expansion import Declared
 from bringup_lint.graph.launch.expansion import Included
 from bringup_lint.graph.launch.resolve import Resolver
@@ -40,9 +38,6 @@ from bringup_lint.model.launch_values import ParameterFile
 from bringup_lint.model.launch_values import Value
 from bringup_lint.parsers.launch_python.budget import bounded
 from bringup_lint.source import Located
-
-if TYPE_CHECKING:
-    from bringup_lint.graph.launch.expand import Expander
 
 DEPTH = 16
 """Includes inside one another."""
@@ -236,7 +231,7 @@ def _other(self: Expander, action: Other, resolver: Resolver, symbolic: Resolver
     self.visit(action.actions)
 
 
-VISITS: dict[type[Action], Callable[[Expander, Any, Resolver, Resolver], None]] = {
+VISITS: dict[type[Action], Visit] = {
     DeclareArgument: _declare,
     SetArgument: _set,
     UnsetArgument: _unset,

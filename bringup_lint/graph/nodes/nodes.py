@@ -144,11 +144,12 @@ class Nodes:
         """The units whose launch files run a file as a program."""
         actions = {id(started.action) for started in self.launched(file)}
         found: dict[int, Unit] = {}
-        for command in self.robot.launch.commands if actions else ():
-            if command.file is not None and command.process is not None:
+        for command in self.robot.runners.launches if actions else ():
+            unit = command.runner.unit
+            if command.file is not None and unit is not None:
                 nodes = self.robot.launch.expansion(command.file).nodes
                 if any(id(node.action) in actions for node in nodes):
-                    found[id(command.process.unit)] = command.process.unit
+                    found[id(unit)] = unit
         return list(found.values())
 
     def made(self, file: NodeSource) -> list[NodeClass]:

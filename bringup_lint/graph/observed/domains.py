@@ -11,8 +11,8 @@ from bringup_lint.parsers.ros_values import domain_id
 from bringup_lint.source import Located
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.commands.environment import Environment
     from bringup_lint.graph.environment.ros import RosEnvironment
-    from bringup_lint.graph.systemd.environment import Environment
 
 
 class Domain(NamedTuple):

@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING
 from typing import NamedTuple
 
 from bringup_lint.finding import Related
-from bringup_lint.graph.environment.launching import expansion_of
+from bringup_lint.graph.commands.environment import Environment
+from bringup_lint.graph.commands.ros_command import Ros
 from bringup_lint.graph.launch.expansion import Expansion
 from bringup_lint.graph.launch.launch import SIMULATION
 from bringup_lint.graph.launch.lifecycle import full_name
@@ -22,8 +23,7 @@ from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.observed.tools import OPEN_ENDED
 from bringup_lint.graph.observed.tools import PASSING
 from bringup_lint.graph.observed.tools import is_on_screen
-from bringup_lint.graph.systemd.environment import Environment
-from bringup_lint.graph.systemd.process import Ros
+from bringup_lint.graph.runners.launching import expansion_of
 from bringup_lint.graph.topics.process_arguments import ros_arguments
 from bringup_lint.model.launch import LaunchFile
 from bringup_lint.model.launch import Timer

@@ -35,10 +35,10 @@ from bringup_lint.source import Located
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.commands.environment import Variable
     from bringup_lint.graph.environment.ros import RosEnvironment
     from bringup_lint.graph.environment.ros import Setting
     from bringup_lint.graph.launch.launch import Launch
-    from bringup_lint.graph.systemd.environment import Variable
     from bringup_lint.graph.systemd.units import Units
     from bringup_lint.graph.topics.topics import Topics
 

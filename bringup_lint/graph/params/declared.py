@@ -13,8 +13,9 @@ from bringup_lint.source import Located
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.files import Files
     from bringup_lint.graph.workspace import Package
-    from bringup_lint.robot import Robot
+    from bringup_lint.graph.workspace import Workspace
 
 SUFFIXES = (".py", ".cpp", ".cc", ".cxx", ".hpp", ".hh", ".h")
 FILES = 600
@@ -57,10 +58,10 @@ class Declared(NamedTuple):
     """The name in the source."""
 
 
-def declared_in(robot: Robot, package: Package) -> dict[str, Declared]:
+def declared_in(files: Files, workspace: Workspace, package: Package) -> dict[str, Declared]:
     """Parameter -> type, for the names that a package declares with one type wherever it declares them."""
     found: dict[str, Declared | None] = {}
-    for source in _sources(robot, package):
+    for source in _sources(files, workspace, package):
         if _LOOSE.search(source.text):
             return {}
         for each in _of_python(source) if source.name.endswith(".py") else _of_cpp(source):
@@ -71,27 +72,27 @@ def declared_in(robot: Robot, package: Package) -> dict[str, Declared]:
     return {name: each for name, each in found.items() if each is not None and each.type}
 
 
-def mentions(robot: Robot, package: Package, word: str) -> bool:
+def mentions(files: Files, package: Package, word: str) -> bool:
     """Whether any source of a package holds a word: a parameter that is nowhere named is never declared there."""
-    paths = (path for path in robot.tree.paths if path.startswith(package.folder + os.sep) and path.endswith(SUFFIXES))
-    sources = (robot.tree.read(path, judged=False) for path in paths)
+    paths = (path for path in files.tree.paths if path.startswith(package.folder + os.sep) and path.endswith(SUFFIXES))
+    sources = (files.tree.read(path, judged=False) for path in paths)
     return any(source is not None and word in source.text for source in sources)
 
 
-def _sources(robot: Robot, package: Package) -> Iterator[Source]:
+def _sources(files: Files, workspace: Workspace, package: Package) -> Iterator[Source]:
     count = 0
-    for path in sorted(robot.tree.paths):
+    for path in sorted(files.tree.paths):
         if not path.startswith(package.folder + os.sep) or not path.endswith(SUFFIXES):
             continue
         if _TESTS.search(path[len(package.folder) :]) or count >= FILES:
             continue
         count += 1
-        source = robot.tree.read(path, judged=False)
+        source = files.tree.read(path, judged=False)
         if source is None or "declare_parameter" not in source.text:
             if source is not None and _LOOSE.search(source.text):
                 yield source
             continue
-        if robot.launch.workspace.owner(source) is package:
+        if workspace.owner(source) is package:
             yield source
 
 

@@ -21,9 +21,6 @@ from bringup_lint.spelling import numbered
 if TYPE_CHECKING:
     from bringup_lint.graph.params.params import Params
 
-ELSEWHERE = ("params", "cmake", "setup-py", "setup-cfg", "ros-package")
-"""Kinds that may name a parameter file without loading it."""
-
 
 class Mismatch(NamedTuple):
     """A block that is meant for a node and does not reach it."""
@@ -111,9 +108,6 @@ def _meant(block: Block, name: str) -> bool | None:
 
 def _read_elsewhere(params: Params, file: ParameterFile, loads: list[Load]) -> bool:
     """Whether another file of the tree mentions the file by name, so that somebody else may load it."""
-    name = file.source.basename
     known = {load.node.file.source for load in loads} | {load.where.source for load in loads}
     known |= {span.source for load in loads for span in load.node.chain}
-    return any(
-        name in source.text for source in params.robot.sources if source.kind not in ELSEWHERE and source not in known
-    )
+    return params.named_elsewhere(file.source.basename, known)

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
 from collections.abc import Iterator
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.params import values as param_values
 from bringup_lint.graph.params.values import Item
@@ -17,25 +19,34 @@ from bringup_lint.model.params import matches
 from bringup_lint.parsers.params import parse
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
+from bringup_lint.source import Source
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.files import Files
+    from bringup_lint.graph.launch.launch import Launch
     from bringup_lint.graph.params.declared import Declared
     from bringup_lint.graph.params.loads import Load
     from bringup_lint.graph.params.matching import Mismatch
     from bringup_lint.graph.params.time import Simulated
-    from bringup_lint.robot import Robot
 
+BUILD = ("params", "cmake", "setup-py", "setup-cfg", "ros-package")
+"""Kinds that may name a parameter file without loading it."""
 _UNTYPED = ("ardent", "bouncy", "crystal", "dashing", "eloquent", "foxy")
 """Distributions in which a declared parameter may take any type."""
 
 
 class Params:
-    """``files`` are the YAML files that hold ``ros__parameters``."""
+    """The parameter files of a tree. ``launch`` is asked only where launch files may load one."""
 
-    def __init__(self, robot: Robot, files: list[ParameterFile]) -> None:
-        self.robot = robot
-        self.files = files
+    def __init__(self, files: Files, launch: Callable[[], Launch]) -> None:
+        self._tree_files = files
+        self._launch = launch
+
+    @cached_property
+    def files(self) -> list[ParameterFile]:
+        """The YAML files that hold ``ros__parameters``."""
+        return self._tree_files.parsed(parse, self._tree_files.of_kind("params"))
 
     @cached_property
     def judged(self) -> list[ParameterFile]:
@@ -46,18 +57,18 @@ class Params:
     @cached_property
     def plain(self) -> list[ParameterFile]:
         """Files without any ``ros__parameters`` that a node is given all the same."""
-        sources = (self.robot.tree.read(path, "params") for path in sorted(self._unclaimed))
-        return self.robot.parsed(parse, (source for source in sources if source is not None))
+        sources = (self._tree_files.tree.read(path, "params") for path in sorted(self._unclaimed))
+        return self._tree_files.parsed(parse, (source for source in sources if source is not None))
 
     @cached_property
     def _unclaimed(self) -> dict[str, list[Load]]:
         """Other YAML files of the tree that rcl gets from a launch file, with who gets them."""
         found: dict[str, list[Load]] = {}
-        known = {os.path.abspath(source.name) for source in self.robot.sources}
+        known = {os.path.abspath(source.name) for source in self._tree_files.sources}
         for load in self._all_loads:
             path = os.path.normpath(load.path)
             odd = load.how not in ("rcl", "substituted") or not path.endswith((".yaml", ".yml")) or path in known
-            if not odd and load.certain and path in self.robot.tree.named(os.path.basename(path)):
+            if not odd and load.certain and path in self._tree_files.tree.named(os.path.basename(path)):
                 found.setdefault(path, []).append(load)
         return found
 
@@ -111,7 +122,7 @@ class Params:
         """How the workspace declares a parameter: what all nodes that may get it agree on, None when that is not
         known."""
         file = self._by_source.get(id(parameter.span.source))
-        if file is None or self.robot.target.ros in _UNTYPED:
+        if file is None or self._tree_files.target.ros in _UNTYPED:
             return None
         found = None
         for load in self.effective(file, parameter):
@@ -141,9 +152,9 @@ class Params:
         file = self._by_source.get(id(parameter.span.source))
         loads = self.loads(file) if file else []
         names = {text_of(load.node.package) if load.node.package is not None else None for load in loads}
-        packages = [self.robot.launch.workspace.packages.get(name or "") for name in names]
+        packages = [self._launch().workspace.packages.get(name or "") for name in names]
         word = str(parameter.key).rpartition(".")[2]
-        return bool(packages) and all(each and not mentions(self.robot, each, word) for each in packages)
+        return bool(packages) and all(each and not mentions(self._tree_files, each, word) for each in packages)
 
     @cached_property
     def _by_source(self) -> dict[int, ParameterFile]:
@@ -153,8 +164,9 @@ class Params:
         if name not in self._declarations:
             from bringup_lint.graph.params.declared import declared_in
 
-            package = self.robot.launch.workspace.packages.get(name) if name else None
-            self._declarations[name] = declared_in(self.robot, package) if package else {}
+            workspace = self._launch().workspace
+            package = workspace.packages.get(name) if name else None
+            self._declarations[name] = declared_in(self._tree_files, workspace, package) if package else {}
         return self._declarations[name]
 
     @cached_property
@@ -163,12 +175,17 @@ class Params:
 
     @cached_property
     def _all_loads(self) -> list[Load]:
-        if not self.robot.of_kind("launch-python", "launch-xml", "launch-yaml"):
+        if not self._tree_files.of_kind(*LAUNCH):
             return []
         from bringup_lint.graph.params.loads import loads_in
 
-        launch = self.robot.launch
+        launch = self._launch()
         return [load for expansion in launch.expansions for load in loads_in(launch, expansion)]
+
+    def named_elsewhere(self, name: str, known: set[Source]) -> bool:
+        """Whether a file other than the known ones and those that only build or install mentions a name."""
+        sources = (source for source in self._tree_files.sources if source not in known)
+        return any(name in source.text for source in sources if source.kind not in BUILD)
 
     def at_path(self, path: str) -> ParameterFile | None:
         """The file at a path, of the tree or of the robot."""
@@ -251,7 +268,3 @@ class Params:
         if ways & {"rcl", "substituted"}:
             return "rcl"
         return "pyyaml" if ways else ""
-
-
-def load_params(robot: Robot) -> Params:
-    return Params(robot, robot.parsed(parse, robot.of_kind("params")))

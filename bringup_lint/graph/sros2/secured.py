@@ -6,11 +6,11 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 
+from bringup_lint.graph.commands.environment import Environment
 from bringup_lint.graph.environment.launched import launched_environment
 from bringup_lint.graph.sros2.enclaves import OPTION
 from bringup_lint.graph.sros2.enclaves import nodes
 from bringup_lint.graph.sros2.enclaves import of_node
-from bringup_lint.graph.systemd.environment import Environment
 from bringup_lint.source import Located
 from bringup_lint.source import Span
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from bringup_lint.graph.systemd.process import Ros
+from bringup_lint.graph.commands.ros_command import Ros
 
 if TYPE_CHECKING:
     from bringup_lint.graph.launch.expansion import Expansion

@@ -10,9 +10,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from bringup_lint.graph.commands.ros_command import Ros
 from bringup_lint.graph.supervision.launched_by_unit import launched
 from bringup_lint.graph.systemd.process import Process
-from bringup_lint.graph.systemd.process import Ros
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 

@@ -1,26 +1,21 @@
-"""The environment of a process: every variable with its value, where it comes from, and whether all sources
-are known.
+"""The environment that systemd gives to the processes of a unit.
 
-systemd.exec(5), "Environment": PassEnvironment=, then Environment=, then EnvironmentFile= (which wins),
-then UnsetEnvironment=;
-a shell adds what it assigns and exports. ``Environment`` itself knows nothing of systemd: compose files,
-launch files and
-images fill the same class.
+systemd.exec(5), "Environment": PassEnvironment=, then Environment=, then EnvironmentFile= (which wins), then
+UnsetEnvironment=; a shell adds what it assigns and exports.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
-from collections.abc import Iterable
-from collections.abc import Iterator
-from dataclasses import dataclass
-from dataclasses import field
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 
+from bringup_lint.graph.commands.environment import SETUP_FILE
+from bringup_lint.graph.commands.environment import Environment
+from bringup_lint.graph.commands.environment import Variable
+from bringup_lint.graph.commands.environment import after_commands
+from bringup_lint.graph.commands.environment import assign_before
 from bringup_lint.graph.systemd.unit import Unit
-from bringup_lint.model.shell import Command
 from bringup_lint.parsers.systemd_values import expand
 from bringup_lint.parsers.systemd_values import split_environment
 from bringup_lint.parsers.systemd_values import split_words
@@ -29,96 +24,11 @@ from bringup_lint.source import Located
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.commands.command_line import Step
     from bringup_lint.graph.systemd.process import Process
-    from bringup_lint.graph.systemd.process import Step
     from bringup_lint.robot import Robot
 
-SETUP_FILE = re.compile(r"(?:^|/)(?:local_)?setup\.(?:bash|sh|zsh)$")
-"""What sets up ROS: setup files of a distribution or a workspace."""
-
-_ASSIGNMENT = re.compile(r"[A-Za-z_][A-Za-z0-9_]*=")
 _GLOB = re.compile(r"[*?\[]")
-_EXPANSION = re.compile(
-    r"\\?\$(?:(?P<name>[A-Za-z_]\w*)|\{(?P<braced>[A-Za-z_]\w*)(?P<default>:?-[^{}]*)?\}|[({@*#?$!0-9])|`"
-)
-
-
-class Variable(NamedTuple):
-    """One setting of a variable."""
-
-    name: str
-    value: Located
-    """As written, quotes removed."""
-    text: str | None
-    """What the process sees; None when that depends on something unknown."""
-    origin: str
-    """Who sets it: ``Environment=``, ``EnvironmentFile=``, ``export``, ``shell``, ``PassEnvironment=``,
-    ``environment:``, ..."""
-
-
-@dataclass(eq=False)
-class Environment:
-    """The variables of a process and their history."""
-
-    chains: dict[str, list[Variable]] = field(default_factory=dict)
-    """Name -> every setting in the order in which they apply; the last one wins. Empty list: unset on
-    purpose."""
-    complete: bool = True
-    """Whether every source was found and read, so that a variable that is not here is not set."""
-
-    def copy(self) -> Environment:
-        return Environment({name: list(chain) for name, chain in self.chains.items()}, self.complete)
-
-    def set(self, variable: Variable) -> None:
-        self.chains.setdefault(variable.name, []).append(variable)
-
-    def unset(self, name: str) -> None:
-        if name in self.chains:
-            self.chains[name] = []
-
-    def get(self, name: str) -> Variable | None:
-        """The setting that wins."""
-        chain = self.chains.get(name)
-        return chain[-1] if chain else None
-
-    def text(self, name: str) -> str | None:
-        """The value that the process sees; None when it is unset or unknown."""
-        variable = self.get(name)
-        return variable.text if variable else None
-
-    def chain(self, name: str) -> list[Variable]:
-        return self.chains.get(name, [])
-
-    def defines(self, name: str) -> bool | None:
-        """Whether the variable is set; None when a source that was not found may set it."""
-        return True if self.get(name) else None if not self.complete else False
-
-    def __contains__(self, name: str) -> bool:
-        return bool(self.chains.get(name))
-
-    def __iter__(self) -> Iterator[Variable]:
-        """The settings that win."""
-        return (chain[-1] for chain in self.chains.values() if chain)
-
-    def expand(self, text: str) -> str | None:
-        """A shell word with ``$NAME``, ``${NAME}`` and ``${NAME:-default}`` put in; None when that is not
-        known."""
-
-        def put_in(match: re.Match[str]) -> str:
-            name = match["name"] or match["braced"]
-            if name is None or match[0].startswith("\\"):
-                raise LookupError(match[0])
-            found = self.get(name)
-            if found is not None and found.text is not None:
-                return found.text
-            if match["default"] and found is None and self.complete:
-                return match["default"].lstrip(":")[1:]
-            raise LookupError(name)
-
-        try:
-            return _EXPANSION.sub(put_in, text)
-        except LookupError:
-            return None
 
 
 class EnvironmentFile(NamedTuple):
@@ -179,12 +89,6 @@ def _read(environment: Environment, file: EnvironmentFile, robot: Robot) -> None
     environment.complete &= not file.source.template
 
 
-def stays_local(environment: Environment) -> bool:
-    """Whether ROS 2 is told to talk to this machine only."""
-    wide = environment.text("ROS_AUTOMATIC_DISCOVERY_RANGE")
-    return environment.text("ROS_LOCALHOST_ONLY") == "1" or wide in ("LOCALHOST", "OFF")
-
-
 def process_environment(process: Process, robot: Robot, until: Step | None = None) -> Environment:
     """The environment of a command line of a unit, or of one step of what its shells and scripts run."""
     steps = process.steps[: process.steps.index(until)] if until else process.steps
@@ -197,45 +101,3 @@ def process_environment(process: Process, robot: Robot, until: Step | None = Non
     if until is not None:
         assign_before(found, until.command)
     return found
-
-
-def assign_before(environment: Environment, command: Command) -> None:
-    """Add what stands before a program on its own command line: ``NAME=value program``, ``env NAME=value program``."""
-    for word in (*command.assignments, *command.words):
-        if not _ASSIGNMENT.match(word) and word not in ("env", "exec"):
-            break
-        if "=" in word:
-            _assign(environment, word, "shell", 0)
-
-
-def after_commands(environment: Environment, commands: Iterable[Command], known: Callable[[str], bool]) -> Environment:
-    """The environment after shell commands (``model.shell.Command``): assignments, ``export``, ``unset``.
-    Those inside ``if``
-    and the like may or may not run: they make a value unknown. ``known`` tells which sourced files hide
-    nothing."""
-    now = environment.copy()
-    for command in commands:
-        words = command.words
-        if not words:
-            for word in command.assignments:
-                _assign(now, word, "shell", command.depth)
-        elif command.name in ("export", "declare", "typeset", "readonly", "local"):
-            for word in words[1:]:
-                if "=" in word and not word.startswith("-"):
-                    _assign(now, word, command.name, command.depth)
-        elif command.name == "unset":
-            for word in words[1:]:
-                now.unset(word)
-        elif command.name in ("source", ".") and len(words) > 1 and not known(words[1]):
-            now.complete = False
-        elif command.name in ("eval", "read"):
-            now.complete = False
-    return now
-
-
-def _assign(environment: Environment, word: Located, origin: str, depth: int) -> None:
-    equals = word.find("=")
-    name, value = word[:equals], word.part(equals + 1, len(word))
-    append = name.endswith("+")
-    text = None if depth or append else environment.expand(value)
-    environment.set(Variable(name.rstrip("+"), value, text, origin))

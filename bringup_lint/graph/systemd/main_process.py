@@ -10,13 +10,13 @@ import re
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 
-from bringup_lint.graph.systemd.process import SCRIPT_DEPTH
-from bringup_lint.graph.systemd.process import SHELL_SCRIPT
-from bringup_lint.graph.systemd.process import SHELLS
+from bringup_lint.graph.commands.command_line import SHELLS
+from bringup_lint.graph.commands.following import SCRIPT_DEPTH
+from bringup_lint.graph.commands.following import SHELL_SCRIPT
+from bringup_lint.graph.commands.ros_command import Ros
+from bringup_lint.graph.commands.ros_command import ros_command
+from bringup_lint.graph.commands.wrappers import unwrapped
 from bringup_lint.graph.systemd.process import Process
-from bringup_lint.graph.systemd.process import Ros
-from bringup_lint.graph.systemd.process import ros_command
-from bringup_lint.graph.systemd.process import unwrapped
 from bringup_lint.model.shell import Command
 from bringup_lint.parsers.shell import commands
 from bringup_lint.source import Located

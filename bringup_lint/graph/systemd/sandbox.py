@@ -13,7 +13,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 
-from bringup_lint.graph.systemd.environment import Environment
+from bringup_lint.graph.commands.environment import Environment
 from bringup_lint.graph.systemd.environment import process_environment
 from bringup_lint.graph.systemd.filesystem import absolute
 from bringup_lint.graph.systemd.filesystem import directories

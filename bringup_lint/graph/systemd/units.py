@@ -9,6 +9,8 @@ from dataclasses import field
 from functools import cached_property
 
 from bringup_lint.facts.systemd.directives import NEWEST
+from bringup_lint.graph.commands.environment import Environment
+from bringup_lint.graph.commands.environment import stays_local
 from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.graph import Graph
 from bringup_lint.graph.systemd import boot
@@ -17,11 +19,9 @@ from bringup_lint.graph.systemd.cycles import ROOTS
 from bringup_lint.graph.systemd.cycles import Cycle
 from bringup_lint.graph.systemd.cycles import ordering_cycles
 from bringup_lint.graph.systemd.dependencies import dependency_graph
-from bringup_lint.graph.systemd.environment import Environment
 from bringup_lint.graph.systemd.environment import EnvironmentFile
 from bringup_lint.graph.systemd.environment import environment_files
 from bringup_lint.graph.systemd.environment import process_environment
-from bringup_lint.graph.systemd.environment import stays_local
 from bringup_lint.graph.systemd.environment import unit_environment
 from bringup_lint.graph.systemd.named_units import NamedUnits
 from bringup_lint.graph.systemd.process import Process
@@ -136,7 +136,7 @@ class Units(NamedUnits):
     def processes(self, unit: Unit) -> list[Process]:
         """The command lines of a service with what they run."""
         if id(unit) not in self._processes:
-            self._processes[id(unit)] = processes(unit, self.robot)
+            self._processes[id(unit)] = processes(unit, self.robot.files)
         return self._processes[id(unit)]
 
     def started(self, unit: Unit) -> list[Process]:

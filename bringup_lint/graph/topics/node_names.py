@@ -15,7 +15,7 @@ from bringup_lint.graph.workspace import place
 from bringup_lint.model.launch import Other
 
 if TYPE_CHECKING:
-    from bringup_lint.graph.systemd.process import Ros
+    from bringup_lint.graph.commands.ros_command import Ros
     from bringup_lint.graph.topics.topics import Topics
 
 PUBLIC = re.compile(

@@ -1,0 +1,104 @@
+"""What a command line really runs: the shell text after ``-c``, and the scripts of the tree that it starts."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from collections.abc import Iterator
+from dataclasses import dataclass
+from dataclasses import field
+from dataclasses import replace
+
+from bringup_lint.graph.commands.command_line import SHELLS
+from bringup_lint.graph.commands.command_line import CommandLine
+from bringup_lint.graph.commands.command_line import Step
+from bringup_lint.graph.commands.environment import SETUP_FILE
+from bringup_lint.graph.commands.ros_command import INSTALLED_NODE
+from bringup_lint.graph.commands.wrappers import unwrapped
+from bringup_lint.model.shell import Command
+from bringup_lint.parsers.shell import commands
+from bringup_lint.source import Located
+from bringup_lint.source import Source
+
+Find = Callable[[Located], Source | None]
+"""The file of the tree that a path of a command means to whoever runs it."""
+
+SCRIPT_DEPTH = 4
+"""How many scripts that call each other are followed."""
+SHELL_SCRIPT = re.compile(r"#!\s*\S*/(?:env\s+(?:-S\s+)?)?(sh|bash|dash|zsh|ksh)\b")
+_SHELL_OPTIONS = re.compile(r"[-+][A-Za-z]*[oO]|--rcfile|--init-file")
+"""Options of shells that take a value."""
+
+
+def follow(line: CommandLine, find: Find) -> None:
+    """Fill in the steps of a command line, and what of it could not be followed."""
+    command = Command(line.argv)
+    line.steps = [Step(command, last=True), *_Follower(line, find).behind(command, 1)]
+
+
+def follow_text(line: CommandLine, text: Located, find: Find) -> None:
+    """The same for a text that a shell reads."""
+    line.steps = list(_Follower(line, find).text(text, "sh", None, (), 1))
+
+
+@dataclass(eq=False)
+class _Follower:
+    line: CommandLine
+    find: Find
+    read: set[Source] = field(default_factory=set)
+    """The scripts that were followed: each is followed once."""
+
+    def behind(self, command: Command, depth: int) -> Iterator[Step]:
+        """The steps of a command that is a shell or a script of the tree."""
+        words = unwrapped(command.words)
+        if not words or depth > SCRIPT_DEPTH:
+            return
+        name = words[0].rpartition("/")[2]
+        if name in SHELLS:
+            yield from self.shell(name, words[1:], depth)
+        elif name == "su":
+            self.line.opaque = True
+        elif "/" in words[0] and name != "ros2" and not INSTALLED_NODE.search(words[0]):
+            yield from self.script(words[0], "", words[1:], depth)
+        elif name in ("source", ".") and len(words) > 1 and not SETUP_FILE.search(words[1]):
+            yield from self.script(words[1], "bash", (), depth)
+
+    def shell(self, name: str, words: tuple[Located, ...], depth: int) -> Iterator[Step]:
+        at = 0
+        while at < len(words):
+            word = words[at]
+            if _SHELL_OPTIONS.fullmatch(word):
+                at += 2
+            elif word.startswith("-") and not word.startswith("--") and "c" in word and at + 1 < len(words):
+                yield from self.text(words[at + 1], name, None, words[at + 3 :], depth)
+                return
+            elif word.startswith(("-", "+")):
+                at += 1
+            else:
+                yield from self.script(word, name, words[at + 1 :], depth)
+                return
+        self.line.opaque = True
+
+    def script(self, path: Located, shell: str, arguments: tuple[Located, ...], depth: int) -> Iterator[Step]:
+        source = None if "$" in path or "%" in path else self.find(path)
+        shebang = SHELL_SCRIPT.match(source.text) if source else None
+        if source is None or not (shell or shebang):
+            self.line.opaque = True
+            if source is None and (shell or path.endswith((".sh", ".bash"))):
+                self.line.scripts_outside.append(path)
+            return
+        if source in self.read:
+            return
+        self.read.add(source)
+        text = source.located(0, len(source.text))
+        yield from self.text(text, shell or (shebang[1] if shebang else ""), source, arguments, depth)
+
+    def text(
+        self, text: Located, shell: str, script: Source | None, arguments: tuple[Located, ...], depth: int
+    ) -> Iterator[Step]:
+        found = commands(text)
+        for at, command in enumerate(found):
+            if arguments and unwrapped(command.words) == ("$@",):
+                command = replace(command, words=(*command.words[:-1], *arguments))
+            yield Step(command, shell, script, at == len(found) - 1 and command.depth == 0, depth)
+            yield from self.behind(command, depth + 1)

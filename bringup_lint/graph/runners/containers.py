@@ -1,0 +1,124 @@
+"""What runs inside a container: the words of its entrypoint and command, and the files of the tree at its paths."""
+
+from __future__ import annotations
+
+import json
+import posixpath
+import re
+from collections.abc import Callable
+from collections.abc import Iterator
+
+from bringup_lint.graph.commands.command_line import SHELLS
+from bringup_lint.graph.commands.command_line import CommandLine
+from bringup_lint.graph.commands.environment import Environment
+from bringup_lint.graph.commands.environment import Variable
+from bringup_lint.graph.commands.following import follow
+from bringup_lint.graph.commands.wrappers import unwrapped
+from bringup_lint.graph.files import Files
+from bringup_lint.model.compose import Service
+from bringup_lint.model.dockerfile import Instruction
+from bringup_lint.model.dockerfile import Stage
+from bringup_lint.parsers.systemd_values import split_words
+from bringup_lint.source import Located
+from bringup_lint.source import Source
+
+_WORD = re.compile(r'"((?:[^"\\]|\\.)*)"')
+
+
+def words_of(instruction: Instruction | None) -> list[Located]:
+    """The words of CMD or ENTRYPOINT; those of the shell form as ``sh -c`` gets them."""
+    if instruction is None:
+        return []
+    if instruction.exec_form is None:
+        value = instruction.value
+        return [Located("sh", value.span), Located("-c", value.span), value]
+    return [_unescaped(instruction.value.part(*word.span(1))) for word in _WORD.finditer(instruction.value)]
+
+
+def _unescaped(word: Located) -> Located:
+    return Located(json.loads(f'"{word}"'), word.span) if "\\" in word else word
+
+
+def container_line(words: list[Located], reads: Callable[[str], Source | None]) -> CommandLine | None:
+    """The command line of a container. An entry script that is not in the tree is taken to run what it is given."""
+    if not words:
+        return None
+    line = CommandLine(words[0], _program(tuple(words), reads))
+    follow(line, lambda path: reads(str(path)))
+    return line
+
+
+def _program(words: tuple[Located, ...], reads: Callable[[str], Source | None]) -> tuple[Located, ...]:
+    plain = unwrapped(words) or words
+    if reads(str(plain[0])) is not None:
+        return plain
+    names = [word.rpartition("/")[2] for word in plain]
+    for at, name in enumerate(names):
+        if name in SHELLS and at + 2 < len(plain) and re.fullmatch(r"-\w*c", plain[at + 1]):
+            return plain[at:]
+    return plain[names.index("ros2") :] if "ros2" in names else plain
+
+
+def image_variables(stage: Stage) -> Iterator[Variable]:
+    """What the ENV instructions of a stage set: ``NAME=value ...`` or the old ``NAME value``."""
+    for instruction in stage.all("ENV"):
+        first = next(instruction.value.words(), None)
+        if first is not None and "=" not in first:
+            value = instruction.value.part(len(first), len(instruction.value)).strip_located()
+            yield Variable(str(first), value, None if "$" in value else str(value), "ENV")
+            continue
+        for word in split_words(instruction.value).words:
+            name, equals, text = word.partition("=")
+            if equals:
+                value = word.part(len(name) + 1, len(word))
+                yield Variable(name, value, None if "$" in text else str(value), "ENV")
+
+
+def image_environment(stage: Stage | None) -> Environment:
+    """The variables of an image, the stages below included; of an image that is not in the tree nothing is known."""
+    environment = Environment(complete=stage is not None)
+    for one in reversed(list(stage.chain) if stage else []):
+        for variable in image_variables(one):
+            environment.set(variable)
+    return environment
+
+
+def mounted(files: Files, service: Service, path: str) -> Source | None:
+    """The file that a bind mount puts at a path of the container."""
+    for volume in service.volumes:
+        if volume.target is None or volume.source is None or "$" in volume.source:
+            continue
+        target = str(volume.target).rstrip("/")
+        if path == target or path.startswith(f"{target}/"):
+            below = f"{volume.source.rstrip('/')}{path[len(target) :]}"
+            return files.tree.find(below) if below.startswith("/") else files.tree.beside(service.source, below)
+    return None
+
+
+def copied(files: Files, stage: Stage, path: str) -> Source | None:
+    """The file that COPY or ADD puts at a path of the image, looked for beside the Dockerfile."""
+    for one in stage.chain:
+        for instruction in (*one.all("COPY"), *one.all("ADD")):
+            if any(flag.startswith("--from") for flag in instruction.flags):
+                continue
+            found = _copied_by(files, instruction, path)
+            if found is not None:
+                return found
+    return None
+
+
+def _copied_by(files: Files, instruction: Instruction, path: str) -> Source | None:
+    words = [str(word) for word in words_of(instruction)] if instruction.exec_form else instruction.value.split()
+    if len(words) < 2 or not words[-1].startswith("/") or "$" in instruction.value:
+        return None
+    *sources, target = words
+    for name in sources:
+        into = posixpath.join(target, posixpath.basename(name)) if target.endswith("/") or len(sources) > 1 else target
+        if path == into:
+            return files.tree.beside(instruction.keyword.span.source, name)
+        folder = target.rstrip("/")
+        if path.startswith(f"{folder}/"):
+            found = files.tree.beside(instruction.keyword.span.source, f"{name.rstrip('/')}{path[len(folder) :]}")
+            if found is not None:
+                return found
+    return None

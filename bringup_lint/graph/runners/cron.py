@@ -1,0 +1,54 @@
+"""The ``@reboot`` lines of crontabs: cron runs them once, after the boot, and starts nothing again."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from bringup_lint.graph.commands.command_line import CommandLine
+from bringup_lint.graph.commands.environment import Environment
+from bringup_lint.graph.commands.environment import Variable
+from bringup_lint.graph.commands.following import follow_text
+from bringup_lint.graph.files import Files
+from bringup_lint.graph.runners.layers import Layers
+from bringup_lint.graph.runners.runner import Runner
+from bringup_lint.graph.runners.runner import RunnerKind
+from bringup_lint.source import Source
+
+_REBOOT = re.compile(r"^[ \t]*@reboot[ \t]+(?P<user>[a-z_][\w-]*)[ \t]+(?P<command>\S[^\n]*)$", re.M)
+_VARIABLE = re.compile(r"^[ \t]*(?P<name>[A-Za-z_]\w*)[ \t]*=[ \t]*(?P<value>[^\n]*?)[ \t]*$", re.M)
+
+
+def runners(files: Files, layers: Layers) -> Iterator[Runner]:
+    for source in files.of_kind("cron"):
+        if source.judged and not source.template:
+            yield from _of(files, source)
+
+
+def _of(files: Files, source: Source) -> Iterator[Runner]:
+    for match in _REBOOT.finditer(source.text):
+        command = source.located(*match.span("command"))
+        line = CommandLine(command, ())
+        follow_text(line, command, lambda path: files.find(str(path), source) if path.startswith("/") else None)
+        yield Runner(
+            RunnerKind.CRON,
+            f"the @reboot line of {source.basename}",
+            command.span,
+            _environment(source, match.start()),
+            lines=[line],
+            main=[line],
+            runs_ros=bool(line.ros),
+            system="cron",
+            user=match["user"],
+            restarts=False,
+            reads=files.tree.find,
+        )
+
+
+def _environment(source: Source, end: int) -> Environment:
+    """The variables that the crontab sets above the line; cron adds hardly any."""
+    environment = Environment()
+    for match in _VARIABLE.finditer(source.text, 0, end):
+        value = source.located(*match.span("value")).strip_located("\"'")
+        environment.set(Variable(match["name"], value, str(value), "crontab"))
+    return environment

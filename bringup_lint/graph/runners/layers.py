@@ -1,0 +1,17 @@
+"""The layers that makers of runners ask, each only where its kind of file is in the tree."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.compose import Compose
+    from bringup_lint.graph.systemd.units import Units
+
+
+@dataclass(frozen=True, eq=False)
+class Layers:
+    units: Callable[[], Units]
+    compose: Callable[[], Compose]

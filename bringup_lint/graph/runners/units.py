@@ -1,0 +1,40 @@
+"""Systemd services as runners."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from bringup_lint.graph.files import Files
+from bringup_lint.graph.runners.layers import Layers
+from bringup_lint.graph.runners.runner import Runner
+from bringup_lint.graph.runners.runner import RunnerKind
+from bringup_lint.graph.runners.runner import Stop
+from bringup_lint.graph.systemd.unit import Unit
+from bringup_lint.graph.systemd.units import Units
+
+
+def runners(files: Files, layers: Layers) -> Iterator[Runner]:
+    units = layers.units()
+    for unit in units.services:
+        yield _of(files, units, unit)
+
+
+def _of(files: Files, units: Units, unit: Unit) -> Runner:
+    supervision = units.supervision(unit)
+    signal = supervision.kill_signal
+    return Runner(
+        RunnerKind.UNIT,
+        unit.name,
+        unit.where,
+        units.environment(unit),
+        lines=list(units.processes(unit)),
+        main=list(units.started(unit)),
+        runs_ros=unit in units.dds,
+        system=unit.place,
+        user="root" if supervision.as_root else unit.get("User"),
+        stop=Stop(signal.value, supervision.stop_timeout.value, signal.at),
+        restarts=units.restart(unit).restarts,
+        environment_files=tuple((each.value, each.source) for each in units.environment_files(unit) if each.source),
+        unit=unit,
+        reads=files.tree.find,
+    )
