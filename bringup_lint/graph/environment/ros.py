@@ -140,6 +140,8 @@ class RosEnvironment:
     @property
     def missing_middleware(self) -> Iterator[MissingMiddleware]:
         """The places that select a middleware which the image of the container does not contain."""
+        if not self.files.of_kind("compose", "dockerfile"):
+            return iter(())
         from bringup_lint.graph.environment.images import missing_middleware
 
         return missing_middleware(self.compose(), self.processes)
