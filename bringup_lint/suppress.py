@@ -106,9 +106,8 @@ def _read(source: Source) -> Iterator[Ignore]:
 
 
 def _next_line(source: Source, line: int) -> int:
-    """The next line that is no comment."""
+    """The next line after a comment that is no comment."""
     last = len(source.line_starts)
-    line += 1
     while line < last and _COMMENT_LINE.match(source.line_text(line)) and source.line_text(line).strip():
         line += 1
     return line
