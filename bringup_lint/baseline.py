@@ -1,4 +1,4 @@
-"""Baselines: findings that are known and shall not be reported again."""
+"""Baselines: findings that are known and are not reported again."""
 
 from __future__ import annotations
 
@@ -7,9 +7,7 @@ from collections.abc import Iterable
 from typing import NamedTuple
 
 from bringup_lint.finding import Finding
-from bringup_lint.report.fingerprint import fingerprints
-from bringup_lint.report.redact import mask_of
-from bringup_lint.report.uri import below_root
+from bringup_lint.finding.uri import below_root
 
 VERSION = 1
 
@@ -19,7 +17,7 @@ class BaselineError(ValueError):
 
 
 class Sifted(NamedTuple):
-    """Findings held against a baseline."""
+    """Findings compared with a baseline."""
 
     new: tuple[Finding, ...]
     known: tuple[Finding, ...]
@@ -28,17 +26,16 @@ class Sifted(NamedTuple):
 
 
 def written(findings: Iterable[Finding], root: str, cwd: str = "") -> str:
-    """The text of a baseline file; it holds no line numbers, and no secrets."""
-    findings = tuple(finding for finding in findings if finding.suppression is None)
-    mask = mask_of(findings)
+    """The text of a baseline file for presented findings; it holds no line numbers, and no secrets."""
     entries = [
         {
             "path": _text(below_root(finding.source.name, root, cwd)),
             "rule": finding.rule,
-            "message": _text(mask.words(finding.message) if mask else finding.message),
-            "fingerprint": fingerprint,
+            "message": _text(finding.message),
+            "fingerprint": finding.fingerprint,
         }
-        for finding, fingerprint in zip(findings, fingerprints(findings, root, cwd), strict=True)
+        for finding in findings
+        if finding.suppression is None
     ]
     entries.sort(key=lambda entry: tuple(entry.values()))
     return json.dumps({"version": VERSION, "findings": entries}, indent=2) + "\n"
@@ -63,13 +60,12 @@ def read(text: str) -> frozenset[str]:
         raise BaselineError("not a baseline: findings without fingerprints") from error
 
 
-def sift(findings: Iterable[Finding], known: frozenset[str], root: str, cwd: str = "") -> Sifted:
-    """Part the findings into new ones and those that the baseline knows."""
+def sift(findings: Iterable[Finding], known: frozenset[str]) -> Sifted:
+    """Split presented findings into new ones and those that the baseline knows."""
     findings = tuple(findings)
-    marks = fingerprints(findings, root, cwd)
-    new = tuple(finding for finding, mark in zip(findings, marks, strict=True) if mark not in known)
-    old = tuple(finding for finding, mark in zip(findings, marks, strict=True) if mark in known)
-    return Sifted(new, old, len(known.difference(marks)))
+    new = tuple(finding for finding in findings if finding.fingerprint not in known)
+    old = tuple(finding for finding in findings if finding.fingerprint in known)
+    return Sifted(new, old, len(known.difference(finding.fingerprint for finding in findings)))
 
 
 def _text(text: str) -> str:

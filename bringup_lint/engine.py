@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import traceback
+from collections import Counter
 from collections.abc import Iterable
 from collections.abc import Iterator
+from collections.abc import Mapping
 from dataclasses import dataclass
-from dataclasses import field
 from dataclasses import replace
 
 from bringup_lint.config import Config
@@ -24,23 +25,18 @@ from bringup_lint.suppress import ignores_in
 INTERNAL_ERROR = "lint/internal-error"
 
 
-@dataclass(eq=False)
+@dataclass(frozen=True)
 class Outcome:
     """What a run found."""
 
-    findings: list[Finding] = field(default_factory=list)
+    findings: tuple[Finding, ...]
     """Sorted by place; suppressed ones carry their suppression."""
-    rules: dict[str, Rule] = field(default_factory=dict)
+    rules: dict[str, Rule]
     """The rules that ran, by id."""
-    failures: list[str] = field(default_factory=list)
+    failures: tuple[str, ...]
     """What failed inside, one line each."""
-    hidden: dict[Severity, int] = field(default_factory=dict)
+    hidden: dict[Severity, int]
     """How many findings of each severity lie below the lowest severity shown."""
-
-    def exit_code(self, fail_on: Severity) -> int:
-        if self.failures:
-            return 3
-        return int(any(item.severity >= fail_on and not item.suppression for item in self.findings))
 
 
 class Selection:
@@ -77,54 +73,54 @@ def run(robot: Robot, registry: Registry, config: Config, *, ignores: bool = Tru
     """Run the selected rules over a robot. Raises ConfigError for names that mean nothing, RuleError for a bad rule."""
     selection = Selection(registry, config.select, config.ignore)
     severities = {selection.known(name): Severity[value.upper()] for name, value in config.severity.items()}
-    outcome = Outcome()
-    findings: list[Finding] = []
-    for rule_id in registry.ids_for(robot):
-        if selection.runs(rule_id):
-            outcome.rules[rule_id] = registry.get(rule_id)
-            findings += _run_rule(outcome.rules[rule_id], robot, outcome)
-    for source, error in robot.failures:
-        findings.append(_internal(outcome, source, f"reading {source.name}", error))
+    rules = {rule_id: registry[rule_id] for rule_id in registry.ids_for(robot) if selection.runs(rule_id)}
+    failures: list[Finding] = []
+    findings = [found for rule in rules.values() for found in _run_rule(rule, robot, failures)]
+    failures += [_internal(source, f"reading {source.name}", error) for source, error in robot.failures]
+    findings += failures
     if ignores:
-        comments = ignores_in(robot.sources, lambda name, rule_id: _means(name, outcome.rules.get(rule_id), rule_id))
-        findings = [comments.apply(found) for found in findings]
-        findings += [
-            found
-            for found in comments.complaints(lambda name: _counts(name, outcome, selection))
-            if found.rule in outcome.rules
-        ]
+        findings = _suppressed(findings, robot, rules, selection)
+    graded = sorted((_graded(found, rules.get(found.rule), severities) for found in findings), key=_order)
     lowest = Severity[config.min_severity.upper()]
-    for found in _unique(sorted((_graded(found, outcome, severities) for found in findings), key=_order)):
+    shown, hidden = [], Counter[Severity]()
+    for found in _unique(graded):
         if found.severity >= lowest or found.rule in selection.select:
-            outcome.findings.append(found)
+            shown.append(found)
         else:
-            outcome.hidden[found.severity] = outcome.hidden.get(found.severity, 0) + 1
-    return outcome
+            hidden[found.severity] += 1
+    return Outcome(tuple(shown), rules, tuple(failure.message for failure in failures), hidden)
 
 
-def _run_rule(rule: Rule, robot: Robot, outcome: Outcome) -> Iterator[Finding]:
+def _run_rule(rule: Rule, robot: Robot, failures: list[Finding]) -> Iterator[Finding]:
     try:
         for found in rule.check(robot) or ():
             if found.source.judged:
                 yield replace(found, rule=rule.id)
     except Exception as error:
-        yield _internal(outcome, Source(rule.path.name), f"rule {rule.id}", error)
+        failures.append(_internal(Source(rule.path.name), f"rule {rule.id}", error))
 
 
-def _internal(outcome: Outcome, source: Source, what: str, error: Exception) -> Finding:
+def _internal(source: Source, what: str, error: Exception) -> Finding:
     frame = traceback.extract_tb(error.__traceback__)[-1]
-    message = f"{what} failed: {type(error).__name__} in {frame.filename.rpartition('/')[2]}:{frame.lineno}"
-    outcome.failures.append(message)
     return Finding(
-        message,
+        f"{what} failed: {type(error).__name__} in {frame.filename.rpartition('/')[2]}:{frame.lineno}",
         source.whole,
         rule=INTERNAL_ERROR,
         advice="this is a bug in bringup-lint; everything else was still checked",
     )
 
 
-def _graded(found: Finding, outcome: Outcome, severities: dict[str, Severity]) -> Finding:
-    rule = outcome.rules.get(found.rule)
+def _suppressed(
+    findings: Iterable[Finding], robot: Robot, rules: Mapping[str, Rule], selection: Selection
+) -> list[Finding]:
+    """The findings with what the comments of the files say of them, and what there is to say of the comments."""
+    comments = ignores_in(robot.sources, lambda name, rule_id: _means(name, rules.get(rule_id), rule_id))
+    applied = [comments.apply(found) for found in findings]
+    complaints = comments.complaints(lambda name: _counts(name, rules, selection))
+    return applied + [found for found in complaints if found.rule in rules]
+
+
+def _graded(found: Finding, rule: Rule | None, severities: Mapping[str, Severity]) -> Finding:
     own = rule.severity if rule else Severity.ERROR
     highest = rule.meta.confidence if rule else Confidence.HIGH
     return replace(
@@ -138,9 +134,9 @@ def _means(name: str, rule: Rule | None, rule_id: str) -> bool:
     return names(name, rule_id) or (rule is not None and name in rule.meta.aliases)
 
 
-def _counts(name: str, outcome: Outcome, selection: Selection) -> bool:
+def _counts(name: str, rules: Mapping[str, Rule], selection: Selection) -> bool:
     """Whether it is wrong that an ignored name silenced nothing: its rules ran, or it names no rule at all."""
-    if any(_means(name, rule, rule_id) for rule_id, rule in outcome.rules.items()):
+    if any(_means(name, rule, rule_id) for rule_id, rule in rules.items()):
         return True
     try:
         selection.known(name)

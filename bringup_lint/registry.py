@@ -133,7 +133,9 @@ def load(path: Path, rule_id: str) -> Rule:
     """Load one rule file. Raises RuleError when the file fails or lacks its metadata."""
     name = "bringup_lint_rules." + rule_id.replace("-", "_").replace("/", ".")
     loader = importlib.machinery.SourceFileLoader(name, str(path))
-    module = importlib.util.module_from_spec(importlib.util.spec_from_loader(name, loader))
+    spec = importlib.machinery.ModuleSpec(name, loader, origin=str(path))
+    spec.has_location = True
+    module = importlib.util.module_from_spec(spec)
     try:
         loader.exec_module(module)
     except Exception as error:
@@ -170,9 +172,11 @@ class Registry:
                 paths[rule_id] = path
         return paths
 
+    def __getitem__(self, rule_id: str) -> Rule:
+        return load(self.paths[rule_id], rule_id)
+
     def get(self, rule_id: str) -> Rule | None:
-        path = self.paths.get(rule_id)
-        return load(path, rule_id) if path else None
+        return self[rule_id] if rule_id in self.paths else None
 
     def ids_for(self, robot: Robot) -> list[str]:
         """The rules that can say something about a robot (``family.toml``: reads, mentions, joins)."""

@@ -7,30 +7,34 @@ import json
 import pytest
 
 from bringup_lint import baseline
+from bringup_lint.finding.presented import presented
 from tests.report.sample import FINDINGS
 from tests.report.sample import PASSWORD
 
 ROOT = "/home/robot/mower"
 
 
+PRESENTED = presented(FINDINGS, ROOT).findings
+
+
 def test_what_is_written_is_known() -> None:
-    known = baseline.read(baseline.written(FINDINGS, ROOT))
-    sifted = baseline.sift(FINDINGS, known, ROOT)
+    known = baseline.read(baseline.written(PRESENTED, ROOT))
+    sifted = baseline.sift(PRESENTED, known)
     assert [finding.rule for finding in sifted.new] == ["systemd/restart-unlimited"], "suppressed ones are not kept"
     assert sifted.gone == 0
 
 
 def test_new_ones_and_gone_ones() -> None:
-    known = baseline.read(baseline.written(FINDINGS[:4], ROOT))
-    sifted = baseline.sift(FINDINGS[2:], known, ROOT)
-    assert sifted.known == FINDINGS[2:4]
-    assert sifted.new == FINDINGS[4:]
+    known = baseline.read(baseline.written(PRESENTED[:4], ROOT))
+    sifted = baseline.sift(PRESENTED[2:], known)
+    assert sifted.known == PRESENTED[2:4]
+    assert sifted.new == PRESENTED[4:]
     assert sifted.gone == 2
 
 
 def test_text_is_stable_and_holds_no_secret() -> None:
-    text = baseline.written(FINDINGS, ROOT)
-    assert text == baseline.written(reversed(FINDINGS), ROOT)
+    text = baseline.written(PRESENTED, ROOT)
+    assert text == baseline.written(reversed(PRESENTED), ROOT)
     assert PASSWORD not in text
     assert text.endswith("}\n")
 
@@ -52,5 +56,5 @@ def test_what_is_no_baseline_says_so(text: str, message: str) -> None:
 
 
 def test_entries_say_what_they_are() -> None:
-    first = json.loads(baseline.written(FINDINGS, ROOT))["findings"][0]
+    first = json.loads(baseline.written(PRESENTED, ROOT))["findings"][0]
     assert list(first) == ["path", "rule", "message", "fingerprint"]

@@ -103,18 +103,13 @@ def deliver(
     """Write the reports, and the baseline when one is asked for; returns the exit code."""
     from bringup_lint.cli.reporting import report_of
     from bringup_lint.cli.reporting import save_baseline
-    from bringup_lint.cli.reporting import take_known
     from bringup_lint.cli.reporting import wants_colour
     from bringup_lint.report import render
 
+    drawn = any(output.format == "html" for output in outputs)
+    report = report_of(outcome, robot, config, started, drawn=drawn)
     if options["write_baseline"]:
-        save_baseline(outcome, robot, options["write_baseline"])
-    known = take_known(outcome, robot, config)
-    report = report_of(outcome, robot, config, started, known)
-    if any(output.format == "html" for output in outputs):
-        from bringup_lint.report.picture.document import picture
-
-        report = dataclasses.replace(report, picture=picture(robot.graph, outcome.findings))
+        save_baseline(report, options["write_baseline"])
     for output in outputs:
         colour = output.file is None and wants_colour(options["colour"])
         write(render(output.format, dataclasses.replace(report, colour=colour)), output.file)

@@ -9,9 +9,9 @@ from pathlib import Path
 import click
 
 from bringup_lint.cli.options import rules_option
-from bringup_lint.cli.reporting import doc_of
 from bringup_lint.cli.reporting import terminal_width
 from bringup_lint.cli.reporting import wants_colour
+from bringup_lint.finish import doc_of
 from bringup_lint.registry import Registry
 from bringup_lint.registry import Rule
 from bringup_lint.report.docs import plain

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from importlib import import_module
 from pathlib import Path
 from typing import Any
@@ -59,10 +60,9 @@ def command(ctx: click.Context, paths: tuple[str, ...], **options: Any) -> None:
 def _draw(paths: tuple[str, ...], options: dict[str, Any]) -> str:
     from bringup_lint.cli.check import configuration
     from bringup_lint.cli.check import read_robot
-    from bringup_lint.cli.reporting import take_known
+    from bringup_lint.cli.reporting import report_of
     from bringup_lint.engine import run
     from bringup_lint.registry import Registry
-    from bringup_lint.report.picture.document import picture
     from bringup_lint.report.picture.selection import focused
     from bringup_lint.report.picture.selection import in_layers
 
@@ -72,8 +72,7 @@ def _draw(paths: tuple[str, ...], options: dict[str, Any]) -> str:
     outcome = run(robot, Registry.of(rule_folders), config)
     for failure in (*outcome.failures, *(f"the picture is not whole: {error!r}" for error in robot.graph.failures)):
         click.echo(f"bringup-lint: {failure}", err=True)
-    take_known(outcome, robot, config)
-    document = picture(robot.graph, outcome.findings)
+    document = report_of(outcome, robot, config, time.time(), drawn=True).picture or {}
     if options["focus"]:
         document = focused(document, options["focus"], options["depth"])
     if options["layers"]:

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from bringup_lint.finding import Finding
+from bringup_lint.finding.place import inside
 from bringup_lint.report.columns import printable
 from bringup_lint.report.model import Report
-from bringup_lint.report.place import inside
 
 
 def render(report: Report) -> str:

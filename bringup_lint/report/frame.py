@@ -6,10 +6,11 @@ from collections.abc import Iterable
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from bringup_lint.finding.place import is_whole_file
+from bringup_lint.finding.place import place_of
 from bringup_lint.report.columns import printable
 from bringup_lint.report.paint import Paint
-from bringup_lint.report.place import is_whole_file
-from bringup_lint.report.place import place_of
+from bringup_lint.report.rows import Bar
 from bringup_lint.report.rows import Underline
 from bringup_lint.report.rows import closing
 from bringup_lint.report.rows import rows
@@ -28,16 +29,6 @@ class Mark(NamedTuple):
     span: Span
     style: str
     label: str = ""
-
-
-class Bar(NamedTuple):
-    """A mark over several lines, drawn at their left; it ends before offset ``end`` of the last line."""
-
-    first: int
-    last: int
-    end: int
-    style: str
-    label: str
 
 
 class Frame(NamedTuple):

@@ -11,10 +11,9 @@ from bringup_lint.finding import Fix
 from bringup_lint.finding import Related
 from bringup_lint.finding import Severity
 from bringup_lint.finding import Suppression
-from bringup_lint.report.fingerprint import fingerprints
+from bringup_lint.finding.place import inside
+from bringup_lint.finding.place import place_of
 from bringup_lint.report.model import Report
-from bringup_lint.report.place import inside
-from bringup_lint.report.place import place_of
 from bringup_lint.report.unicode import sound
 from bringup_lint.source import Span
 
@@ -22,7 +21,6 @@ VERSION = 1
 
 
 def render(report: Report) -> str:
-    marks = fingerprints(report.findings, report.root, report.cwd)
     data = {
         "version": VERSION,
         "tool": {"name": "bringup-lint", "version": report.version},
@@ -30,7 +28,7 @@ def render(report: Report) -> str:
             "ros": {"version": report.target.ros, "why": report.target.ros_why},
             "systemd": {"version": report.target.systemd, "why": report.target.systemd_why},
         },
-        "findings": [_finding(finding, mark) for finding, mark in zip(report.findings, marks, strict=True)],
+        "findings": [_finding(finding) for finding in report.findings],
         "notifications": [told._asdict() for told in report.notifications],
         "summary": _summary(report),
     }
@@ -42,7 +40,7 @@ def _summary(report: Report) -> dict[str, Any]:
     return {
         **{str(severity): counts[severity] for severity in reversed(Severity)},
         "suppressed": sum(finding.suppression is not None for finding in report.findings),
-        "known": report.known,
+        "known": len(report.known),
         "below": {str(severity): report.below.get(severity, 0) for severity in reversed(Severity)},
         "files": report.files,
         "kinds": dict(sorted(report.kinds.items())),
@@ -50,7 +48,7 @@ def _summary(report: Report) -> dict[str, Any]:
     }
 
 
-def _finding(finding: Finding, fingerprint: str) -> dict[str, Any]:
+def _finding(finding: Finding) -> dict[str, Any]:
     return {
         "rule": finding.rule,
         "severity": str(finding.severity),
@@ -62,7 +60,7 @@ def _finding(finding: Finding, fingerprint: str) -> dict[str, Any]:
         "chain": [_related(step) for step in finding.chain],
         "fix": finding.fix and _fix(finding.fix),
         "suppressed": finding.suppression and _suppressed(finding.suppression),
-        "fingerprint": fingerprint,
+        "fingerprint": finding.fingerprint,
     }
 
 

@@ -13,7 +13,7 @@ from bringup_lint import __version__
 from bringup_lint.finding import Confidence
 from bringup_lint.finding import Finding
 from bringup_lint.finding import Severity
-from bringup_lint.report.redact import mask_of
+from bringup_lint.finding.presented import presented
 
 
 @dataclass(frozen=True)
@@ -64,7 +64,8 @@ class Notification(NamedTuple):
 
 @dataclass(frozen=True)
 class Report:
-    """One run. No secret survives the making of a report: the findings and their sources come out masked."""
+    """One run. No secret survives the making of a report: the findings and their sources come out masked, and each
+    finding has its fingerprint."""
 
     findings: tuple[Finding, ...] = ()
     """In the order of output; suppressed ones are among them."""
@@ -87,18 +88,18 @@ class Report:
     notifications: tuple[Notification, ...] = ()
     below: Mapping[Severity, int] = field(default_factory=dict)
     """How many findings of each severity were left out by ``--min-severity``."""
-    known: int = 0
-    """How many findings were left out because the baseline holds them."""
+    known: tuple[Finding, ...] = ()
+    """Findings that were left out because the baseline holds them."""
     picture: Mapping[str, Any] | None = None
     """The robot as ``report.picture`` draws it, with these findings; only ``html`` shows it."""
     colour: bool = False
     width: int = 80
 
     def __post_init__(self) -> None:
-        mask = mask_of(self.findings)
+        findings, mask = presented(self.findings, self.root, self.cwd)
+        object.__setattr__(self, "findings", findings)
         if mask:
             said = (told._replace(message=mask.words(told.message)) for told in self.notifications)
-            object.__setattr__(self, "findings", tuple(map(mask.finding, self.findings)))
             object.__setattr__(self, "notifications", tuple(said))
 
     @property

@@ -5,16 +5,13 @@ from __future__ import annotations
 from bisect import bisect_left
 from bisect import bisect_right
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from bringup_lint.report.columns import laid_out
 from bringup_lint.report.columns import printable
 from bringup_lint.report.paint import Paint
 from bringup_lint.report.wrap import wrap
-
-if TYPE_CHECKING:
-    from bringup_lint.report.frame import Bar
 
 LABEL = 36
 """A label with fewer cells than this to the right of its mark goes below it."""
@@ -26,6 +23,16 @@ class Underline(NamedTuple):
     """A stretch of one line, as offsets in it or as cells on the terminal."""
 
     start: int
+    end: int
+    style: str
+    label: str
+
+
+class Bar(NamedTuple):
+    """A mark over several lines, drawn at their left; it ends before offset ``end`` of the last line."""
+
+    first: int
+    last: int
     end: int
     style: str
     label: str
@@ -54,7 +61,7 @@ def rows(line: str, marks: list[Underline], room: int) -> Iterator[tuple[str, li
         pending = [mark for mark in pending if mark not in inside]
 
 
-def _window(cells, start: int, end: int, room: int) -> tuple[int, int]:
+def _window(cells: Sequence[int], start: int, end: int, room: int) -> tuple[int, int]:
     """The offsets between which a line is shown, so that the mark from ``start`` to ``end`` is seen."""
     size = len(cells) - 1
     if cells[size] <= room:
@@ -72,7 +79,8 @@ def underlined(marks: list[Underline], room: int, paint: Paint) -> Iterator[str]
     beside it where there is room, the others below their marks, from right to left."""
     pending = sorted(marks)
     while pending:
-        row, at, drawn = [], 0, ""
+        row: list[Underline] = []
+        at, drawn = 0, ""
         for mark in pending:
             if mark.start < at or (row and mark.start == at and mark.style == row[-1].style):
                 continue

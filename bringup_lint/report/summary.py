@@ -38,7 +38,7 @@ def _asides(report: Report) -> Iterator[str]:
     if suppressed:
         yield f"{suppressed} suppressed: --no-ignores"
     if report.known:
-        yield f"{report.known} known to the baseline"
+        yield f"{len(report.known)} known to the baseline"
 
 
 def _filled(asides: Iterator[str], width: int) -> list[str]:

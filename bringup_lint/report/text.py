@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from bringup_lint.finding import Applicability
 from bringup_lint.finding import Finding
+from bringup_lint.finding.place import place_of
 from bringup_lint.report.columns import printable
 from bringup_lint.report.frame import Mark
 from bringup_lint.report.frame import draw
@@ -13,7 +14,6 @@ from bringup_lint.report.frame import frames
 from bringup_lint.report.model import Report
 from bringup_lint.report.paint import Paint
 from bringup_lint.report.paint import painter
-from bringup_lint.report.place import place_of
 from bringup_lint.report.summary import summary
 from bringup_lint.report.wrap import wrap
 

@@ -15,6 +15,7 @@ PACKAGE = PROJECT / "bringup_lint"
 LAYERS = (
     {"__main__"},
     {"cli"},
+    {"finish"},
     {"engine"},
     {"fix", "baseline", "suppress", "config", "registry"},
     {"report", "live"},

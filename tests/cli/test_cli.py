@@ -182,7 +182,7 @@ def test_found_configuration_never_loads_rules(bad: Path) -> None:
 def test_baseline(bad: Path) -> None:
     first = only_lint("--write-baseline", "known.json", cwd=bad)
     assert first.code == 1
-    assert first.stderr == "known.json holds 1 finding now: --baseline known.json reports what is new\n"
+    assert first.stderr == "known.json now holds 1 finding: --baseline known.json reports what is new\n"
     assert only_lint("--baseline", "known.json", cwd=bad).code == 0
     (bad / "other.service").write_bytes(LATIN1)
     assert only_lint("--baseline", "known.json", cwd=bad).stdout.startswith("other.service:1:1")

@@ -198,11 +198,11 @@ def sample(**changes: object) -> Report:
         "exit_code": 3,
         "notifications": (Notification("error", "rule udev/unused-link failed: KeyError", "udev/unused-link"),),
         "below": {Severity.INFO: 4},
-        "known": 2,
+        "known": FINDINGS[:2],
     }
     return Report(**{**fields, **changes})
 
 
 def clean(**changes: object) -> Report:
     """A report without findings."""
-    return sample(findings=(), notifications=(), below={}, known=0, exit_code=0, **changes)
+    return sample(findings=(), notifications=(), below={}, known=(), exit_code=0, **changes)

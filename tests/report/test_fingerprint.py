@@ -6,7 +6,8 @@ import pytest
 
 from bringup_lint.finding import Finding
 from bringup_lint.finding import Severity
-from bringup_lint.report.fingerprint import fingerprints
+from bringup_lint.finding.fingerprint import fingerprints
+from bringup_lint.finding.presented import presented
 from bringup_lint.source import Source
 
 TEXT = "[Service]\nUser=root\nRestartSec=5\n"
@@ -21,7 +22,7 @@ def found(
 
 
 def mark(finding: Finding, root: str = "/robot", cwd: str = "/robot") -> str:
-    return fingerprints([finding], root, cwd)[0]
+    return presented([finding], root, cwd).findings[0].fingerprint
 
 
 @pytest.mark.parametrize(

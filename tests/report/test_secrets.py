@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from bringup_lint.report.secrets import given_away
+from bringup_lint.finding.secrets import given_away
 from bringup_lint.source import Source
 
 

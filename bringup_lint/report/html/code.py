@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import pairwise
 
+from bringup_lint.finding.place import is_whole_file
 from bringup_lint.report.frame import Frame
 from bringup_lint.report.html.markup import code
 from bringup_lint.report.html.markup import text
-from bringup_lint.report.place import is_whole_file
 from bringup_lint.report.rows import Underline
 
 LONG = 400

@@ -9,8 +9,8 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 from typing import Any
 
+from bringup_lint.finding.place import place_of
 from bringup_lint.report.columns import printable
-from bringup_lint.report.place import place_of
 
 if TYPE_CHECKING:
     from bringup_lint.finding import Finding

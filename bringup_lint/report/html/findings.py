@@ -8,6 +8,8 @@ from bringup_lint.finding import Applicability
 from bringup_lint.finding import Finding
 from bringup_lint.finding import Related
 from bringup_lint.finding import Severity
+from bringup_lint.finding.place import is_whole_file
+from bringup_lint.finding.place import place_of
 from bringup_lint.report.frame import Mark
 from bringup_lint.report.frame import frames
 from bringup_lint.report.html.code import figure
@@ -17,8 +19,6 @@ from bringup_lint.report.html.markup import lines
 from bringup_lint.report.html.markup import text
 from bringup_lint.report.html.prose import prose
 from bringup_lint.report.model import Report
-from bringup_lint.report.place import is_whole_file
-from bringup_lint.report.place import place_of
 
 TITLES = {Severity.ERROR: "Errors", Severity.WARNING: "Warnings", Severity.INFO: "Info"}
 SNIPPET = 120

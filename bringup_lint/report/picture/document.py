@@ -11,6 +11,9 @@ from typing import Any
 
 from bringup_lint import __version__
 from bringup_lint.finding import Finding
+from bringup_lint.finding.place import place_of
+from bringup_lint.finding.redact import Mask
+from bringup_lint.finding.redact import widened
 from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.graph import Graph
 from bringup_lint.graph.graph import Node
@@ -19,19 +22,20 @@ from bringup_lint.graph.layers import layer_of_edge
 from bringup_lint.graph.layers import layer_of_node
 from bringup_lint.graph.places import Places
 from bringup_lint.report.picture.labels import labels
-from bringup_lint.report.place import place_of
-from bringup_lint.report.redact import mask_of
 
 VERSION = 1
 _ORDER = {layer: at for at, layer in enumerate(LAYERS)}
 
 
-def picture(graph: Graph, findings: Iterable[Finding]) -> dict[str, Any]:
-    """The document; findings that a comment suppresses are left out, and no secret stays."""
+def picture(graph: Graph, findings: Iterable[Finding], mask: Mask | None = None) -> dict[str, Any]:
+    """The document; findings that a comment suppresses are left out, and no secret stays.
+
+    ``mask`` is what hid the secrets of the findings.
+    """
     shown = tuple(finding for finding in findings if finding.suppression is None)
     sources = {where.source: None for places in graph.places.values() for where in places}
     sources.update((edge.where.source, None) for edge in graph.edges() if edge.where is not None)
-    mask = mask_of(shown, sources)
+    mask = widened(mask, sources)
     hide = mask.words if mask else str
     shown = tuple(map(mask.finding, shown)) if mask else shown
     on_nodes, on_edges = _on_nodes(graph, shown), _on_lines(shown)

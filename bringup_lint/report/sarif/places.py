@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from typing import Any
 
+from bringup_lint.finding.place import inside
+from bringup_lint.finding.place import is_whole_file
+from bringup_lint.finding.place import place_of
+from bringup_lint.finding.uri import below_root
+from bringup_lint.finding.uri import file_uri
+from bringup_lint.finding.uri import quoted
 from bringup_lint.report.model import Report
-from bringup_lint.report.place import inside
-from bringup_lint.report.place import is_whole_file
-from bringup_lint.report.place import place_of
-from bringup_lint.report.uri import location
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 
@@ -16,6 +18,14 @@ AROUND = 2
 """Lines of context above and below a region."""
 LONGEST = 2000
 """Characters of a snippet; more is left out, for it would be most of the file."""
+
+
+def location(name: str, report: Report) -> dict[str, str]:
+    """A SARIF ``artifactLocation``: relative to ``%SRCROOT%`` where that is possible."""
+    path = below_root(name, report.root, report.cwd)
+    if path.startswith("/"):
+        return {"uri": file_uri(path)}
+    return {"uri": quoted(path), "uriBaseId": "%SRCROOT%"}
 
 
 class Places:

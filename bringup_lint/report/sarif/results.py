@@ -14,7 +14,7 @@ from bringup_lint.report.sarif.places import exact_region
 from bringup_lint.report.sarif.rules import LEVELS
 
 
-def result(finding: Finding, fingerprint: str, index: int, places: Places, silenced: bool) -> dict[str, Any]:
+def result(finding: Finding, index: int, places: Places, silenced: bool) -> dict[str, Any]:
     """A SARIF ``result``; ``silenced`` tells that some finding of the run is suppressed."""
     made: dict[str, Any] = {
         "ruleId": finding.rule,
@@ -22,7 +22,7 @@ def result(finding: Finding, fingerprint: str, index: int, places: Places, silen
         "level": LEVELS[finding.severity],
         "message": {"text": message(finding)},
         "locations": [{"physicalLocation": places.physical(finding.span)}],
-        "partialFingerprints": {"bringupLint/v1": fingerprint},
+        "partialFingerprints": {"bringupLint/v1": finding.fingerprint},
         "properties": {"confidence": str(finding.confidence)},
     }
     if finding.related:

@@ -8,16 +8,15 @@ from datetime import datetime
 from datetime import timezone
 from typing import Any
 
-from bringup_lint.report.fingerprint import fingerprints
+from bringup_lint.finding.uri import file_uri
 from bringup_lint.report.model import Notification
 from bringup_lint.report.model import Report
 from bringup_lint.report.sarif.places import Places
+from bringup_lint.report.sarif.places import location
 from bringup_lint.report.sarif.results import result
 from bringup_lint.report.sarif.rules import cwe_taxonomy
 from bringup_lint.report.sarif.rules import descriptor
 from bringup_lint.report.sarif.rules import documented
-from bringup_lint.report.uri import file_uri
-from bringup_lint.report.uri import location
 
 HOME = "https://github.com/bringup-lint/bringup-lint"
 
@@ -27,12 +26,8 @@ def run(report: Report) -> dict[str, Any]:
     taxonomy = cwe_taxonomy(rules)
     indexes = {rule.id: number for number, rule in enumerate(rules)}
     places = Places(report)
-    marks = fingerprints(report.findings, report.root, report.cwd)
     silenced = any(finding.suppression for finding in report.findings)
-    results = [
-        result(finding, mark, indexes[finding.rule], places, silenced)
-        for finding, mark in zip(report.findings, marks, strict=True)
-    ]
+    results = [result(finding, indexes[finding.rule], places, silenced) for finding in report.findings]
     driver = {
         "name": "bringup-lint",
         "fullName": f"bringup-lint {report.version}",

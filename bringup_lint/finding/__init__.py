@@ -93,6 +93,8 @@ class Finding:
     suppression: Suppression | None = None
     secrets: tuple[Span, ...] = ()
     """Stretches that no output may show: passwords, keys, tokens."""
+    fingerprint: str = ""
+    """What makes it the same finding after lines have moved; empty until its secrets are masked."""
     own_severity: Severity | None = None
     """What the rule says of this one finding; None where it is as severe as the rule."""
     own_confidence: Confidence | None = None

@@ -5,23 +5,19 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterable
-from hashlib import sha256
 
 from bringup_lint.finding import Finding
-from bringup_lint.report.place import inside
-from bringup_lint.report.place import is_whole_file
-from bringup_lint.report.redact import mask_of
-from bringup_lint.report.uri import below_root
+from bringup_lint.finding.place import inside
+from bringup_lint.finding.place import is_whole_file
+from bringup_lint.finding.uri import below_root
 
 
 def fingerprints(findings: Iterable[Finding], root: str, cwd: str = "") -> list[str]:
-    """One for each finding: made of the rule, the path below ``root``, the text of the line, the message
-    without its numbers, and a count of those that are alike in all this. No secret goes into one."""
-    findings = tuple(findings)
-    mask = mask_of(findings)
+    """One for each finding, whose secrets are masked: made of the rule, the path below ``root``, the text of the line,
+    the message without its numbers, and a count of those that are alike in all this."""
     seen: Counter[tuple[str, ...]] = Counter()
     made = []
-    for finding in map(mask.finding, findings) if mask else findings:
+    for finding in findings:
         path = below_root(finding.source.name, root, cwd)
         key = (finding.rule, path, _line(finding), _skeleton(finding.message))
         made.append(_digest(*key, str(seen[key])))
@@ -46,4 +42,6 @@ def _masked(text: str) -> str:
 
 
 def _digest(*parts: str) -> str:
+    from hashlib import sha256
+
     return sha256("\0".join(parts).encode("utf-8", "surrogatepass")).hexdigest()[:32]

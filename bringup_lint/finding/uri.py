@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import posixpath
 
-from bringup_lint.report.model import Report
-
 
 def below_root(name: str, root: str, cwd: str = "") -> str:
     """The path relative to ``root``, absolute when the file lies outside; relative names start at ``cwd``."""
@@ -16,19 +14,11 @@ def below_root(name: str, root: str, cwd: str = "") -> str:
     return path.removeprefix(prefix)
 
 
-def location(name: str, report: Report) -> dict[str, str]:
-    """A SARIF ``artifactLocation``: relative to ``%SRCROOT%`` where that is possible."""
-    path = below_root(name, report.root, report.cwd)
-    if path.startswith("/"):
-        return {"uri": file_uri(path)}
-    return {"uri": _quoted(path), "uriBaseId": "%SRCROOT%"}
-
-
 def file_uri(path: str) -> str:
-    return "file://" + _quoted(path)
+    return "file://" + quoted(path)
 
 
-def _quoted(path: str) -> str:
+def quoted(path: str) -> str:
     """Percent-encoded, including the bytes of a name that is not text."""
     from urllib.parse import quote
 

@@ -13,9 +13,9 @@ from bringup_lint.finding import Finding
 from bringup_lint.finding import Fix
 from bringup_lint.finding import Related
 from bringup_lint.finding import Suppression
-from bringup_lint.report.place import inside
-from bringup_lint.report.secrets import MERE_NAME
-from bringup_lint.report.secrets import given_away
+from bringup_lint.finding.place import inside
+from bringup_lint.finding.secrets import MERE_NAME
+from bringup_lint.finding.secrets import given_away
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 
@@ -42,6 +42,13 @@ def _shown(findings: Iterable[Finding]) -> dict[Source, None]:
         for part in (finding, *finding.related, *finding.chain, *edits, *silenced):
             shown[part.span.source] = None
     return shown
+
+
+def widened(mask: Mask | None, sources: Iterable[Source]) -> Mask | None:
+    """The mask for what these files give away, besides what it hides already."""
+    named = mask_of((), sources)
+    secrets = [*(mask.secrets if mask else ()), *(named.secrets if named else ())]
+    return Mask(secrets) if secrets else None
 
 
 class Mask:
