@@ -81,7 +81,7 @@ def named(command: Command) -> set[str]:
 
 
 def unknown(robot: Robot, command: Command) -> bool:
-    """Whether systemctl signals a unit that the tree does not hold."""
+    """Whether systemctl signals a unit that is not in the tree."""
     units = [word for word in named(command) if word.endswith(".service")]
     return bool(units) and command.name == "systemctl" and not any(robot.units.candidates(name) for name in units)
 

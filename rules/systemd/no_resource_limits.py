@@ -58,7 +58,7 @@ def no_resource_limits(robot: Robot) -> Iterator[Finding]:
 
 
 def _limited_slice(robot: Robot, unit: Unit) -> bool:
-    """Whether the slice has a limit, or is not known."""
+    """Whether the slice has a limit, or is unknown."""
     name = unit.get("Slice", "Service")
     found = robot.units.find(name, unit) if name else None
     return bool(name) and (found is None or any(found.get(key, "Slice") for key in LIMITS))

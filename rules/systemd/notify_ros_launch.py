@@ -84,7 +84,7 @@ def notify_ros_launch(robot: Robot) -> Iterator[Finding]:
 
 
 def _chain(robot: Robot, service: Supervision) -> tuple[Any, Any] | tuple[Related, Any]:
-    """From the unit to the code of the node whose message is refused."""
+    """From the unit to the code of the node whose message systemd rejects."""
     for ros in [service.main.ros] if service.main.ros else []:
         for node, said in robot.notify.speakers(ros):
             return robot.provenance.chain_to_node(node, note(said, "a child of launch notifies systemd"))

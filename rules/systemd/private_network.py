@@ -80,7 +80,7 @@ def private_network(robot: Robot) -> Iterator[Finding]:
 
 
 def _allowed(values: list[Located]) -> set[str] | None:
-    """The families that are allowed; None when only some are refused, or nothing is said."""
+    """The allowed families; None if the setting only denies some, or is not set."""
     allowed, refused = set(), False
     for value in values:
         if value.startswith("~"):

@@ -101,7 +101,7 @@ def protecthome_workspace(robot: Robot) -> Iterator[Finding]:
 
 
 def _is_closed(box: Sandbox, closed: list[View], path: str) -> bool:
-    """Whether ProtectHome= has the last word on a path."""
+    """Whether ProtectHome= is the setting that decides on a path."""
     view = box.view(path)
     if view is None:
         return False

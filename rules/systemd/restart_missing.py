@@ -1,8 +1,8 @@
 """Nothing restarts the ROS service when it exits.
 
 ## What it finds
-A ROS service without Restart= that should keep running: it is not Type=oneshot, and no timer or path unit
-starts it. It is an info in two cases:
+A ROS service without Restart= that should keep running: it is not Type=oneshot or Type=forking, no timer or
+path unit starts it, and it runs more than a command-line tool such as ros2 topic. It is an info in two cases:
 
 - Restart=no is set explicitly, which is a decision;
 - the start script of the service is not in the tree.
@@ -72,7 +72,7 @@ def restart_missing(robot: Robot) -> Iterator[Finding]:
 
 
 def _stays(units: Units, unit: Unit) -> bool:
-    """Whether it starts more than tools such as ros2 topic, which end by themselves."""
+    """Whether it starts more than tools such as ros2 topic, which exit by themselves."""
     kinds = {found.kind for process in units.started(unit) for _, found in process.ros}
     return kinds != {TOOLS}
 

@@ -92,8 +92,7 @@ def robot_launch_overlap(robot: Robot) -> Iterator[Finding]:
 
 
 def _umbrella(robot: Robot, stack: list[Unit], started: list[tuple[Unit, Ros]]) -> Iterator[Finding]:
-    """A service for the whole robot beside services for its layers, told by the names of launch files of one
-    package."""
+    """A service for the whole robot and services for its layers, by the names of launch files of one package."""
     units = robot.units
     for unit, ros in started:
         if not ros.package or not WHOLE.match(ros.where) or robot.launch.named(ros.package, ros.target):

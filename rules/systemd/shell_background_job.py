@@ -2,7 +2,8 @@
 
 ## What it finds
 `ros2 ... &` in the shell text or script of ExecStart=. It is an error when nothing keeps the shell running
-after the job, and a warning otherwise.
+after the job, and a warning otherwise. Services with Type=oneshot, Type=forking or RemainAfterExit= are
+exempt.
 
 ## Why it matters on a robot
 The shell is the main process. When it exits, systemd considers the service finished and kills the job. When

@@ -94,7 +94,7 @@ def timeout_stop_vs_launch(robot: Robot) -> Iterator[Finding]:
 
 
 def needs(robot: Robot, launches: list[Ros]) -> tuple[float, list]:
-    """How long the launch files of a unit may take to stop, by the time-outs of their nodes, and what says so."""
+    """How long the launch files of a unit may take to stop (seconds), and the timeouts of nodes that set it."""
     expansions = [launched(found, robot) for found in launches]
     known = [stop_time(expansion) if expansion is not None else None for expansion in expansions]
     return max((each or (USUAL, []) for each in known), key=lambda each: each[0], default=(USUAL, []))

@@ -59,7 +59,7 @@ def var_in_nonexec_key(robot: Robot) -> Iterator[Finding]:
 
 
 def _judged(line: Line, variable: Located) -> bool:
-    """Not variables that a later reader expands, nor passwords that happen to hold a dollar."""
+    """Neither variables that a later reader expands, nor passwords that happen to contain a dollar."""
     names = [str(name) for name, value in line.environment if variable in value]
     name = names[0] if names else ""
     if name in _EXPANDED_BY_READER or any(word in name.upper() for word in _SECRET):

@@ -1,7 +1,8 @@
 """A driver or safety service without a watchdog.
 
 ## What it finds
-A ROS service without WatchdogSec= whose name marks it as a driver or a safety function.
+A ROS service without WatchdogSec= whose name marks it as a driver or a safety function. One-shot services,
+services that a timer or path unit starts, and containers are exempt.
 
 ## Why it matters on a robot
 A driver that hangs keeps its process running and its unit "active". Nobody notices that nothing serves the

@@ -83,7 +83,7 @@ def watchdog_without_notify(robot: Robot) -> Iterator[Finding]:
 
 
 def _chain(robot: Robot, service: Supervision) -> tuple[Any, Any] | tuple[Related, Any]:
-    """From the unit to the code of a node that sends keep-alives which are refused."""
+    """From the unit to the code of a node whose keep-alives systemd rejects."""
     if service.access.value == "all" or service.main.ros is None:
         return ()
     for node, said in robot.notify.speakers(service.main.ros):
