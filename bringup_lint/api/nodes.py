@@ -4,26 +4,26 @@ from __future__ import annotations
 
 import re
 
-from bringup_lint.graph.nodes.callbacks import awaits_asyncio
-from bringup_lint.graph.nodes.callbacks import blocking
-from bringup_lint.graph.nodes.callbacks import deadlocks
-from bringup_lint.graph.nodes.callbacks import waits
-from bringup_lint.graph.nodes.commands import moves
 from bringup_lint.graph.nodes.edits import import_edits
 from bringup_lint.graph.nodes.edits import swap
-from bringup_lint.graph.nodes.names import dict_ranges
-from bringup_lint.graph.nodes.names import range_text
-from bringup_lint.graph.nodes.names import undefined
-from bringup_lint.graph.nodes.safe_state import commands
-from bringup_lint.graph.nodes.safe_state import fed_without_condition
-from bringup_lint.graph.nodes.safe_state import has_safe_state
-from bringup_lint.graph.nodes.safe_state import relays
-from bringup_lint.graph.nodes.safe_state import silenced
-from bringup_lint.graph.nodes.safe_state import uncovered_sigterm
-from bringup_lint.graph.nodes.stopping import doubles
-from bringup_lint.graph.nodes.stopping import starved
-from bringup_lint.graph.nodes.stopping import too_late
-from bringup_lint.graph.nodes.stopping import uncaught
+from bringup_lint.graph.nodes.questions.blocking import awaits_asyncio
+from bringup_lint.graph.nodes.questions.blocking import blocking
+from bringup_lint.graph.nodes.questions.blocking import deadlocks
+from bringup_lint.graph.nodes.questions.blocking import waits
+from bringup_lint.graph.nodes.questions.motion import moves
+from bringup_lint.graph.nodes.questions.safe_state import commands
+from bringup_lint.graph.nodes.questions.safe_state import fed_without_condition
+from bringup_lint.graph.nodes.questions.safe_state import has_safe_state
+from bringup_lint.graph.nodes.questions.safe_state import relays
+from bringup_lint.graph.nodes.questions.safe_state import silenced
+from bringup_lint.graph.nodes.questions.safe_state import uncovered_sigterm
+from bringup_lint.graph.nodes.questions.stopping import doubles
+from bringup_lint.graph.nodes.questions.stopping import starved
+from bringup_lint.graph.nodes.questions.stopping import too_late
+from bringup_lint.graph.nodes.questions.stopping import uncaught
+from bringup_lint.graph.nodes.questions.undefined_names import dict_ranges
+from bringup_lint.graph.nodes.questions.undefined_names import range_text
+from bringup_lint.graph.nodes.questions.undefined_names import undefined
 
 __all__ = [
     "awaits_asyncio",

@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from bringup_lint.graph.topics.commands import has_stop_hardware
-from bringup_lint.graph.topics.commands import is_gate
-from bringup_lint.graph.topics.commands import is_stop
-from bringup_lint.graph.topics.commands import is_velocity
-from bringup_lint.graph.topics.commands import rivals
-from bringup_lint.graph.topics.commands import ungated
-from bringup_lint.graph.topics.names import refusal
-from bringup_lint.graph.topics.names import tail
-from bringup_lint.graph.topics.namespaces import shared_by_namespaces
-from bringup_lint.graph.topics.publishing import published_at_start
-from bringup_lint.graph.topics.unconnected import corrected
-from bringup_lint.graph.topics.unconnected import misspelt
-from bringup_lint.graph.topics.unconnected import unserved
+from bringup_lint.graph.topics.questions.command_sources import has_stop_hardware
+from bringup_lint.graph.topics.questions.command_sources import is_gate
+from bringup_lint.graph.topics.questions.command_sources import is_stop
+from bringup_lint.graph.topics.questions.command_sources import is_velocity
+from bringup_lint.graph.topics.questions.command_sources import rivals
+from bringup_lint.graph.topics.questions.command_sources import ungated
+from bringup_lint.graph.topics.questions.namespaces import shared_by_namespaces
+from bringup_lint.graph.topics.questions.unmatched import corrected
+from bringup_lint.graph.topics.questions.unmatched import misspelt
+from bringup_lint.graph.topics.questions.unmatched import unserved
+from bringup_lint.graph.topics.resolved.names import refusal
+from bringup_lint.graph.topics.resolved.names import tail
+from bringup_lint.graph.topics.sources.publishing import published_at_start
 
 __all__ = [
     "corrected",

@@ -14,13 +14,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from bringup_lint.graph.topics.compatible import conflicts
-from bringup_lint.graph.topics.names import complaint
-from bringup_lint.graph.topics.names import expand
-from bringup_lint.graph.topics.names import full_complaint
-from bringup_lint.graph.topics.names import unknown_substitution
-from bringup_lint.graph.topics.remapping import remap
-from bringup_lint.graph.topics.remapping import remapping
+from bringup_lint.graph.topics.questions.compatibility import conflicts
+from bringup_lint.graph.topics.resolved.names import complaint
+from bringup_lint.graph.topics.resolved.names import expand
+from bringup_lint.graph.topics.resolved.names import full_complaint
+from bringup_lint.graph.topics.resolved.names import unknown_substitution
+from bringup_lint.graph.topics.resolved.remapping import remap
+from bringup_lint.graph.topics.resolved.remapping import remapping
 from bringup_lint.model.node_source import INFINITE
 from bringup_lint.model.node_source import Qos
 from bringup_lint.source import Source
@@ -159,8 +159,8 @@ PROGRAM = """
 
 @pytest.mark.parametrize("rules", RULES, ids=" ".join)
 def test_remappings_of_a_real_node(rules: list[str], tmp_path: Path) -> None:
-    from bringup_lint.graph.topics.remapping import node_name
-    from bringup_lint.graph.topics.remapping import node_namespace
+    from bringup_lint.graph.topics.resolved.remapping import node_name
+    from bringup_lint.graph.topics.resolved.remapping import node_namespace
 
     words = [word for rule in rules for word in ("-r", rule)]
     arguments = ["--ros-args", *words, "--", "--names", *TOPICS] if rules else ["--names", *TOPICS]

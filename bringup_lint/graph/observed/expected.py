@@ -24,7 +24,7 @@ from bringup_lint.graph.observed.tools import OPEN_ENDED
 from bringup_lint.graph.observed.tools import PASSING
 from bringup_lint.graph.observed.tools import is_on_screen
 from bringup_lint.graph.runners.launching import expansion_of
-from bringup_lint.graph.topics.process_arguments import ros_arguments
+from bringup_lint.graph.topics.resolved.process_arguments import ros_arguments
 from bringup_lint.model.launch import LaunchFile
 from bringup_lint.model.launch import Timer
 from bringup_lint.model.launch_values import Literal

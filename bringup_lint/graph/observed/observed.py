@@ -27,7 +27,7 @@ from bringup_lint.graph.observed.topics import Meant
 from bringup_lint.graph.observed.topics import Topic
 from bringup_lint.graph.observed.topics import meant
 from bringup_lint.graph.observed.topics import topics
-from bringup_lint.graph.topics.use import Use
+from bringup_lint.graph.topics.resolved.endpoint_use import Use
 from bringup_lint.model.observed import Endpoint
 from bringup_lint.model.observed import ObservedGraph
 from bringup_lint.model.observed import RunningNode

@@ -10,11 +10,11 @@ from dataclasses import field
 from functools import cached_property
 from typing import NamedTuple
 
-from bringup_lint.graph.topics.commands import is_velocity
-from bringup_lint.graph.topics.compatible import Conflict
-from bringup_lint.graph.topics.compatible import conflicts
-from bringup_lint.graph.topics.names import tail
-from bringup_lint.graph.topics.unconnected import alike
+from bringup_lint.graph.topics.questions.command_sources import is_velocity
+from bringup_lint.graph.topics.questions.compatibility import Conflict
+from bringup_lint.graph.topics.questions.compatibility import conflicts
+from bringup_lint.graph.topics.questions.unmatched import alike
+from bringup_lint.graph.topics.resolved.names import tail
 from bringup_lint.model.observed import Endpoint
 
 _OF_ROS = frozenset(("/rosout", "/parameter_events"))

@@ -14,8 +14,8 @@ from bringup_lint.model.sros2 import Grant
 from bringup_lint.source import Located
 
 if TYPE_CHECKING:
-    from bringup_lint.graph.topics.use import LaunchedNode
-    from bringup_lint.graph.topics.use import Use
+    from bringup_lint.graph.topics.resolved.endpoint_use import LaunchedNode
+    from bringup_lint.graph.topics.resolved.endpoint_use import Use
     from bringup_lint.robot import Robot
 
 LISTS = {"publisher": "publish", "subscription": "subscribe"}

@@ -12,25 +12,25 @@ from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.graph.launch.expansion import Expansion
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import literal_text
-from bringup_lint.graph.topics import names
-from bringup_lint.graph.topics.code import Code
-from bringup_lint.graph.topics.code import code_of
-from bringup_lint.graph.topics.compatible import Conflict
-from bringup_lint.graph.topics.compatible import conflicts
-from bringup_lint.graph.topics.cpp_code import CppCode
-from bringup_lint.graph.topics.launched import launched
-from bringup_lint.graph.topics.remapping import refused_sides
-from bringup_lint.graph.topics.rviz import Displays
-from bringup_lint.graph.topics.systems import systems
-from bringup_lint.graph.topics.together import together
-from bringup_lint.graph.topics.use import LaunchedNode
-from bringup_lint.graph.topics.use import Pair
-from bringup_lint.graph.topics.use import Running
-from bringup_lint.graph.topics.use import Use
+from bringup_lint.graph.topics.questions.coexistence import together
+from bringup_lint.graph.topics.questions.compatibility import Conflict
+from bringup_lint.graph.topics.questions.compatibility import conflicts
+from bringup_lint.graph.topics.resolved import names
+from bringup_lint.graph.topics.resolved.endpoint_use import LaunchedNode
+from bringup_lint.graph.topics.resolved.endpoint_use import Pair
+from bringup_lint.graph.topics.resolved.endpoint_use import Running
+from bringup_lint.graph.topics.resolved.endpoint_use import Use
+from bringup_lint.graph.topics.resolved.nodes import launched
+from bringup_lint.graph.topics.resolved.remapping import refused_sides
+from bringup_lint.graph.topics.resolved.systems import systems
+from bringup_lint.graph.topics.sources.code import Code
+from bringup_lint.graph.topics.sources.code import code_of
+from bringup_lint.graph.topics.sources.cpp_code import CppCode
+from bringup_lint.graph.topics.sources.rviz import Displays
 
 if TYPE_CHECKING:
-    from bringup_lint.graph.topics.node_names import NodeNames
-    from bringup_lint.graph.topics.watched import Missing
+    from bringup_lint.graph.topics.questions.watch_lists import Missing
+    from bringup_lint.graph.topics.resolved.node_names import NodeNames
     from bringup_lint.model.node_source import Endpoint
     from bringup_lint.robot import Robot
     from bringup_lint.source import Source
@@ -124,7 +124,7 @@ class Topics:
     @cached_property
     def node_names(self) -> NodeNames:
         """The names of all nodes that anything of the tree starts, as far as they are known."""
-        from bringup_lint.graph.topics.node_names import node_names
+        from bringup_lint.graph.topics.resolved.node_names import node_names
 
         return node_names(self)
 
@@ -149,8 +149,8 @@ class Topics:
     @property
     def missing_nodes(self) -> Iterator[Missing]:
         """Nodes that something watches or waits for and that nothing starts."""
-        from bringup_lint.graph.topics.watched import missing
-        from bringup_lint.graph.topics.watched import watched
+        from bringup_lint.graph.topics.questions.watch_lists import missing
+        from bringup_lint.graph.topics.questions.watch_lists import watched
 
         if self.robot.of_kind(*LAUNCH):
             for found in watched(self.robot):

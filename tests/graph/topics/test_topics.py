@@ -12,15 +12,15 @@ from hypothesis import strategies as st
 from bringup_lint.discover.walk import discover
 from bringup_lint.facts import table
 from bringup_lint.graph.edges.topics import topic_edges
-from bringup_lint.graph.topics.commands import is_stop
-from bringup_lint.graph.topics.commands import is_velocity
-from bringup_lint.graph.topics.known import known_node
-from bringup_lint.graph.topics.names import complaint
-from bringup_lint.graph.topics.names import expand
-from bringup_lint.graph.topics.names import full_complaint
-from bringup_lint.graph.topics.remapping import remap
-from bringup_lint.graph.topics.remapping import remapping
-from bringup_lint.graph.topics.together import together as meets
+from bringup_lint.graph.topics.questions.coexistence import together as meets
+from bringup_lint.graph.topics.questions.command_sources import is_stop
+from bringup_lint.graph.topics.questions.command_sources import is_velocity
+from bringup_lint.graph.topics.resolved.names import complaint
+from bringup_lint.graph.topics.resolved.names import expand
+from bringup_lint.graph.topics.resolved.names import full_complaint
+from bringup_lint.graph.topics.resolved.remapping import remap
+from bringup_lint.graph.topics.resolved.remapping import remapping
+from bringup_lint.graph.topics.sources.known import known_node
 from bringup_lint.parsers import cpp_node
 from bringup_lint.parsers import rviz
 from bringup_lint.robot import Robot

@@ -8,8 +8,8 @@ from dataclasses import field
 
 from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.started import Started
-from bringup_lint.graph.topics.remapping import Remapping
-from bringup_lint.graph.topics.remapping import remapping
+from bringup_lint.graph.topics.resolved.remapping import Remapping
+from bringup_lint.graph.topics.resolved.remapping import remapping
 from bringup_lint.model.launch_values import Concat
 from bringup_lint.model.launch_values import Env
 from bringup_lint.model.launch_values import FileDir

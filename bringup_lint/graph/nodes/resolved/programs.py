@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from bringup_lint.graph.nodes.modules import Modules
+from bringup_lint.graph.nodes.sources.modules import Modules
 from bringup_lint.graph.workspace import Package
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 
-from bringup_lint.graph.topics.node_names import NodeNames
+from bringup_lint.graph.topics.resolved.node_names import NodeNames
 from bringup_lint.model.node_source import NodeSource
 from bringup_lint.source import Located
 from bringup_lint.source import Source

@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING
 from typing import NamedTuple
 
 from bringup_lint.graph.launch.started import Started
-from bringup_lint.graph.topics.remapping import Remapping
+from bringup_lint.graph.topics.resolved.remapping import Remapping
 from bringup_lint.source import Located
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
-    from bringup_lint.graph.topics.given import Given
-    from bringup_lint.graph.topics.given import GivenParameters
+    from bringup_lint.graph.topics.resolved.parameters import Given
+    from bringup_lint.graph.topics.resolved.parameters import GivenParameters
     from bringup_lint.model.node_source import NodeClass
     from bringup_lint.model.node_source import Qos
 

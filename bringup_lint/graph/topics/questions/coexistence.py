@@ -6,7 +6,7 @@ from bringup_lint.graph.commands.environment import Environment
 from bringup_lint.graph.environment.launched import launched_environment
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import exclusive
-from bringup_lint.graph.topics.use import LaunchedNode
+from bringup_lint.graph.topics.resolved.endpoint_use import LaunchedNode
 from bringup_lint.model.launch import EventHandler
 
 DOMAIN = "ROS_DOMAIN_ID"

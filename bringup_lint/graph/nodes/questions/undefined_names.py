@@ -8,8 +8,8 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from bringup_lint.facts import table
-from bringup_lint.graph.nodes.syntax import FUNCTIONS
-from bringup_lint.graph.nodes.syntax import Syntax
+from bringup_lint.graph.nodes.sources.syntax import FUNCTIONS
+from bringup_lint.graph.nodes.sources.syntax import Syntax
 
 _DYNAMIC = re.compile(r"\b(?:exec|eval|globals|locals|__import__|importlib|builtins)\b|\bvars\(")
 _RANGES = {"floating_point_range": "FloatingPointRange", "integer_range": "IntegerRange"}

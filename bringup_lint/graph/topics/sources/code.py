@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import literal_text
-from bringup_lint.graph.topics.handing_over import hands_itself_over
+from bringup_lint.graph.topics.sources.self_registration import hands_itself_over
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
-    from bringup_lint.graph.topics.cpp_code import CppCode
+    from bringup_lint.graph.topics.sources.cpp_code import CppCode
     from bringup_lint.model.node_source import NodeClass
     from bringup_lint.robot import Robot
 

@@ -8,11 +8,11 @@ from itertools import combinations
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.launch.started import literal_text
-from bringup_lint.graph.topics.names import tail
-from bringup_lint.graph.topics.together import together
-from bringup_lint.graph.topics.use import LaunchedNode
-from bringup_lint.graph.topics.use import Running
-from bringup_lint.graph.topics.use import Use
+from bringup_lint.graph.topics.questions.coexistence import together
+from bringup_lint.graph.topics.resolved.endpoint_use import LaunchedNode
+from bringup_lint.graph.topics.resolved.endpoint_use import Running
+from bringup_lint.graph.topics.resolved.endpoint_use import Use
+from bringup_lint.graph.topics.resolved.names import tail
 
 if TYPE_CHECKING:
     from bringup_lint.robot import Robot

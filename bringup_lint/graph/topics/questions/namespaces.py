@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from bringup_lint.graph.topics.unconnected import EVERYWHERE
-from bringup_lint.graph.topics.use import Running
-from bringup_lint.graph.topics.use import Use
+from bringup_lint.graph.topics.questions.unmatched import EVERYWHERE
+from bringup_lint.graph.topics.resolved.endpoint_use import Running
+from bringup_lint.graph.topics.resolved.endpoint_use import Use
 from bringup_lint.source import Located
 
 

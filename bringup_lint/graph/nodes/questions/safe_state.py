@@ -7,14 +7,14 @@ import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from bringup_lint.graph.nodes.commands import moves
-from bringup_lint.graph.nodes.sending import published
-from bringup_lint.graph.nodes.sending import sendings
-from bringup_lint.graph.nodes.shutdown import Ending
-from bringup_lint.graph.nodes.stopping import is_on_shutdown
-from bringup_lint.graph.nodes.syntax import Syntax
-from bringup_lint.graph.nodes.syntax import body_of
-from bringup_lint.graph.nodes.syntax import own_calls
+from bringup_lint.graph.nodes.questions.motion import moves
+from bringup_lint.graph.nodes.questions.stopping import is_on_shutdown
+from bringup_lint.graph.nodes.sources.ending import Ending
+from bringup_lint.graph.nodes.sources.sending import published
+from bringup_lint.graph.nodes.sources.sending import sendings
+from bringup_lint.graph.nodes.sources.syntax import Syntax
+from bringup_lint.graph.nodes.sources.syntax import body_of
+from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import Function
 from bringup_lint.model.node_source import NodeClass

@@ -7,8 +7,8 @@ from collections.abc import Iterable
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from bringup_lint.graph.topics.use import Running
-from bringup_lint.graph.topics.use import Use
+from bringup_lint.graph.topics.resolved.endpoint_use import Running
+from bringup_lint.graph.topics.resolved.endpoint_use import Use
 from bringup_lint.source import Located
 from bringup_lint.spelling import nearest
 from bringup_lint.spelling import numbered

@@ -12,10 +12,10 @@ from collections.abc import Iterator
 from functools import cached_property
 from typing import NamedTuple
 
-from bringup_lint.graph.nodes.sending import called
-from bringup_lint.graph.nodes.syntax import Syntax
-from bringup_lint.graph.nodes.syntax import body_of
-from bringup_lint.graph.nodes.syntax import own_calls
+from bringup_lint.graph.nodes.sources.sending import called
+from bringup_lint.graph.nodes.sources.syntax import Syntax
+from bringup_lint.graph.nodes.sources.syntax import body_of
+from bringup_lint.graph.nodes.sources.syntax import own_calls
 
 _SINGLE = "rclpy.executors.SingleThreadedExecutor"
 _MULTI = "rclpy.executors.MultiThreadedExecutor"

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import literal_text
-from bringup_lint.graph.topics.names import expand
+from bringup_lint.graph.topics.resolved.names import expand
 from bringup_lint.source import Located
 from bringup_lint.source import Span
 

@@ -11,7 +11,7 @@ from typing import NamedTuple
 from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.params.loads import path_of
-from bringup_lint.graph.topics.process_arguments import RosArguments
+from bringup_lint.graph.topics.resolved.process_arguments import RosArguments
 from bringup_lint.model.launch_values import DictValue
 from bringup_lint.model.launch_values import Literal
 from bringup_lint.model.launch_values import ParameterFile

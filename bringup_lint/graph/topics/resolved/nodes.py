@@ -9,31 +9,31 @@ from typing import TYPE_CHECKING
 from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import literal_text
-from bringup_lint.graph.topics.given import Given
-from bringup_lint.graph.topics.given import GivenParameters
-from bringup_lint.graph.topics.given import given_parameters
-from bringup_lint.graph.topics.given import names
-from bringup_lint.graph.topics.known import KnownNode
-from bringup_lint.graph.topics.known import KnownTopic
-from bringup_lint.graph.topics.known import known_node
-from bringup_lint.graph.topics.names import expand
-from bringup_lint.graph.topics.names import full_complaint
-from bringup_lint.graph.topics.names import refusal
-from bringup_lint.graph.topics.overrides import overridden
-from bringup_lint.graph.topics.process_arguments import RosArguments
-from bringup_lint.graph.topics.process_arguments import ros_arguments
-from bringup_lint.graph.topics.remapping import Remapping
-from bringup_lint.graph.topics.remapping import node_name
-from bringup_lint.graph.topics.remapping import node_namespace
-from bringup_lint.graph.topics.remapping import remap
-from bringup_lint.graph.topics.remapping import remapping
-from bringup_lint.graph.topics.use import LaunchedNode
-from bringup_lint.graph.topics.use import Use
+from bringup_lint.graph.topics.resolved.endpoint_use import LaunchedNode
+from bringup_lint.graph.topics.resolved.endpoint_use import Use
+from bringup_lint.graph.topics.resolved.names import expand
+from bringup_lint.graph.topics.resolved.names import full_complaint
+from bringup_lint.graph.topics.resolved.names import refusal
+from bringup_lint.graph.topics.resolved.parameters import Given
+from bringup_lint.graph.topics.resolved.parameters import GivenParameters
+from bringup_lint.graph.topics.resolved.parameters import given_parameters
+from bringup_lint.graph.topics.resolved.parameters import names
+from bringup_lint.graph.topics.resolved.process_arguments import RosArguments
+from bringup_lint.graph.topics.resolved.process_arguments import ros_arguments
+from bringup_lint.graph.topics.resolved.qos_overrides import overridden
+from bringup_lint.graph.topics.resolved.remapping import Remapping
+from bringup_lint.graph.topics.resolved.remapping import node_name
+from bringup_lint.graph.topics.resolved.remapping import node_namespace
+from bringup_lint.graph.topics.resolved.remapping import remap
+from bringup_lint.graph.topics.resolved.remapping import remapping
+from bringup_lint.graph.topics.sources.known import KnownNode
+from bringup_lint.graph.topics.sources.known import KnownTopic
+from bringup_lint.graph.topics.sources.known import known_node
 from bringup_lint.source import Located
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
-    from bringup_lint.graph.topics.code import Code
+    from bringup_lint.graph.topics.sources.code import Code
     from bringup_lint.model.node_source import Endpoint
     from bringup_lint.model.node_source import Qos
     from bringup_lint.parsers.rviz import Display

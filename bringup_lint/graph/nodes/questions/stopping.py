@@ -6,12 +6,12 @@ import ast
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from bringup_lint.graph.nodes.sending import Sending
-from bringup_lint.graph.nodes.sending import sendings
-from bringup_lint.graph.nodes.shutdown import Ending
-from bringup_lint.graph.nodes.shutdown import Spin
-from bringup_lint.graph.nodes.syntax import body_of
-from bringup_lint.graph.nodes.syntax import own_calls
+from bringup_lint.graph.nodes.sources.ending import Ending
+from bringup_lint.graph.nodes.sources.ending import Spin
+from bringup_lint.graph.nodes.sources.sending import Sending
+from bringup_lint.graph.nodes.sources.sending import sendings
+from bringup_lint.graph.nodes.sources.syntax import body_of
+from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import Callback
 from bringup_lint.model.node_source import NodeClass
 

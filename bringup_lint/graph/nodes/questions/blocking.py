@@ -6,13 +6,13 @@ import ast
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from bringup_lint.graph.nodes.sending import called
-from bringup_lint.graph.nodes.shutdown import Ending
-from bringup_lint.graph.nodes.stopping import handed
-from bringup_lint.graph.nodes.syntax import Syntax
-from bringup_lint.graph.nodes.syntax import body_of
-from bringup_lint.graph.nodes.syntax import own
-from bringup_lint.graph.nodes.syntax import own_calls
+from bringup_lint.graph.nodes.questions.stopping import handed
+from bringup_lint.graph.nodes.sources.ending import Ending
+from bringup_lint.graph.nodes.sources.sending import called
+from bringup_lint.graph.nodes.sources.syntax import Syntax
+from bringup_lint.graph.nodes.sources.syntax import body_of
+from bringup_lint.graph.nodes.sources.syntax import own
+from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import Callback
 from bringup_lint.model.node_source import Group
 from bringup_lint.model.node_source import NodeClass

@@ -6,8 +6,8 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from bringup_lint.graph.topics.given import GivenParameters
-    from bringup_lint.graph.topics.use import Use
+    from bringup_lint.graph.topics.resolved.endpoint_use import Use
+    from bringup_lint.graph.topics.resolved.parameters import GivenParameters
 
 POLICIES = {"reliability": "reliability", "durability": "durability", "history": "history", "depth": "depth"}
 ALLOWED = ("/tf", "/tf_static")

@@ -6,7 +6,7 @@ import os
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from bringup_lint.graph.topics.code import Code
+from bringup_lint.graph.topics.sources.code import Code
 from bringup_lint.graph.workspace import Package
 from bringup_lint.model.package import Build
 from bringup_lint.parsers.cpp_node import CppNode
