@@ -63,6 +63,6 @@ def domain_id_partial(robot: Robot) -> Iterator[Finding]:
 
 
 def _comparable(one: Service, other) -> bool:
-    """The image of the second brings no setting of its own: it is that of the first, or an official one."""
+    """The image of the second adds no setting: it is the image of the first, or an official one."""
     image = other.image or ""
     return one is not other and (image == one.image or image.partition(":")[0] in ("ros", "osrf/ros"))

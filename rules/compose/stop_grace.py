@@ -49,7 +49,7 @@ def stop_grace(robot: Robot) -> Iterator[Finding]:
         given = f"{seconds if text else 10:g} s"
         yield finding(
             text or service.name,
-            f"docker kills '{service.name}' after {given}; ros2 launch may need longer to stop its nodes",
+            f"Docker kills '{service.name}' after {given}; ros2 launch may need longer to stop its nodes",
             advice="write stop_grace_period: 20s",
             fix=fix("write stop_grace_period: 20s", (text, "20s") if text else add),
         )

@@ -56,7 +56,7 @@ def etc_environment(robot: Robot) -> Iterator[Finding]:
             names = ", ".join(unit.name for unit in blind[:3]) + (" and others" if len(blind) > 3 else "")
             yield finding(
                 entry.name,
-                f"system services do not read {PATH}: {entry.name} is not set for {names}",
+                f"System services do not read {PATH}: {entry.name} is not set for {names}",
                 advice=f"add EnvironmentFile={PATH} to the units, or keep the variables in a separate file",
                 related=[note(unit.where, f"{unit.name} starts ROS without it") for unit in blind[:3]],
             )

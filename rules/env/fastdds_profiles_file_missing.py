@@ -44,8 +44,8 @@ def fastdds_profiles_file_missing(robot: Robot) -> Iterator[Finding]:
             if found and found.text and found.text.startswith("/") and robot.tree.has(found.text) is False:
                 yield finding(
                     found.value,
-                    f"{found.text} does not exist: {process.name} runs Fast DDS with its defaults: multicast and no "
-                    "peers",
+                    f"{found.text} does not exist: {process.name} runs Fast DDS with its defaults "
+                    "(multicast, no peers)",
                     advice="install the file, or correct the path",
                     chain=robot.provenance.chain_to_variable(
                         process, found.value, note(found.value, "the file is named here")

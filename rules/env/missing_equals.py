@@ -45,11 +45,11 @@ def missing_equals(robot: Robot) -> Iterator[Finding]:
             what = (
                 "and systemd is not a shell"
                 if word in ("source", ".", "set", "export", "if", "fi", "unset")
-                else "there is no ="
+                else "because it has no ="
             )
             yield finding(
                 problem.where,
-                f"Not an assignment, {what}: systemd ignores the line without a message",
+                f"This line is not an assignment, {what}: systemd ignores it without a message",
                 advice="write NAME=VALUE, or remove the line",
                 related=[note(file.readers[0].value, "the service reads it here")],
             )

@@ -48,5 +48,5 @@ def ros_security_enclave_override_shared(robot: Robot) -> Iterator[Finding]:
                 f"{' and '.join(list(processes)[:3])} share the identity {variable.value}: each has the permissions "
                 "of all",
                 advice="select the enclave per process with --ros-args --enclave",
-                related=[note(process.where, "takes it from here") for process in list(processes.values())[:3]],
+                related=[note(process.where, "uses this identity") for process in list(processes.values())[:3]],
             )

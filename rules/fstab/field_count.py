@@ -46,7 +46,7 @@ def field_count(robot: Robot) -> Iterator[Finding]:
                 yield finding(
                     wrong or mount.device,
                     f"This line {what}: mount and findmnt ignore it",
-                    advice="write device, mount point, type, options, dump, pass; a space in a path is \040",
+                    advice="write device, mount point, type, options, dump, pass; a space in a path is \\040",
                 )
             elif count == 3 or count > 6:
                 yield finding(

@@ -63,7 +63,7 @@ def lc_default_shadowed(robot: Robot) -> Iterator[Finding]:
             declaration = "The declared default ''" if empty else "The default of the declaration"
             yield finding(
                 read.default.span,
-                f"{declaration} wins: this default of '{read.name}' is never used",
+                f"{declaration} applies: this default of '{read.name}' is never used",
                 advice="move the default into the declaration",
                 related=[note(action.span, "declared here")],
             )

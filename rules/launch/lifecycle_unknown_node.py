@@ -65,7 +65,7 @@ def lifecycle_unknown_node(robot: Robot) -> Iterator[Finding]:
 
 
 def alone(robot: Robot, managers: list[launch.Manager]):
-    """A manager in a launch file of its own: its nodes come from the other files of the robot, if some of them do."""
+    """A manager in a separate launch file: its nodes are in other files, if at least one of them is."""
     if any(launch.outside(expansion) for expansion in robot.launch.expansions):
         return
     for manager in managers:

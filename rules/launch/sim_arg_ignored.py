@@ -74,5 +74,5 @@ def sim_arg_ignored(robot: Robot) -> Iterator[Finding]:
                     node.span,
                     f"{switch.name}:=true still starts the real {node.label()}",
                     advice=f"give it condition=UnlessCondition(LaunchConfiguration('{switch.name}'))",
-                    related=[note(switch.action.span, "the switch is declared here")],
+                    related=[note(switch.action.span, "the argument is declared here")],
                 )

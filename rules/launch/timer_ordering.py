@@ -73,5 +73,5 @@ def announced(robot: Robot, file: launch.LaunchFile, timer: launch.Timer) -> Ite
             timer.span,
             "This message appears after a fixed delay, whatever the checks before it found",
             advice="log it in an OnProcessExit handler of the checks",
-            related=[note(node.span, "nobody waits for this check") for node in ignored[:5]],
+            related=[note(node.span, "nothing waits for this check") for node in ignored[:5]],
         )

@@ -69,8 +69,7 @@ def undeclared_arg(robot: Robot) -> Iterator[Finding]:
 
 
 def grade(robot: Robot, expansion: Expansion, used: Used, missing: set[str]) -> str | None:
-    """A file that reads many configurations of others, or that another file names in a way that leads nowhere here, is
-    meant to be included."""
+    """A file is meant to be included if it reads many configurations of others, or if another file mentions it."""
     if len(missing) > 2 or robot.launch.is_named_elsewhere(expansion.entry):
         return "info"
     certain = used.file is expansion.entry and not used.conditions and used.file.format == "python"

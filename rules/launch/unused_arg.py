@@ -64,7 +64,7 @@ def unused_arg(robot: Robot) -> Iterator[Finding]:
 
 
 def mentioned(robot: Robot, file: LaunchFile, name: str) -> int:
-    """In Python only quoted names count: a variable may be called like the argument."""
+    """In Python only quoted names count: a variable may have the same name as the argument."""
     if file.format != "python":
         return robot.launch.mentions(file, name)
     return len(re.findall(rf"""['"]{re.escape(name)}['"]""", file.source.text))

@@ -52,6 +52,6 @@ def node_duplicate(robot: Robot) -> Iterator[Finding]:
             advice="stop the surplus one; a node that was killed disappears within 20 s",
             related=[
                 *(note(each.where, "started here too") for each in starts[:3]),
-                *(note(node.name, "it runs") for node in lines[:5]),
+                *(note(node.name, "this one runs") for node in lines[:5]),
             ],
         )

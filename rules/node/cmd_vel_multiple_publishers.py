@@ -56,8 +56,8 @@ def cmd_vel_multiple_publishers(robot: Robot) -> Iterator[Finding]:
             names = ", ".join(use.node.label() for use in (*others, own))
             yield finding(
                 own.where,
-                f"{names} publish {own.topic} and nothing selects one of them: a stop of one is followed by a go of "
-                "another",
+                f"{len(rivals)} nodes publish {own.topic} ({names}) and nothing selects one: a stop of one is followed "
+                "by a go of another",
                 advice="give each source its own topic, and let twist_mux or another gate publish the command",
                 related=[
                     *(note(use.where, f"{use.node.label()} publishes it too") for use in others),

@@ -45,7 +45,7 @@ def heartbeat_unknown_node(robot: Robot) -> Iterator[Finding]:
         what = f"the node is '{meant}'" if meant else "nothing in the tree starts it"
         yield finding(
             name,
-            f"No node is called '{name}', {what}: a watchdog or script that waits for it never sees it",
+            f"No node is called '{name}' ({what}): a watchdog or script that waits for it never sees it",
             advice=f"write '{meant}'" if meant else "name a node that is started, as `ros2 node list` shows it",
             related=[
                 *([note(watched.where, "this list monitors it")] if watched.where is not name else []),

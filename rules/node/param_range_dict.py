@@ -47,7 +47,8 @@ def param_range_dict(robot: Robot) -> Iterator[Finding]:
                 change = fix(f"write {found.type}", (place, better), *edits)
             yield finding(
                 place,
-                f"A dict is not a {found.type}: declare_parameter raises AttributeError and the node does not start",
+                f"The range is a dict, not {found.type}: declare_parameter raises AttributeError, "
+                "and the node does not start",
                 advice=f"write {better or f'{found.type}(from_value=..., to_value=..., step=...)'}",
                 fix=change,
                 severity=nodes.lowered(robot.nodes.purpose(file.source), "error"),

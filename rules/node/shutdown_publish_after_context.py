@@ -54,9 +54,9 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 WHY = {
-    "raises": 'the signal has invalidated the context: publish raises "publisher\'s context is invalid"',
-    "caught": "the signal has invalidated the context: publish fails, and the exception is hidden",
-    "skipped": "the signal has shut the context down: rclpy.ok() is false",
+    "raises": 'publish raises "publisher\'s context is invalid", because the signal has invalidated the context',
+    "caught": "publish fails because the signal has invalidated the context, and the exception is hidden",
+    "skipped": "rclpy.ok() is false, because the signal has shut the context down",
     "on-shutdown": "the callback does not run after a signal, and on rclpy.shutdown() the context is invalid",
     "at-exit": "the signal has invalidated the context long before the process exits",
 }

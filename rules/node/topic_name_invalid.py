@@ -66,8 +66,8 @@ def topic_name_invalid(robot: Robot) -> Iterator[Finding]:
             good = better and topics.refusal(better) is None
             yield finding(
                 endpoint.name,
-                f"'{endpoint.name}' is not a valid {ROLES[endpoint.role]} name, {reason}: the node exits when it "
-                f"creates the {endpoint.role}",
+                f"'{endpoint.name}' is not a valid {ROLES[endpoint.role]} name, because {reason}: "
+                f"the node exits when it creates the {endpoint.role}",
                 advice=f"write '{better}'"
                 if good
                 else "use letters, digits, '_' and '/' only, and no part that begins with a digit",

@@ -42,7 +42,7 @@ from bringup_lint.api import topics
 def topic_typo(robot: Robot) -> Iterator[Finding]:
     for running in robot.topics.runs:
         for use, meant, near in topics.misspelt(running):
-            nobody = "Nobody publishes" if use.role == "subscription" else "Nobody subscribes"
+            nobody = "Nobody publishes" if use.role == "subscription" else "Nobody subscribes to"
             better = topics.corrected(use, near)
             yield finding(
                 use.name_place or use.where,

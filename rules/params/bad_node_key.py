@@ -52,7 +52,7 @@ def bad_node_key(robot: Robot) -> Iterator[Finding]:
             problem.where,
             f"{problem.where} without quotes is a YAML alias: the process that loads the file exits at start",
             advice=f'write "{problem.where}"',
-            fix=fix("Put it in quotes", (problem.where, f'"{problem.where}"')),
+            fix=fix("put it in quotes", (problem.where, f'"{problem.where}"')),
         )
     for file, problem in robot.params.problems("node-key"):
         key = problem.where

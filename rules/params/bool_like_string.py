@@ -52,7 +52,7 @@ def bool_like_string(robot: Robot) -> Iterator[Finding]:
                 "expects a string: it exits with InvalidParameterTypeException",
                 advice=f"write {text}",
                 related=[note(declared.place, "declared as a string here")],
-                fix=fix("Put it in quotes", (parameter.span, text)),
+                fix=fix("put it in quotes", (parameter.span, text)),
             )
         elif value.type == "string" and declared.type == "bool" and str(value.data).lower() in _WORDS:
             plain = _WORDS[str(value.data).lower()]
@@ -62,5 +62,5 @@ def bool_like_string(robot: Robot) -> Iterator[Finding]:
                 "InvalidParameterTypeException",
                 advice=f"write {plain}",
                 related=[note(declared.place, "declared as a boolean here")],
-                fix=fix(f"Write {plain}", (parameter.span, plain)),
+                fix=fix(f"write {plain}", (parameter.span, plain)),
             )

@@ -55,5 +55,5 @@ def double_for_int(robot: Robot) -> Iterator[Finding]:
             "InvalidParameterTypeException",
             advice=f"write {whole[0]}" if plain else "write a whole number",
             related=[note(declared.place, "declared as an integer here")],
-            fix=fix("Write an integer", *((item.span, text) for item, text in zip(items, whole))) if plain else None,
+            fix=fix("write an integer", *((item.span, text) for item, text in zip(items, whole))) if plain else None,
         )

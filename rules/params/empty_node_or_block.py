@@ -50,5 +50,5 @@ def empty_node_or_block(robot: Robot) -> Iterator[Finding]:
             key,
             f"'{key}' is empty: the process that loads the file exits at start",
             advice=f"write {inner}, or remove the block",
-            fix=fix(f"Write {inner}", (place, f" {inner}")) if colon >= 0 else None,
+            fix=fix(f"write {inner}", (place, f" {inner}")) if colon >= 0 else None,
         )

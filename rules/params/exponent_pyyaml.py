@@ -61,5 +61,5 @@ def exponent_pyyaml(robot: Robot) -> Iterator[Finding]:
                 "instead of a double",
                 advice=f"write {better}",
                 related=[note(composed.where, "loaded for a component here")],
-                fix=fix(f"Write {better}", (item.span, better)),
+                fix=fix(f"write {better}", (item.span, better)),
             )

@@ -53,5 +53,5 @@ def file_key_mismatch(robot: Robot) -> Iterator[Finding]:
                 found.load, note(found.block.key, f"its block is for {found.block.name}")
             ),
             related=[note(found.block.key, "the block that does not match"), note(found.load.node.span, "the node")],
-            fix=fix(f"Name the block {better}", (found.block.key, better), safe=False) if single else None,
+            fix=fix(f"name the block {better}", (found.block.key, better), safe=False) if single else None,
         )

@@ -55,5 +55,5 @@ def int_for_double(robot: Robot) -> Iterator[Finding]:
             "InvalidParameterTypeException",
             advice=f"write {items[0].text}.0" if plain else "write a number with a decimal point",
             related=[note(declared.place, "declared as a double here")],
-            fix=fix("Write a double", *((item.span, f"{item.text}.0") for item in items)) if plain else None,
+            fix=fix("write a double", *((item.span, f"{item.text}.0") for item in items)) if plain else None,
         )

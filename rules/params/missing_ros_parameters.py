@@ -55,7 +55,7 @@ def missing_ros_parameters(robot: Robot) -> Iterator[Finding]:
                 problem.where,
                 f"'{problem.where}' is not ros__parameters: the process that loads the file exits at start",
                 advice="write ros__parameters, with two underscores",
-                fix=fix("Write ros__parameters", (problem.where, "ros__parameters")),
+                fix=fix("write ros__parameters", (problem.where, "ros__parameters")),
             )
     plain = set()
     for file, problem in robot.params.problems("value-before-parameters", "list-before-parameters", "internal"):

@@ -59,5 +59,5 @@ def node_not_in_launch(robot: Robot) -> Iterator[Finding]:
                 note(found.load.node.span, f"{found.name} is started here"),
                 note(found.load.where, "loads the file here"),
             ],
-            fix=fix(f"Write {name}", (found.block.key, name), safe=False) if single else None,
+            fix=fix(f"write {name}", (found.block.key, name), safe=False) if single else None,
         )

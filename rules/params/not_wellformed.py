@@ -75,4 +75,4 @@ def _spaces(robot: Robot, file: ParameterFile) -> Fix | None:
     if width is None:
         return None
     edits = [(tab, " " * width) for tab in robot.params.indenting_tabs(file)]
-    return fix("Indent with spaces", *edits)
+    return fix("indent with spaces", *edits)

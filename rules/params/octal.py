@@ -50,5 +50,5 @@ def octal(robot: Robot) -> Iterator[Finding]:
                     item.span,
                     f"'{item.text}' is read as the {item.type} {item.data}",
                     advice=f"write {plain}, or {item.data}",
-                    fix=fix(f"Write {plain}", (item.span, plain), safe=False),
+                    fix=fix(f"write {plain}", (item.span, plain), safe=False),
                 )

@@ -60,7 +60,7 @@ def substitution_without_allow_substs(robot: Robot) -> Iterator[Finding]:
                     item.span,
                     f"The node gets the literal text '{found[0]}' for '{parameter.name}': launch does not resolve it",
                     advice='load the file with ParameterFile(path, allow_substs=True), in XML with allow_substs="true"',
-                    chain=robot.provenance.chain_to_load(loads[0], note(item.span, f"{found[0]} is left as it is")),
+                    chain=robot.provenance.chain_to_load(loads[0], note(item.span, f"{found[0]} is not resolved")),
                     related=[note(loads[0].where, "loaded here, without substitutions")],
                     fix=_allowed(loads[0].where),
                 )
@@ -77,4 +77,4 @@ def _allowed(where: Span) -> Fix | None:
         return None
     if where.text.startswith("ParameterFile("):
         return None
-    return fix("Load it with allow_substs", (where, f"ParameterFile({where.text}, allow_substs=True)"), safe=False)
+    return fix("load it with allow_substs", (where, f"ParameterFile({where.text}, allow_substs=True)"), safe=False)

@@ -49,5 +49,5 @@ def use_sim_time_real_robot(robot: Robot) -> Iterator[Finding]:
             advice="write false",
             related=[note(found.load.node.span, "gets the value here")],
             chain=robot.provenance.chain_to_load(found.load, note(found.parameter.span, "the node waits for /clock")),
-            fix=fix("Write false", (found.parameter.span, "false"), safe=False),
+            fix=fix("write false", (found.parameter.span, "false"), safe=False),
         )

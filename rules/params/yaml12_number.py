@@ -51,5 +51,5 @@ def yaml12_number(robot: Robot) -> Iterator[Finding]:
                     item.span,
                     f"'{item.text}' is the text \"{item.text}\" for ROS, not a number",
                     advice=f"write {plain}",
-                    fix=fix(f"Write {plain}", (item.span, plain), safe=False),
+                    fix=fix(f"write {plain}", (item.span, plain), safe=False),
                 )

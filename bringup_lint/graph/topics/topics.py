@@ -88,7 +88,7 @@ class Topics:
 
     @staticmethod
     def does(use: Use) -> str:
-        return "publishes" if use.role == "publisher" else "subscribes"
+        return "publishes" if use.role == "publisher" else "subscribes to"
 
     @staticmethod
     def conflicts(publisher: Use, subscription: Use) -> Iterator[Conflict]:
@@ -105,7 +105,7 @@ class Topics:
                 for value, where in node.refused:
                     yield node, where, str(value), "when it creates the topic"
                 for side in refused_sides(node.started):
-                    yield node, side.span, str(side), "before it starts, 'Couldn't parse remap rule'"
+                    yield node, side.span, str(side), "at start with 'Couldn't parse remap rule'"
 
     @property
     def endpoints(self) -> Iterator[Endpoint]:

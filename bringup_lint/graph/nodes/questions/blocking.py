@@ -206,7 +206,7 @@ def _method(ending: Ending, call: ast.Call, owner: ast.Attribute, cls: NodeClass
     if name == "sleep" and not call.args and _is_rate(ending, owner.attr):
         return f"{kept}.sleep()", ""
     if name in _SERIAL_READS and _waits_for_ever(ending, owner, call):
-        return f"{kept}.{name}()", "until a byte comes"
+        return f"{kept}.{name}()", "until a byte arrives"
     return None
 
 
