@@ -21,10 +21,9 @@ from pathlib import Path
 from bringup_lint.api import Check
 from bringup_lint.api import Metadata
 from bringup_lint.finding import Severity
+from bringup_lint.report.docs import HEADINGS
 from bringup_lint.robot import Robot
 from bringup_lint.toml import read_toml
-
-HEADINGS = ("What it finds", "Why it matters on a robot", "Bad", "Good", "References")
 
 
 class RuleError(Exception):

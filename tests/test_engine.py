@@ -29,10 +29,16 @@ legacy.service
 robot.service
 ```
 
+## When to ignore it
+Never.
+
 ## References
 - none
 """
 
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -40,7 +46,7 @@ from bringup_lint.api import rule
 
 
 @rule("warning", fix="safe")
-def no_legacy(robot: Robot):
+def no_legacy(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("systemd-unit"):
         at = source.text.find("/bin/legacy")
         if at >= 0:

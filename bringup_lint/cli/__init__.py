@@ -12,8 +12,9 @@ COMMANDS = {
     "explain": "Print a rule's documentation, or find the rules behind a log line.",
     "rules": "List the rules.",
     "graph": "Draw what starts what, in which order and with what.",
-    "live": "Hold the running ROS graph against the files.",
+    "live": "Compare the running ROS graph with the files.",
     "init": "Write a configuration file to start from.",
+    "new-rule": "Write the files of a new rule, in a checkout.",
 }
 
 
@@ -26,7 +27,7 @@ def dispatch(arguments: list[str], prog: str = "bringup-lint") -> None:
             prog = f"{prog} {name}"
     elif arguments and not arguments[0].startswith("-") and not os.path.lexists(arguments[0]):
         _hint(arguments[0])
-    module = importlib.import_module(f"bringup_lint.cli.{name}")
+    module = importlib.import_module(f"bringup_lint.cli.{name.replace('-', '_')}")
     module.command.main(arguments, prog_name=prog)
 
 

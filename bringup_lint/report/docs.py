@@ -11,7 +11,8 @@ from bringup_lint.report.paint import Paint
 from bringup_lint.report.paint import painter
 from bringup_lint.report.wrap import wrap
 
-HEADINGS = ("What it finds", "Why it matters on a robot", "Bad", "Good", "References")
+HEADINGS = ("What it finds", "Why it matters on a robot", "Bad", "Good", "When to ignore it", "References")
+"""The sections of a rule's documentation, in their order."""
 LOG_LINES = "Log lines"
 PROSE = 88
 """Prose is not set wider than this."""

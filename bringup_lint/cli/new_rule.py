@@ -1,0 +1,122 @@
+"""``bringup-lint new-rule FAMILY/NAME``: the files of a new rule in a checkout."""
+
+from __future__ import annotations
+
+import re
+import shutil
+from pathlib import Path
+
+import click
+
+from bringup_lint.registry import builtin_folder
+
+_ID = re.compile(r"[a-z][a-z0-9-]*/[a-z][a-z0-9-]*")
+RULE = '''\
+"""What is wrong, as one sentence.
+
+## What it finds
+TODO: the defect, in the terms of the manual.
+
+## Why it matters on a robot
+TODO: what happens on the robot, with numbers.
+
+## Bad
+```text
+TODO
+```
+
+## Good
+```text
+TODO
+```
+
+## When to ignore it
+TODO: where the finding is right and yet does no harm.
+
+## References
+- TODO: the manual page or specification, with its section
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("warning")
+def {function}(robot: Robot) -> Iterator[Finding]:
+    for source in robot.of_kind({kinds}):
+        if "TODO" in source.text:
+            yield finding(source, "What will happen on the robot", advice="what to write instead")
+'''
+
+
+@click.command(context_settings={"help_option_names": ["-h", "--help"]})
+@click.argument("rule_id", metavar="FAMILY/NAME")
+@click.pass_context
+def command(ctx: click.Context, rule_id: str) -> None:
+    """Write the file of a new rule, and a bad and a good fixture, in a checkout of bringup-lint.
+
+    The fixtures start as copies of a good one of the same family. Existing files are never overwritten.
+
+    \b
+    bringup-lint new-rule systemd/no-tabs
+    """
+    problem = _problem(rule_id)
+    if problem:
+        click.echo(f"bringup-lint: {problem}", err=True)
+        ctx.exit(2)
+    for path in write(rule_id, builtin_folder().parent):
+        click.echo(f"Wrote {path}.", err=True)
+
+
+def _problem(rule_id: str) -> str:
+    """Why no rule of this id can be written; empty when it can."""
+    rules = builtin_folder()
+    family, _, name = rule_id.replace("-", "_").partition("/")
+    fixtures = rules.parent / "fixtures"
+    if not fixtures.is_dir():
+        return "new-rule works in a checkout of bringup-lint only; for rules of your own, see --rules"
+    if not _ID.fullmatch(rule_id):
+        return f"'{rule_id}' is not a rule id; write FAMILY/NAME in lower case with dashes, such as systemd/no-tabs"
+    if not (rules / family).is_dir():
+        known = ", ".join(sorted(path.name.replace("_", "-") for path in rules.iterdir() if path.is_dir()))
+        return f"there is no family '{rule_id.partition('/')[0]}'; the families are {known}"
+    for path in (rules / family / f"{name}.py", fixtures / family / name):
+        if path.exists():
+            return f"{path} exists already"
+    return ""
+
+
+def write(rule_id: str, project: Path) -> list[Path]:
+    """Write the rule file and its fixtures; returns what was written. Raises FileExistsError."""
+    from bringup_lint.registry import families
+
+    family, _, name = rule_id.replace("-", "_").partition("/")
+    rule = project / "rules" / family / f"{name}.py"
+    reads = next(each.reads for each in families([project / "rules"]) if each.path.name == family)
+    kinds = ", ".join(f'"{kind}"' for kind in sorted(reads)[:1])
+    with rule.open("x", encoding="utf-8") as file:
+        file.write(RULE.format(function=name, kinds=kinds))
+    fixtures = project / "fixtures" / family
+    start = _smallest_good(fixtures)
+    written = [rule]
+    for case in ("bad", "good"):
+        folder = fixtures / name / case
+        if start is None:
+            folder.mkdir(parents=True)
+        else:
+            shutil.copytree(start, folder)
+        written.append(folder)
+    return written
+
+
+def _smallest_good(fixtures: Path) -> Path | None:
+    """The good fixture of the family with the fewest bytes in its files."""
+    sizes = []
+    for folder in fixtures.glob("*/good"):
+        files = [path for path in folder.rglob("*") if path.is_file() and not path.is_symlink()]
+        sizes.append((len(files), sum(path.stat().st_size for path in files), folder))
+    return min(sizes)[2] if sizes else None
