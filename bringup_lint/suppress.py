@@ -7,7 +7,6 @@ older names.
 
 from __future__ import annotations
 
-import os
 import re
 from collections.abc import Callable
 from collections.abc import Iterable
@@ -67,7 +66,9 @@ class Ignores:
         A link to a file, such as an enabled unit, is another source with the same comments: the file speaks for them.
         """
         for ignores in self.by_source.values():
-            for ignore in ignores if ignores and not os.path.islink(ignores[0].name.span.source.name) else ():
+            if not ignores or ignores[0].name.span.source.link is not None:
+                continue
+            for ignore in ignores:
                 if not ignore.used and ran(ignore.name):
                     yield Finding(
                         f"ignore[{ignore.name}] silences nothing here",

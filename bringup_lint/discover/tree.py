@@ -9,9 +9,13 @@ from dataclasses import dataclass
 from dataclasses import field
 from pathlib import Path
 
+from bringup_lint.discover.git_index import UnknownFormat
+from bringup_lint.discover.git_index import index_of
+from bringup_lint.discover.git_index import read_index
 from bringup_lint.discover.reading import Unreadable
 from bringup_lint.discover.reading import decode
 from bringup_lint.discover.reading import read_bytes
+from bringup_lint.discover.reading import read_head
 from bringup_lint.discover.roots import overlay_path
 from bringup_lint.discover.roots import resolve_inside
 from bringup_lint.source import Problem
@@ -33,6 +37,8 @@ class Tree:
     problems: list[Problem] = field(default_factory=list)
     _paths: dict[str, list[str]] = field(default_factory=dict)
     _on_demand: dict[str, Source | None] = field(default_factory=dict)
+    _indexes: dict[str, frozenset[bytes]] = field(default_factory=dict)
+    _heads: dict[tuple[str, int], str] = field(default_factory=dict)
 
     def remember(self, path: str) -> None:
         """Keep the name of a file that was walked past, so that a reference to it can be resolved."""
@@ -128,9 +134,64 @@ class Tree:
             self._on_demand[key] = known or self.read(absolute)
         return self._on_demand[key]
 
-    def real_path(self, path: str) -> str:
+    @staticmethod
+    def real_path(path: str) -> str:
         """The absolute path without links; links that lead nowhere stay as they are."""
         return os.path.realpath(path)
+
+    @staticmethod
+    def exists(path: str) -> bool:
+        """Whether there is a file, folder or link at a path of the tree, walked or not."""
+        return os.path.lexists(path)
+
+    @staticmethod
+    def is_file(path: str) -> bool:
+        """Whether there is a file, or a link that leads to one."""
+        return os.path.isfile(path)
+
+    @staticmethod
+    def is_link(path: str) -> bool:
+        return os.path.islink(path)
+
+    @staticmethod
+    def is_broken(path: str) -> bool:
+        """Whether a link leads nowhere; what an absolute one leads to is known on the robot only."""
+        try:
+            return not os.path.isabs(os.readlink(path)) and not os.path.exists(path)
+        except OSError:
+            return False
+
+    def head(self, path: str, size: int) -> str:
+        """The first bytes of a regular file as text; empty when there is nothing to read, and for a link."""
+        if (path, size) not in self._heads:
+            self._heads[path, size] = read_head(path, size)
+        return self._heads[path, size]
+
+    @staticmethod
+    def names_below(folder: str, depth: int) -> Iterator[str]:
+        """The names of the files below a folder, walked or not, down to so many folders."""
+        for here, _, names in os.walk(folder):
+            yield from names
+            if here.count("/") - folder.count("/") > depth:
+                return
+
+    def tracked(self, path: str) -> bool | None:
+        """Whether git knows a file, so that it goes with the repository; None outside of a repository. What an index
+        in an unknown format holds is not known to git here."""
+        file = Path(os.path.abspath(path))
+        for folder in file.parents:
+            index = index_of(str(folder))
+            if index is not None:
+                return os.fsencode(file.relative_to(folder)) in self._tracked_by(index)
+        return None
+
+    def _tracked_by(self, index: str) -> frozenset[bytes]:
+        if index not in self._indexes:
+            try:
+                self._indexes[index] = read_index(index)
+            except UnknownFormat:
+                self._indexes[index] = frozenset()
+        return self._indexes[index]
 
     def has(self, robot_path: str) -> bool | None:
         """Whether a file, folder or link is there on the robot; None when the tree cannot tell."""

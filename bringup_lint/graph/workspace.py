@@ -29,6 +29,7 @@ from bringup_lint.source import Located
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
+    from bringup_lint.discover.tree import Tree
     from bringup_lint.graph.files import Files
 
 SUBFOLDERS = 40
@@ -121,7 +122,8 @@ def _origin(install: Install, path: str) -> str | None:
 
 
 class Workspace:
-    def __init__(self, packages: dict[str, Package], ambiguous: set[str]) -> None:
+    def __init__(self, tree: Tree, packages: dict[str, Package], ambiguous: set[str]) -> None:
+        self.tree = tree
         self.packages = packages
         self.ambiguous = ambiguous
         """Names that several packages of the tree have."""
@@ -153,7 +155,7 @@ class Workspace:
         return self._share(package, posixpath.normpath(place.path))
 
     def _beside(self, path: str) -> Found | None:
-        if os.path.lexists(path):
+        if self.tree.exists(path):
             return Found(path, None, None)
         for folder, package in self._folders.items():
             if path.startswith(folder + "/"):
@@ -166,13 +168,13 @@ class Workspace:
         target = posixpath.normpath(f"share/{package.name}/{path}")
         origins = list(package.origins(target))
         for origin in origins:
-            if os.path.lexists(origin):
+            if self.tree.exists(origin):
                 return Found(origin, True, package)
         direct = os.path.join(package.folder, path)
-        there = os.path.lexists(direct)
+        there = self.tree.exists(direct)
         if there:
             return Found(direct, False if package.installs_known else None, package)
-        if package.installs_known and not any(map(os.path.lexists, _templates(direct))):
+        if package.installs_known and not any(map(self.tree.exists, _templates(direct))):
             return Found(None, False, package)
         return None
 
@@ -228,7 +230,7 @@ def load_workspace(files: Files) -> Workspace:
         package = Package(manifest, os.path.dirname(os.path.abspath(manifest.source.name)))
         _read_builds(files, package, builds)
         packages[name] = package
-    return Workspace(packages, ambiguous)
+    return Workspace(files.tree, packages, ambiguous)
 
 
 def _read_builds(files: Files, package: Package, sources: dict[str, Source]) -> None:
@@ -240,7 +242,7 @@ def _read_builds(files: Files, package: Package, sources: dict[str, Source]) -> 
             package.builds += files.parsed(setup_py.parse, [python])
         if settings is not None:
             package.builds += files.parsed(setup_py.parse_cfg, [settings])
-        if os.path.lexists(os.path.join(package.folder, "pyproject.toml")):
+        if files.tree.exists(os.path.join(package.folder, "pyproject.toml")):
             package.complete = False
     else:
         _read_cmake(files, package, lists, sources)

@@ -43,7 +43,7 @@ def file_not_installed(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         for reference in robot.launch.references(file):
             found = reference.found
-            if found.file is None or found.installed is not False or not os.path.isfile(found.file):
+            if found.file is None or found.installed is not False or not robot.tree.is_file(found.file):
                 continue
             package = found.package
             path = os.path.relpath(found.file, package.folder)

@@ -46,7 +46,7 @@ def keystore_layout(robot: Robot) -> Iterator[Finding]:
             where = robot.sros2.anchor(enclave.folder)
             if "/test" in f"/{where.name}" or not where.judged:
                 continue
-            dangling = [path.rpartition("/")[2] for path in enclave.dangling()]
+            dangling = enclave.broken_links(robot.tree)
             missing = [name for name in enclave.missing() if whole or name != "key.pem"]
             if dangling:
                 yield finding(

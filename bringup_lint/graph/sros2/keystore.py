@@ -5,14 +5,13 @@ from __future__ import annotations
 import os
 from dataclasses import dataclass
 from dataclasses import field
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from bringup_lint.discover.tree import display_name
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
-    from bringup_lint.robot import Robot
+    from bringup_lint.discover.tree import Tree
 
 REQUIRED = (
     "identity_ca.cert",
@@ -31,7 +30,6 @@ _OF_ENCLAVE = {
     "permissions.xml",
     "permissions.p7s",
 }
-_INDEX_VERSIONS = (2, 3)
 
 
 @dataclass(eq=False)
@@ -50,14 +48,9 @@ class Enclave:
                 found.append(name)
         return found
 
-    def dangling(self) -> list[str]:
-        """The links that lead nowhere."""
-        paths = (os.path.join(self.folder, name) for name in sorted(self.files))
-        return [
-            path
-            for path in paths
-            if os.path.islink(path) and not os.path.isabs(os.readlink(path)) and not os.path.exists(path)
-        ]
+    def broken_links(self, tree: Tree) -> list[str]:
+        """The names of the links that lead nowhere."""
+        return [name for name in sorted(self.files) if tree.is_broken(os.path.join(self.folder, name))]
 
 
 @dataclass(eq=False)
@@ -70,10 +63,10 @@ class Keystore:
         return display_name(self.folder)
 
 
-def load_keystores(robot: Robot) -> list[Keystore]:
+def load_keystores(tree: Tree) -> list[Keystore]:
     """The keystores of the tree: a folder ``enclaves`` with at least two files of an enclave somewhere below."""
     found: dict[str, Keystore] = {}
-    for path in robot.tree.paths:
+    for path in tree.paths:
         folder, name = os.path.split(path)
         if name not in _OF_ENCLAVE and not name.startswith("governance."):
             continue
@@ -92,39 +85,14 @@ def load_keystores(robot: Robot) -> list[Keystore]:
     return [keystore for keystore in found.values() if any(len(each.files) > 1 for each in keystore.enclaves.values())]
 
 
-def anchor(robot: Robot, folder: str) -> Source:
+def anchor(tree: Tree, folder: str) -> Source:
     """A file of the enclave to point at: its own permissions, or whatever the tree has read there."""
     name = display_name(folder)
-    inside = [source for source in robot.sources if source.name.rpartition("/")[0] == name]
+    inside = [source for source in tree.sources if source.name.rpartition("/")[0] == name]
     inside.sort(key=lambda source: ("permissions" not in source.kind, source.name))
     return inside[0] if inside else Source(name)
 
 
-def ships(robot: Robot, source: Source) -> bool:
+def ships(tree: Tree, source: Source) -> bool:
     """Whether a file goes with the repository: git knows it, or there is no git to ask."""
-    if robot.tree.root is not None:
-        return False
-    path = Path(source.name).absolute()
-    for folder in path.parents:
-        index = _index(folder)
-        if index is None:
-            continue
-        try:
-            data = index.read_bytes()
-        except OSError:
-            return False
-        if int.from_bytes(data[4:8], "big") not in _INDEX_VERSIONS:
-            return False
-        return b"%s\0" % os.fsencode(path.relative_to(folder)) in data
-    return True
-
-
-def _index(folder: Path) -> Path | None:
-    """The index of the repository whose top this folder is."""
-    git = folder / ".git"
-    if git.is_dir():
-        return git / "index"
-    if not git.is_file():
-        return None
-    line = git.read_text("utf-8", "replace").strip()
-    return folder / line.removeprefix("gitdir:").strip() / "index" if line.startswith("gitdir:") else None
+    return tree.root is None and tree.tracked(source.name) is not False

@@ -70,10 +70,10 @@ class Sros2:
 
     @cached_property
     def keystores(self) -> list[Keystore]:
-        return sros2_keystore.load_keystores(self.robot)
+        return sros2_keystore.load_keystores(self.robot.tree)
 
     def anchor(self, folder: str) -> Source:
-        return sros2_keystore.anchor(self.robot, folder)
+        return sros2_keystore.anchor(self.robot.tree, folder)
 
     def anchor_of(self, keystore: Keystore) -> Source:
         """A file of a keystore to point at."""
@@ -81,7 +81,7 @@ class Sros2:
 
     def ships(self, source: Source) -> bool:
         """Whether a file goes with the repository."""
-        return sros2_keystore.ships(self.robot, source)
+        return sros2_keystore.ships(self.robot.tree, source)
 
     @cached_property
     def nodes(self) -> list[Started]:

@@ -2,13 +2,9 @@
 
 from __future__ import annotations
 
-import os
 import re
 from collections.abc import Iterator
-from functools import lru_cache
 from typing import TYPE_CHECKING
-
-from bringup_lint.discover.reading import read_head
 
 if TYPE_CHECKING:
     from bringup_lint.discover.tree import Tree
@@ -38,9 +34,4 @@ def _scripts(tree: Tree) -> Iterator[str]:
     for at, path in enumerate(path for path in tree.paths if _SCRIPT.search(path)):
         if at >= _COUNT:
             return
-        yield _text(path)
-
-
-@lru_cache(maxsize=_COUNT)
-def _text(path: str) -> str:
-    return "" if os.path.islink(path) else read_head(path, _SIZE)
+        yield tree.head(path, _SIZE)

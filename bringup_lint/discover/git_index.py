@@ -1,0 +1,103 @@
+"""The index of a git repository: the paths that the next commit holds (gitformat-index(5), versions 2 to 4)."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+
+from bringup_lint.discover.reading import Unreadable
+from bringup_lint.discover.reading import read_bytes
+from bringup_lint.discover.reading import read_head
+
+SIZE_LIMIT = 256 * 1024 * 1024
+"""Bytes; about 2.5 million files."""
+_HEADER = 12
+_STATUS = 40
+"""Bytes of times, device, inode, mode, owner and size, which precede the hash of an entry."""
+_HASHES = (20, 32)
+"""Bytes of a SHA-1 and of a SHA-256; the index does not say which of them its repository uses."""
+_EXTENDED = 0x4000
+_LENGTH = 0x0FFF
+_SPLIT = b"link"
+
+
+class UnknownFormat(Exception):
+    """The index cannot be read, or does not list all paths."""
+
+
+def index_of(folder: str) -> str | None:
+    """The index of the repository whose top a folder is; None when it is not the top of one."""
+    git = os.path.join(folder, ".git")
+    if os.path.isdir(git):
+        return os.path.join(git, "index")
+    line = read_head(git, 4096).strip()
+    if not line.startswith("gitdir:"):
+        return None
+    return os.path.join(folder, line.removeprefix("gitdir:").strip(), "index")
+
+
+def read_index(path: str) -> frozenset[bytes]:
+    """The tracked paths, from the top of the repository. Raises UnknownFormat."""
+    try:
+        data, _ = read_bytes(path, SIZE_LIMIT)
+    except Unreadable as error:
+        raise UnknownFormat(str(error)) from error
+    return frozenset(tracked_paths(data))
+
+
+def tracked_paths(data: bytes) -> list[bytes]:
+    """The paths in an index. Raises UnknownFormat."""
+    version = int.from_bytes(data[4:8], "big")
+    if data[:4] != b"DIRC" or version not in (2, 3, 4):
+        raise UnknownFormat(f"not an index of version 2, 3 or 4, but {version}")
+    for hash_size in _HASHES:
+        try:
+            return _paths(data, version, hash_size)
+        except (IndexError, ValueError):
+            continue
+    raise UnknownFormat("damaged")
+
+
+def _paths(data: bytes, version: int, hash_size: int) -> list[bytes]:
+    """Raises IndexError or ValueError for data of another form."""
+    found: list[bytes] = []
+    at, name = _HEADER, b""
+    for _ in range(int.from_bytes(data[8:12], "big")):
+        start = at
+        at += _STATUS + hash_size
+        flags = int.from_bytes(data[at : at + 2], "big")
+        at += 4 if flags & _EXTENDED else 2
+        kept = b""
+        if version == 4:
+            dropped, at = _number(data, at)
+            kept = name[: len(name) - dropped]
+        end = data.index(b"\0", at)
+        name = kept + data[at:end]
+        if min(len(name), _LENGTH) != flags & _LENGTH or not name:
+            raise ValueError("another hash, or damaged")
+        found.append(name)
+        at = end + 1 if version == 4 else start + (end - start + 8) // 8 * 8
+    if _SPLIT in _extensions(data, at, hash_size):
+        raise UnknownFormat("a split index lists only part of the paths")
+    return found
+
+
+def _number(data: bytes, at: int) -> tuple[int, int]:
+    """A number of variable width as in pack files, and where it ends."""
+    byte = data[at]
+    value = byte & 0x7F
+    while byte & 0x80:
+        at += 1
+        byte = data[at]
+        value = (value + 1) << 7 | byte & 0x7F
+    return value, at + 1
+
+
+def _extensions(data: bytes, at: int, hash_size: int) -> Iterator[bytes]:
+    """The signatures of the extensions, which lie between the entries and the checksum. Raises ValueError."""
+    end = len(data) - hash_size
+    while at < end:
+        yield data[at : at + 4]
+        at += 8 + int.from_bytes(data[at + 4 : at + 8], "big")
+    if at != end:
+        raise ValueError("another hash, or damaged")
