@@ -105,11 +105,11 @@ class Tree:
         if self.root is not None:
             path = resolve_inside(self.root, robot_path)
             return self.read(str(path)) if path and path.is_file() else None
-        path = self._by_suffix(robot_path)
-        if path is None:
+        walked = self._by_suffix(robot_path)
+        if walked is None:
             return None
-        name = display_name(path)
-        return next((source for source in self.sources if source.name == name), None) or self.read(path)
+        name = display_name(walked)
+        return next((source for source in self.sources if source.name == name), None) or self.read(walked)
 
     def _by_suffix(self, robot_path: str) -> str | None:
         """The one file of the repository that shares the longest tail with the path; None when several do."""

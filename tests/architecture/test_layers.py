@@ -1,17 +1,21 @@
-"""The layers: each may import only what stands to its right; heavy libraries load only where they are needed."""
+"""The plan of the package: each layer may import only what is below it, and no files import each other in a circle.
+
+Every import counts: inside functions, and for type checkers only.
+"""
 
 from __future__ import annotations
 
-import ast
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 
-from tests.conftest import PROJECT
+from tests.architecture.imports import PACKAGE
+from tests.architecture.imports import circles
+from tests.architecture.imports import import_graph
+from tests.architecture.imports import name_of
+from tests.architecture.imports import paths
+from tests.architecture.imports import uses_of_robot
 
-PACKAGE = PROJECT / "bringup_lint"
 LAYERS = (
     {"__main__"},
     {"cli"},
@@ -21,71 +25,113 @@ LAYERS = (
     {"report", "live"},
     {"api"},
     {"robot"},
-    {"graph"},
+    {"graph.edges", "graph.observed", "graph.secrets"},
+    {"graph.sros2"},
+    {"graph.topics", "graph.supervision"},
+    {"graph.nodes", "graph.host"},
+    {"graph.provenance"},
+    {"graph.dds", "graph.params"},
+    {"graph.environment"},
+    {"graph.runners"},
+    {"graph.systemd", "graph.launch"},
+    {"graph.workspace", "graph.compose", "graph.netplan", "graph.udev", "graph.commands"},
+    {"graph.files", "graph.file_nodes", "graph.places", "graph.layers"},
+    {"graph.graph", "graph.target", "graph.variants", "graph.yaml_edits"},
     {"discover"},
     {"parsers"},
     {"schema"},
     {"model", "finding", "facts"},
     {"source", "spelling", "templates", "toml"},
+    {""},
 )
+"""From the top down. The layers of one line do not import each other; ``""`` is the version of the package."""
 LEVEL = {name: level for level, names in enumerate(LAYERS) for name in names}
-HEAVY = ("networkx", "yaml", "pathspec", "click", "jsonschema", "lxml")
+TAKES_A_ROBOT = """
+    graph.dds.dds
+    graph.dds.machines
+    graph.dds.network
+    graph.nodes.modules
+    graph.nodes.nodes
+    graph.nodes.programs
+    graph.secrets.in_clear
+    graph.secrets.programs
+    graph.secrets.ros
+    graph.sros2.enclaves
+    graph.sros2.policed
+    graph.sros2.secured
+    graph.sros2.shared
+    graph.sros2.sros2
+    graph.sros2.ungranted
+    graph.supervision.launched_by_unit
+    graph.supervision.notify
+    graph.supervision.watchdog
+    graph.systemd.capabilities
+    graph.systemd.companions
+    graph.systemd.daemons
+    graph.systemd.distribution
+    graph.systemd.environment
+    graph.systemd.filesystem
+    graph.systemd.limits
+    graph.systemd.main_process
+    graph.systemd.manager
+    graph.systemd.named_units
+    graph.systemd.restart
+    graph.systemd.sandbox
+    graph.systemd.supervision
+    graph.systemd.unit_loading
+    graph.systemd.units
+    graph.systemd.waits
+    graph.topics.code
+    graph.topics.commands
+    graph.topics.cpp_code
+    graph.topics.given
+    graph.topics.launched
+    graph.topics.node_names
+    graph.topics.rviz
+    graph.topics.systems
+    graph.topics.topics
+    graph.topics.watched
+""".split()
+"""What still has to be given its layers one by one; nothing may be added."""
+CIRCLES = (
+    "graph.environment.images graph.environment.ros",
+    "graph.params.matching graph.params.params graph.params.time",
+    "graph.systemd.boot graph.systemd.companions graph.systemd.cycles graph.systemd.dependencies"
+    " graph.systemd.distribution graph.systemd.implicit graph.systemd.named_units graph.systemd.units",
+    "graph.topics.code graph.topics.cpp_code",
+    "graph.topics.node_names graph.topics.topics graph.topics.watched",
+    "report.frame report.rows",
+)
+"""What still has to be taken apart; nothing may be added."""
 
 
-def modules() -> list[Path]:
-    return sorted(
-        path for path in PACKAGE.rglob("*.py") if path != PACKAGE / "__init__.py" and "rules" not in path.parts
-    )
+def layer_of(module: str) -> str:
+    """The longest name of a layer that the module lies in."""
+    parts = module.split(".")
+    names = (".".join(parts[:count]) for count in range(len(parts), 0, -1))
+    return next((name for name in names if name in LEVEL), "")
 
 
-def layer_of(path: Path) -> str:
-    return path.relative_to(PACKAGE).parts[0].removesuffix(".py")
+@pytest.mark.parametrize("path", paths(), ids=lambda path: str(path.relative_to(PACKAGE)))
+def test_imports_point_down(path: Path) -> None:
+    module = name_of(path)
+    own = layer_of(module)
+    assert own or module in ("", "graph"), f"{module} is in no layer"
+    for other in import_graph()[module]:
+        if other == "robot" and module in TAKES_A_ROBOT:
+            continue
+        theirs = layer_of(other)
+        assert theirs == own or LEVEL[theirs] > LEVEL[own], f"{own} may not import {other}"
 
 
-def imports(path: Path, *, at_import_time: bool = True) -> set[str]:
-    """The modules that a file imports; what only a type checker sees does not count."""
-    found = set()
-
-    def visit(node: ast.AST) -> None:
-        if isinstance(node, ast.If) and "TYPE_CHECKING" in ast.unparse(node.test):
-            return
-        if at_import_time and isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda):
-            return
-        if isinstance(node, ast.ImportFrom) and node.module:
-            found.add(node.module)
-        if isinstance(node, ast.Import):
-            found.update(alias.name for alias in node.names)
-        for child in ast.iter_child_nodes(node):
-            visit(child)
-
-    visit(ast.parse(path.read_text("utf-8")))
-    return found
+def test_no_circle_of_files() -> None:
+    graph = dict(import_graph())
+    for module in TAKES_A_ROBOT:
+        graph[module] = graph[module] - {"robot"}
+    assert {tuple(sorted(members)) for members in circles(graph)} == {tuple(members.split()) for members in CIRCLES}
 
 
-@pytest.mark.parametrize("path", modules(), ids=lambda path: str(path.relative_to(PACKAGE)))
-def test_imports_point_to_the_right(path: Path) -> None:
-    own = layer_of(path)
-    for module in imports(path, at_import_time=False):
-        if module.startswith("bringup_lint."):
-            other = module.split(".")[1]
-            assert other == own or LEVEL[other] > LEVEL[own], f"{own} may not import {module}"
-
-
-def loaded_after(code: str) -> set[str]:
-    script = f"{code}\nimport sys; print(' '.join(m for m in {HEAVY!r} if m in sys.modules))"
-    run = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, cwd=PROJECT, check=True)
-    return set(run.stdout.splitlines()[-1].split())
-
-
-def test_version_loads_nothing_heavy() -> None:
-    code = "import sys; sys.argv = ['bringup-lint', '--version']\nfrom bringup_lint.__main__ import main; main()"
-    assert loaded_after(code) == set()
-
-
-def test_one_unit_loads_no_xml_yaml_or_graph_library(tmp_path: Path) -> None:
-    unit = tmp_path / "robot.service"
-    unit.write_text("[Service]\nExecStart=/bin/true\n")
-    code = f"""from bringup_lint.cli import dispatch
-try: dispatch([{str(unit)!r}])
-except SystemExit: pass"""
-    assert loaded_after(code) <= {"click"}
+def test_only_the_top_knows_the_robot() -> None:
+    """A module of the graph says what it asks: files, or single layers."""
+    below = [path for path in paths() if LEVEL[layer_of(name_of(path))] > LEVEL["robot"]]
+    assert {name_of(path) for path in below if any(uses_of_robot(path))} == set(TAKES_A_ROBOT)

@@ -124,7 +124,7 @@ class Launch:
         found = self.find(value)
         if found is None or found.file is None:
             return None
-        return self._by_path.get(found.file) or self._by_path.get(os.path.realpath(found.file))
+        return self._by_path.get(found.file) or self._by_path.get(self._tree_files.tree.real_path(found.file))
 
     @cached_property
     def _mentions(self) -> dict[str, set[int]]:
@@ -225,9 +225,10 @@ class Launch:
     def yaml_names(self, package: Package) -> list[str]:
         """The names of the YAML files that a package installs, or of all that it holds."""
         names = set()
-        for folder, _, files in os.walk(package.folder):
-            names.update(name for name in files if name.endswith((".yaml", ".yml")))
-            if len(names) > 1000 or folder.count("/") - package.folder.count("/") > 8:
+        for name in self._tree_files.tree.names_below(package.folder, depth=8):
+            if name.endswith((".yaml", ".yml")):
+                names.add(name)
+            if len(names) > 1000:
                 break
         return sorted(names)
 

@@ -189,14 +189,14 @@ class Params:
 
     def at_path(self, path: str) -> ParameterFile | None:
         """The file at a path, of the tree or of the robot."""
-        return self._paths.get(path) or self._paths.get(os.path.realpath(path))
+        return self._paths.get(path) or self._paths.get(self._tree_files.tree.real_path(path))
 
     @cached_property
     def _paths(self) -> dict[str, ParameterFile]:
         paths: dict[str, ParameterFile] = {}
         for file in self.files:
             path = os.path.abspath(file.source.name)
-            for name in (path, os.path.realpath(path), file.source.robot_path):
+            for name in (path, self._tree_files.tree.real_path(path), file.source.robot_path):
                 if name:
                     paths.setdefault(name, file)
         return paths
@@ -208,7 +208,7 @@ class Params:
         real: dict[str, str] = {}
         for load in self._all_loads if paths else ():
             if load.path not in real:
-                real[load.path] = os.path.realpath(load.path)
+                real[load.path] = self._tree_files.tree.real_path(load.path)
             file = paths.get(load.path) or paths.get(real[load.path])
             if file is not None:
                 found.setdefault(id(file), []).append(load)

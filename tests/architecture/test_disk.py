@@ -1,0 +1,78 @@
+"""Only ``discover/`` touches the tree that is checked: what else needs to know asks ``Tree``."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from tests.architecture.imports import PACKAGE
+from tests.architecture.imports import paths
+from tests.architecture.imports import syntax
+from tests.conftest import PROJECT
+
+ALLOWED = {
+    "discover": "reads the tree",
+    "cli": "reads what the command line names, and writes reports",
+    "live": "starts the process that looks at the running graph",
+    "config.py": "reads the configuration",
+    "registry.py": "loads the rules",
+    "fix.py": "writes corrected files",
+    "facts/__init__.py": "reads the tables of the package",
+}
+MODULES = frozenset(("pathlib", "shutil", "glob", "tempfile", "subprocess", "fileinput", "mmap"))
+OF_OS = frozenset(
+    "access chmod chown fdopen fstat link listdir lstat makedirs mkdir open readlink remove removedirs rename renames "
+    "replace rmdir scandir stat statvfs symlink truncate unlink utime walk fwalk".split()
+)
+OF_OS_PATH = frozenset(
+    "exists expanduser getatime getctime getmtime getsize isdir isfile islink ismount lexists realpath samefile".split()
+)
+
+
+def accesses(tree: ast.AST) -> Iterator[str]:
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names if alias.name in MODULES)
+        elif isinstance(node, ast.ImportFrom):
+            if node.module in MODULES or (node.module in ("os", "os.path") and node.names):
+                yield str(node.module)
+        elif isinstance(node, ast.Attribute):
+            name = ast.unparse(node)
+            if (name.startswith("os.") and name[3:] in OF_OS) or (
+                name.startswith("os.path.") and name[8:] in OF_OS_PATH
+            ):
+                yield name
+        elif isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "open":
+            yield "open"
+
+
+def is_allowed(path: Path) -> bool:
+    name = path.relative_to(PACKAGE)
+    return str(name) in ALLOWED or name.parts[0] in ALLOWED
+
+
+@pytest.mark.parametrize(
+    "path", [path for path in paths() if not is_allowed(path)], ids=lambda path: str(path.relative_to(PACKAGE))
+)
+def test_the_package_asks_the_tree(path: Path) -> None:
+    assert list(accesses(syntax(path))) == []
+
+
+def test_rules_ask_the_tree() -> None:
+    found = {path: list(accesses(syntax(path))) for path in sorted((PROJECT / "rules").rglob("*.py"))}
+    assert {path: names for path, names in found.items() if names} == {}
+
+
+def test_every_exception_is_needed() -> None:
+    assert [name for name in ALLOWED if not any(map(_touches, sorted(_files_of(PACKAGE / name))))] == []
+
+
+def _files_of(place: Path) -> list[Path]:
+    return list(place.rglob("*.py")) if place.is_dir() else [place]
+
+
+def _touches(path: Path) -> bool:
+    return any(accesses(syntax(path)))
