@@ -89,11 +89,11 @@ class Graph:
                     pending.append(edge.target)
         return seen
 
-    def to_networkx(self, *kinds: str) -> networkx.MultiDiGraph:
+    def to_networkx(self, *kinds: str) -> networkx.MultiDiGraph[Node]:
         """The same graph for networkx's algorithms; every edge carries its Edge as ``edge``."""
         import networkx
 
-        graph = networkx.MultiDiGraph()
+        graph: networkx.MultiDiGraph[Node] = networkx.MultiDiGraph()
         for edge in self.edges(*kinds):
             graph.add_edge(edge.source, edge.target, edge=edge)
         return graph

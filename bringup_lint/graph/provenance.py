@@ -78,8 +78,11 @@ class Provenance:
     @cached_property
     def _starts(self) -> list[tuple[Steps, Expansion]]:
         """Every command that starts a launch file, as steps, with what it leads to."""
-        commands = [command for command in self.runners.launches if command.file is not None]
-        return [(self._to_command(command), self.launch.expansion(command.file)) for command in commands]
+        return [
+            (self._to_command(command), self.launch.expansion(command.file))
+            for command in self.runners.launches
+            if command.file is not None
+        ]
 
     @cached_property
     def _nodes(self) -> dict[Action, tuple[Steps, Started]]:

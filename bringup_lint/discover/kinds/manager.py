@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 
 from bringup_lint.discover.kinds import Head
 from bringup_lint.discover.kinds import Kind
@@ -15,7 +16,7 @@ _SECTION = {"system": "Manager", "journald": "Journal", "logind": "Login"}
 _LINE = re.compile(r"^[ \t]*#?[ \t]*[A-Z]\w+[ \t]*=", re.M)
 
 
-def _claims(daemon: str):
+def _claims(daemon: str) -> Callable[[str, Head], bool]:
     def claims(path: str, head: Head) -> bool:
         path = final_name(f"/{path}")
         found = _DROPIN.search(path) or _MAIN.search(path)

@@ -206,10 +206,9 @@ def _networkd(interface: Interface) -> Iterator[Problem]:
     if interface.dhcp4 and interface.dhcp6:
         for key in OVERRIDES:
             one, other = interface.value("dhcp4-overrides", key), interface.value("dhcp6-overrides", key)
-            if _setting(one, key) != _setting(other, key):
-                yield Problem(
-                    "different-overrides", one or other, f"networkd needs the same {key} for DHCPv4 and DHCPv6"
-                )
+            where = one or other
+            if where is not None and _setting(one, key) != _setting(other, key):
+                yield Problem("different-overrides", where, f"networkd needs the same {key} for DHCPv4 and DHCPv6")
 
 
 def _tunnel_keys(interface: Interface, keyed: frozenset[str]) -> Iterator[Problem]:
