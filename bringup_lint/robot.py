@@ -44,6 +44,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.host.sshd import Sshd
     from bringup_lint.graph.host.sysctl import Sysctl
     from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.networkmanager.profiles import NetworkManager
     from bringup_lint.graph.nodes.nodes import Nodes
     from bringup_lint.graph.observed.expected import Expected
     from bringup_lint.graph.observed.observed import Observed
@@ -184,6 +185,12 @@ class Robot:
         from bringup_lint.graph.netplan.netplan import load_netplan
 
         return load_netplan(self.files)
+
+    @cached_property
+    def networkmanager(self) -> NetworkManager:
+        from bringup_lint.graph.networkmanager.profiles import load_networkmanager
+
+        return load_networkmanager(self.files)
 
     @cached_property
     def sysctl(self) -> Sysctl:

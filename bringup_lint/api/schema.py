@@ -5,5 +5,6 @@ from __future__ import annotations
 from bringup_lint.model.schema import Code
 from bringup_lint.model.schema import Item
 from bringup_lint.model.schema import Remark
+from bringup_lint.schema.names import suggestions
 
-__all__ = ["Code", "Item", "Remark"]
+__all__ = ["Code", "Item", "Remark", "suggestions"]

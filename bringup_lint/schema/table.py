@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from collections.abc import Iterator
 from collections.abc import Mapping
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from bringup_lint.facts import table
@@ -64,6 +65,11 @@ def schema_of(rows: Iterable[Mapping[str, str]], version: str = "") -> Schema:
 def parent_of(path: str) -> str:
     """The path of what holds an item; empty at the top."""
     return path.rpartition("@" if "@" in path else "/")[0]
+
+
+def listed(words: Sequence[str]) -> str:
+    """``a, b or c``."""
+    return " or ".join([", ".join(words[:-1]), words[-1]] if len(words) > 1 else words)
 
 
 def _item(row: Mapping[str, str], status: str, version: str) -> Item:

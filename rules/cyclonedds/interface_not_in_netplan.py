@@ -56,6 +56,8 @@ def interface_not_in_netplan(robot: Robot) -> Iterator[Finding]:
             optional = required is not None and (required.effective or "false").lower() == "false" and len(names) > 1
             if not known or optional or robot.dds.device(plan, name) or robot.dds.may_exist(plan, name):
                 continue
+            if robot.networkmanager.configures(str(name)):
+                continue
             predictable = name.startswith(("en", "wl", "eth0")) and any(each.is_physical for each in known)
             yield finding(
                 setting.value,

@@ -152,7 +152,10 @@ class Dds:
     def own_addresses(self, configuration: Configuration | Profiles) -> set[str]:
         """The robot's static addresses by that netplan; empty when nobody knows."""
         plan = self.plan_of(configuration)
-        return dds_network.own_addresses(plan) if plan else set()
+        if plan is None:
+            return set()
+        managed = {str(address.ip.ip) for _, address in self.robot.networkmanager.addresses}
+        return dds_network.own_addresses(plan) | managed
 
     @cached_property
     def selections(self) -> list[Selection]:

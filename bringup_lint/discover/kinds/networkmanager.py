@@ -1,0 +1,20 @@
+"""Connection profiles of NetworkManager (keyfiles)."""
+
+from __future__ import annotations
+
+import re
+
+from bringup_lint.discover.kinds import Head
+from bringup_lint.discover.kinds import Kind
+
+_FOLDER = re.compile(r"/NetworkManager/system-connections/[^/]+$")
+_SECTION = re.compile(r"^\[connection\]", re.M)
+
+
+def _is_profile(path: str, head: Head) -> bool:
+    if path.endswith(".nmconnection"):
+        return True
+    return bool(_FOLDER.search(f"/{path}")) and bool(_SECTION.search(head()))
+
+
+KINDS = (Kind("networkmanager", _is_profile),)

@@ -1,0 +1,51 @@
+"""The only Wi-Fi profile of the robot does not connect by itself.
+
+## What it finds
+`autoconnect=false` in the only Wi-Fi profile of a folder of profiles. Without the key, NetworkManager connects by
+itself: the default is true.
+
+## Why it matters on a robot
+After a restart, or when the robot leaves the range of the access point and comes back, nobody runs `nmcli connection
+up`: the robot stays without network.
+
+## Bad
+```ini
+[connection]
+id=depot
+type=wifi
+autoconnect=false
+```
+
+## Good
+```ini
+[connection]
+id=depot
+type=wifi
+```
+
+## When to ignore it
+If a script or a unit brings the profile up.
+
+## References
+- nm-settings(5), "autoconnect"
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+from bringup_lint.api.networkmanager import alone_off
+
+
+@rule("warning")
+def autoconnect_off(robot: Robot) -> Iterator[Finding]:
+    for folder in robot.networkmanager.folders:
+        where = alone_off(folder)
+        if where is not None and where.span.source.judged:
+            yield finding(
+                where,
+                "The robot's only Wi-Fi profile does not connect by itself: after a restart there is no network",
+                advice="remove the line, or write autoconnect=true",
+            )
