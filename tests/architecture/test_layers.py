@@ -34,7 +34,7 @@ LAYERS = (
     {"graph.environment"},
     {"graph.runners"},
     {"graph.systemd", "graph.launch"},
-    {"graph.workspace", "graph.compose", "graph.netplan", "graph.udev", "graph.commands"},
+    {"graph.workspace", "graph.compose", "graph.netplan", "graph.networkmanager", "graph.udev", "graph.commands"},
     {"graph.files", "graph.file_nodes", "graph.places", "graph.layers"},
     {"graph.graph", "graph.target", "graph.variants", "graph.yaml_edits"},
     {"discover"},
