@@ -57,6 +57,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.supervision.notify import Notify
     from bringup_lint.graph.supervision.watchdog import Watchdog
     from bringup_lint.graph.systemd.daemons import Daemon
+    from bringup_lint.graph.systemd.filesystem import Filesystem
     from bringup_lint.graph.systemd.units import Units
     from bringup_lint.graph.target import Target
     from bringup_lint.graph.topics.topics import Topics
@@ -170,9 +171,16 @@ class Robot:
 
     @cached_property
     def units(self) -> Units:
-        from bringup_lint.graph.systemd.unit_loading import load_units
+        from bringup_lint.graph.systemd.units import Units
 
-        return load_units(self)
+        return Units(self.files, lambda: self.system_conf)
+
+    @cached_property
+    def filesystem(self) -> Filesystem:
+        """What will be there on the running robot."""
+        from bringup_lint.graph.systemd.filesystem import Filesystem
+
+        return Filesystem(self.files, self.units, lambda: self.fstabs)
 
     @cached_property
     def env_files(self) -> list[UsedEnvFile]:
@@ -245,7 +253,7 @@ class Robot:
     def notify(self) -> Notify:
         from bringup_lint.graph.supervision.notify import Notify
 
-        return Notify(self)
+        return Notify(self.files, lambda: self.launch)
 
     @cached_property
     def launch(self) -> Launch:
@@ -283,19 +291,19 @@ class Robot:
     def journald(self) -> list[Daemon]:
         from bringup_lint.graph.systemd.daemons import load_daemons
 
-        return load_daemons(self, "journald")
+        return load_daemons(self.files, "journald")
 
     @cached_property
     def system_conf(self) -> list[Daemon]:
         from bringup_lint.graph.systemd.daemons import load_daemons
 
-        return load_daemons(self, "system")
+        return load_daemons(self.files, "system")
 
     @cached_property
     def logind(self) -> list[Daemon]:
         from bringup_lint.graph.systemd.daemons import load_daemons
 
-        return load_daemons(self, "logind")
+        return load_daemons(self.files, "logind")
 
     @cached_property
     def sshd(self) -> list[Sshd]:
@@ -307,7 +315,7 @@ class Robot:
     def watchdog(self) -> Watchdog:
         from bringup_lint.graph.supervision.watchdog import Watchdog
 
-        return Watchdog(self)
+        return Watchdog(self.files, lambda: self.system_conf)
 
     @cached_property
     def logs(self) -> RosLogs:

@@ -30,6 +30,7 @@ __all__ = [
     "Finding",
     "Fix",
     "Located",
+    "Place",
     "Problem",
     "Related",
     "Robot",

@@ -1,15 +1,33 @@
-"""What services launch: the processes and devices of the launch files that a unit runs."""
+"""What services launch, and who tells systemd that they are alive."""
 
 from __future__ import annotations
 
-from bringup_lint.graph.supervision.launched_by_unit import all_respawn
-from bringup_lint.graph.supervision.launched_by_unit import devices_of
-from bringup_lint.graph.supervision.launched_by_unit import launched
+from bringup_lint.graph.supervision.launched_by_unit import devices_opened_by
+from bringup_lint.graph.supervision.launched_by_unit import every_node_respawns
+from bringup_lint.graph.supervision.launched_by_unit import expansion_of
 from bringup_lint.graph.supervision.launched_processes import stop_time
+from bringup_lint.graph.supervision.notify import CERTAIN
+from bringup_lint.graph.supervision.notify import Silence
+from bringup_lint.graph.supervision.notify import SilentService
+from bringup_lint.graph.supervision.overlap import Overlap
+from bringup_lint.graph.supervision.overlap import Umbrella
+from bringup_lint.graph.supervision.overlap import UnitLaunch
+from bringup_lint.graph.supervision.overlap import launches_of
+from bringup_lint.graph.supervision.overlap import overlaps
+from bringup_lint.graph.supervision.overlap import umbrellas
 
 __all__ = [
-    "all_respawn",
-    "devices_of",
-    "launched",
+    "CERTAIN",
+    "Overlap",
+    "Silence",
+    "SilentService",
+    "Umbrella",
+    "UnitLaunch",
+    "devices_opened_by",
+    "every_node_respawns",
+    "expansion_of",
+    "launches_of",
+    "overlaps",
     "stop_time",
+    "umbrellas",
 ]

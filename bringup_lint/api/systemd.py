@@ -1,4 +1,4 @@
-"""Units: settings, processes, sandboxes and the edits of unit files."""
+"""Units: settings and their spelling, directives, who a service runs as and what it sees, edits of unit files."""
 
 from __future__ import annotations
 
@@ -10,20 +10,39 @@ from bringup_lint.graph.commands.environment import Variable
 from bringup_lint.graph.commands.ros_command import Ros
 from bringup_lint.graph.systemd.capabilities import file_capabilities
 from bringup_lint.graph.systemd.cycles import Cycle
-from bringup_lint.graph.systemd.filesystem import forgotten
-from bringup_lint.graph.systemd.filesystem import is_made
-from bringup_lint.graph.systemd.filesystem import is_there
-from bringup_lint.graph.systemd.limits import granted_limits
+from bringup_lint.graph.systemd.directories import paths
+from bringup_lint.graph.systemd.hidden_home import HiddenHome
+from bringup_lint.graph.systemd.hidden_home import hidden_home
+from bringup_lint.graph.systemd.identity import HomeOrigin
+from bringup_lint.graph.systemd.identity import Identity
+from bringup_lint.graph.systemd.limits import limit_line
+from bringup_lint.graph.systemd.limits import missing_limits
+from bringup_lint.graph.systemd.limits import sets_priority
+from bringup_lint.graph.systemd.log_directory import LogAccess
+from bringup_lint.graph.systemd.log_directory import LogDirectory
+from bringup_lint.graph.systemd.log_directory import Obstacle
+from bringup_lint.graph.systemd.log_directory import Unwritable
+from bringup_lint.graph.systemd.log_directory import log_directory
 from bringup_lint.graph.systemd.memory import memory
+from bringup_lint.graph.systemd.missing_program import Defect
+from bringup_lint.graph.systemd.missing_program import is_own_program
+from bringup_lint.graph.systemd.missing_program import unstartable
+from bringup_lint.graph.systemd.needless_root import NeedlessRoot
+from bringup_lint.graph.systemd.needless_root import Work
+from bringup_lint.graph.systemd.needless_root import changes_user
+from bringup_lint.graph.systemd.needless_root import needless_root
+from bringup_lint.graph.systemd.network_online import ONLINE
+from bringup_lint.graph.systemd.network_online import TooEarly
+from bringup_lint.graph.systemd.network_online import edits_to_wait
+from bringup_lint.graph.systemd.network_online import too_early
 from bringup_lint.graph.systemd.process import Process
 from bringup_lint.graph.systemd.restart import RestartPolicy
-from bringup_lint.graph.systemd.sandbox import LogDirectory
+from bringup_lint.graph.systemd.restart_loop import Loop
+from bringup_lint.graph.systemd.restart_loop import Outcome
+from bringup_lint.graph.systemd.restart_loop import restart_loop
 from bringup_lint.graph.systemd.sandbox import Sandbox
 from bringup_lint.graph.systemd.sandbox import View
-from bringup_lint.graph.systemd.sandbox import paths
-from bringup_lint.graph.systemd.sandbox import sandbox
 from bringup_lint.graph.systemd.settings import duration
-from bringup_lint.graph.systemd.settings import flag
 from bringup_lint.graph.systemd.supervision import Supervision
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.graph.systemd.unit_edits import delete_lines
@@ -36,36 +55,55 @@ from bringup_lint.parsers.systemd_values.commands import Command
 from bringup_lint.parsers.systemd_values.problems import ValueProblem
 
 __all__ = [
+    "ONLINE",
     "Assignment",
     "Command",
     "Cycle",
+    "Defect",
     "Environment",
+    "HiddenHome",
+    "HomeOrigin",
+    "Identity",
     "Legacy",
     "Line",
+    "LogAccess",
     "LogDirectory",
+    "Loop",
+    "NeedlessRoot",
+    "Obstacle",
+    "Outcome",
     "Process",
     "RestartPolicy",
     "Ros",
     "Sandbox",
     "Step",
     "Supervision",
+    "TooEarly",
     "Unit",
     "Units",
+    "Unwritable",
     "ValueProblem",
     "Variable",
     "View",
+    "Work",
+    "changes_user",
     "delete_lines",
     "directives",
     "duration",
+    "edits_to_wait",
     "file_capabilities",
-    "flag",
-    "forgotten",
-    "granted_limits",
-    "is_made",
-    "is_there",
+    "hidden_home",
+    "is_own_program",
     "lift_comment",
+    "limit_line",
+    "log_directory",
     "memory",
+    "missing_limits",
     "move_lines",
+    "needless_root",
     "paths",
-    "sandbox",
+    "restart_loop",
+    "sets_priority",
+    "too_early",
+    "unstartable",
 ]

@@ -61,7 +61,7 @@ class Section:
         return len(text) if at == -1 else at + 1
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, eq=False)
 class UnitFile:
     """A unit file or drop-in."""
 

@@ -106,7 +106,7 @@ def _together(robot: Robot):
     """Processes that certainly belong to one robot: units that do, services of one compose file, their nodes."""
     groups: dict[object, list] = {}
     units = {id(process.unit): process.unit for process in robot.ros.processes if process.unit}
-    crews = robot.units.companions(units.values()) if units else []
+    crews = robot.units.same_robot_groups(units.values()) if units else []
     crew_of = {id(unit): number for number, crew in enumerate(crews) for unit in crew}
     for process in robot.ros.processes:
         by_hand = process.launched and process.launcher is None

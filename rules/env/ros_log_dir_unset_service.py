@@ -66,11 +66,11 @@ def _homeless(robot: Robot, unit: Unit) -> tuple[Located | None, str] | tuple[Lo
     """The place that says that the service has no home, and why."""
     if unit.unsure_of("User", "DynamicUser", section="Service"):
         return None
-    dynamic = unit.get("DynamicUser")
-    if dynamic is not None and dynamic.lower() in ("yes", "true", "on", "1"):
-        return dynamic, "A dynamic user has no home"
-    user = unit.get("User")
-    home = robot.accounts.home_of(user) if user and robot.tree.complete else None
+    identity = unit.identity
+    if identity.dynamic and identity.dynamic.at is not None:
+        return identity.dynamic.at, "A dynamic user has no home"
+    user = identity.user
+    home = robot.accounts.home_of(str(identity.name)) if user and robot.tree.complete else None
     if home and (home == "/nonexistent" or robot.tree.has(home) is False):
         return user, f"The home of {user}, {home}, does not exist"
     return None

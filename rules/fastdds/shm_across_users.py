@@ -42,7 +42,7 @@ from bringup_lint.api import rule
 
 @rule("error", confidence="medium", symptoms=["Failed init_port fastrtps_port", "open_and_lock_file failed"])
 def shm_across_users(robot: Robot) -> Iterator[Finding]:
-    for units in robot.units.crews:
+    for units in robot.units.running_together:
         domains: dict[str | None, dict[str, tuple]] = {}
         for process in robot.dds.sharing_memory:
             if process.unit in units:

@@ -45,14 +45,12 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.systemd import Unit
 
-FALSE = {"no", "false", "off", "0", "n", "f"}
-
 
 @rule("warning", symptoms=["Failed init_port fastrtps_port", "open_and_lock_file failed"])
 def removeipc(robot: Robot) -> Iterator[Finding]:
     daemon = robot.logind[0] if len(robot.logind) == 1 else None
-    setting = daemon.get("RemoveIPC", read=lambda text: text.lower() or None) if daemon else None
-    if len(robot.logind) > 1 or (setting and setting[1] in FALSE) or (daemon and not daemon.certain):
+    setting = daemon.flag("RemoveIPC") if daemon else None
+    if len(robot.logind) > 1 or (setting and not setting[1]) or (daemon and not daemon.certain):
         return
     proven = setting is not None or robot.tree.complete
     told = set()

@@ -41,7 +41,7 @@ from bringup_lint.api import rule
 
 @rule("error", fix="safe", symptoms=["Missing '=', ignoring line"])
 def backslash_space(robot: Robot) -> Iterator[Finding]:
-    for file in robot.units.files:
+    for file in robot.units.unit_files:
         for problem in file.problems:
             if problem.code == "backslash-blank":
                 yield finding(

@@ -39,7 +39,7 @@ from bringup_lint.api import rule
 
 @rule("warning", fix="safe")
 def continuation_at_eof(robot: Robot) -> Iterator[Finding]:
-    for file in robot.units.files:
+    for file in robot.units.unit_files:
         for problem in file.problems:
             if problem.code == "continuation-at-end":
                 yield finding(

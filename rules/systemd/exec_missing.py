@@ -59,8 +59,7 @@ def _refused(unit: Unit) -> str:
         return "has no ExecStart="
     if kind not in (None, "oneshot"):
         return f"has Type={kind} and no ExecStart=, which only Type=oneshot allows"
-    remains = (unit.get("RemainAfterExit") or "no").lower() in ("yes", "true", "on", "1", "y", "t")
-    return "" if remains or acts else "has only ExecStop= and not RemainAfterExit=yes"
+    return "" if unit.flag("RemainAfterExit") or acts else "has only ExecStop= and not RemainAfterExit=yes"
 
 
 def _misplaced(unit: Unit) -> bool:

@@ -39,47 +39,44 @@ on the robot before the service starts.
 - systemd.exec(5), "Process Exit Codes": 203 EXIT_EXEC; execve(2), ENOEXEC
 """
 
-import re
 from collections.abc import Iterator
-from typing import Any
 
 from bringup_lint.api import Finding
-from bringup_lint.api import Related
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.systemd import Process
-from bringup_lint.api.systemd import forgotten
-from bringup_lint.api.systemd import is_there
+from bringup_lint.api.systemd import Defect
+from bringup_lint.api.systemd import is_own_program
+from bringup_lint.api.systemd import unstartable
 
-OWN = re.compile(r"/(?:usr/local|opt|etc|home|root|srv|var|data)/.+")
-TEXT = re.compile(r"\.(?:sh|bash|py|pl)$")
+TEXTS = {
+    Defect.MISSING: ("is not in this root file system", "ship it with mode 0755"),
+    Defect.NOT_EXECUTABLE: ("is not executable (mode {mode:04o})", "run chmod 0755 {program}"),
+    Defect.NO_INTERPRETER: (
+        "is a script without a #! line",
+        "name the interpreter in the first line, for example #!/bin/bash",
+    ),
+}
 
 
 @rule("error", symptoms=["status=203/EXEC", "Failed to locate executable", "Exec format error"])
 def execstartpre_missing_script(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         for process in robot.units.processes(unit):
+            if not is_own_program(process):
+                continue
             program = process.program
-            if (
-                "-" in process.prefixes
-                or not OWN.match(program)
-                or "$" in program
-                or "%" in program
-                or unit.is_opaque(process.line)
-            ):
-                continue
-            if unit.get("RootDirectory") or unit.get("RootImage"):
-                continue
-            for problem, advice, related in _problems(robot, process):
+            for defect, source in unstartable(process, robot.filesystem):
+                problem, advice = TEXTS[defect]
+                mode = source.mode if source and source.mode is not None else 0
                 yield finding(
                     program,
-                    f"{program} {problem}: {process.key}= of {unit.name} fails with 203/EXEC",
-                    advice=advice,
-                    related=related,
+                    f"{program} {problem.format(mode=mode)}: {process.key}= of {unit.name} fails with 203/EXEC",
+                    advice=advice.format(program=program),
+                    related=[note(source, "the script")] if source else (),
                 )
-            sibling = forgotten(process.program, robot)
+            sibling = robot.filesystem.shipped_sibling(program)
             if sibling:
                 yield finding(
                     program,
@@ -89,27 +86,3 @@ def execstartpre_missing_script(robot: Robot) -> Iterator[Finding]:
                     severity="warning",
                     confidence="medium",
                 )
-
-
-def _problems(
-    robot: Robot, process: Process
-) -> Iterator[tuple[str, str, list[Related]] | tuple[str, str, tuple[Any, Any]]]:
-    program = str(process.program)
-    source = robot.tree.find(program)
-    if source is None:
-        if robot.tree.complete and is_there(program, robot) is False:
-            yield "is not in this root file system", "ship it with mode 0755", ()
-        return
-    if source.mode is not None and not source.mode & 0o111:
-        yield (
-            f"is not executable (mode {source.mode:04o})",
-            f"run chmod 0755 {program}",
-            [note(source, "the script")],
-        )
-    first = source.text[:2]
-    if source.text and not source.template and first != "#!" and TEXT.search(program):
-        yield (
-            "is a script without a #! line",
-            "name the interpreter in the first line, for example #!/bin/bash",
-            [note(source, "the script")],
-        )

@@ -34,24 +34,11 @@ When another package ships the target.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
-from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
 from bringup_lint.api.spelling import nearest
-from bringup_lint.api.systemd import Unit
-from bringup_lint.api.systemd import Units
-
-COMMON = (
-    "multi-user.target",
-    "graphical.target",
-    "sysinit.target",
-    "basic.target",
-    "timers.target",
-    "sockets.target",
-    "default.target",
-)
 
 
 @rule(
@@ -62,15 +49,13 @@ COMMON = (
 def install_bad_target(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     for unit in units.judged:
-        known = sorted(
-            {other.name for other in units.all if other is not unit and other.type == "target"} | set(COMMON)
-        )
         for key in ("WantedBy", "RequiredBy", "UpheldBy"):
             for line in unit.assignments(key, "Install"):
                 for word in line.value.words() if not line.opaque else ():
                     bad = "%" not in word and not units.is_name(word)
-                    if not bad and not _is_missing(units, word, unit):
+                    if not bad and not units.is_install_target_missing(word, unit):
                         continue
+                    known = units.install_targets(unit)
                     same = [name for name in known if name.rpartition(".")[0] == word]
                     meant = same or nearest(word, known)
                     sure = bad or robot.tree.complete
@@ -87,9 +72,3 @@ def install_bad_target(robot: Robot) -> Iterator[Finding]:
                         severity=None if sure else "warning",
                         confidence="high" if sure else "medium",
                     )
-
-
-def _is_missing(units: Units, name: Located, unit: Unit) -> bool:
-    if name.endswith(".target") and not units.robot.tree.complete:
-        return units.exists(name, unit) is False and not units.is_made(name)
-    return units.is_missing(name, unit)

@@ -41,7 +41,7 @@ from bringup_lint.api.systemd import directives
 @rule("error", fix="safe", symptoms=["Unknown key name", "The unit files have no installation config"])
 def install_unknown_key(robot: Robot) -> Iterator[Finding]:
     known = directives.sections()["Install"]
-    for file in robot.units.files:
+    for file in robot.units.unit_files:
         allowed = directives.sections_of_type(file.type)
         for assignment in file.assignments:
             key = assignment.key

@@ -39,7 +39,7 @@ from bringup_lint.api import rule
 
 @rule("error", symptoms=["Assignment outside of section"])
 def line_outside_section(robot: Robot) -> Iterator[Finding]:
-    for file in robot.units.files:
+    for file in robot.units.unit_files:
         for problem in file.problems:
             if problem.code == "line-outside-section" and not file.source.template:
                 yield finding(

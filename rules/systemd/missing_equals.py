@@ -40,7 +40,7 @@ from bringup_lint.api import rule
 
 @rule("error", symptoms=["Missing '=', ignoring line", "Missing key name before '='"])
 def missing_equals(robot: Robot) -> Iterator[Finding]:
-    for file in robot.units.files:
+    for file in robot.units.unit_files:
         if file.source.template:
             continue
         torn = {problem.where.line for problem in file.problems if problem.code == "backslash-blank"}

@@ -38,27 +38,19 @@ interface.
 - <https://github.com/eProsima/Fast-DDS/issues/1880>
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
-from bringup_lint.api import Located
+from bringup_lint.api import Related
 from bringup_lint.api import Robot
-from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.systemd import Assignment
-from bringup_lint.api.systemd import Unit
-from bringup_lint.api.systemd import Units
-
-ONLINE = "network-online.target"
-EARLY = ("network.target", "network-pre.target", "NetworkManager.service", "systemd-networkd.service")
-WAITS = re.compile(
-    r"wait-online|nm-online|\bping\b|wait[-_ ]?for[-_ ]?(?:the[-_ ])?(?:net|ip\b|interface)"
-    r"|\bip (?:-\S+ )*(?:a|addr|route)\b"
-)
+from bringup_lint.api.systemd import ONLINE
+from bringup_lint.api.systemd import TooEarly
+from bringup_lint.api.systemd import edits_to_wait
+from bringup_lint.api.systemd import too_early
 
 
 @rule(
@@ -67,50 +59,22 @@ WAITS = re.compile(
     symptoms=["does not match an available interface", 'failed to find interfaces for "udp"'],
 )
 def network_target(robot: Robot) -> Iterator[Finding]:
-    units = robot.units
-    for unit in (*units.dds, *units.presumed_ros):
-        lines = [
-            *unit.naming("After", *EARLY),
-            *unit.naming("Wants", *EARLY),
-            *unit.naming("Requires", *EARLY),
-        ]
-        if not lines or unit.manager == "user" or unit.unsure_of("After", "Wants", "Requires"):
-            continue
-        if units.waits_for(unit, ONLINE) or units.stays_local(unit):
-            continue
-        if any(WAITS.search(text) for process in units.processes(unit) for text in process.texts):
-            continue
-        line, word = lines[0]
-        known = unit in units.dds
-        lost = [process.lost_script for process in units.started(unit) if process.lost_script]
+    for early in too_early(robot.units):
         yield finding(
-            word,
-            f"{word} does not mean that any interface has an address: {unit.name} can start "
+            early.word,
+            f"{early.word} does not mean that any interface has an address: {early.unit.name} can start "
             "before the network is up, and DDS checks the interfaces only once",
             advice=f"order after {ONLINE} and pull it in: Wants={ONLINE} and After={ONLINE}",
-            related=[
-                *(note(other, "pulled in here, but nothing waits for it") for _, other in unit.naming("Wants", ONLINE)),
-                *(
-                    note(script, "probably starts ROS 2: the script is not in this tree")
-                    for script in lost
-                    if not known
-                ),
-            ],
-            fix=fix(f"wait for {ONLINE}", *_edits(units, unit, line, word)),
-            confidence="high" if known else "medium",
+            related=list(_related(robot, early)),
+            fix=fix(f"wait for {ONLINE}", *edits_to_wait(early, robot.units)),
+            confidence="medium" if early.presumed else "high",
         )
 
 
-def _edits(
-    units: Units, unit: Unit, line: Assignment, word: Located
-) -> Iterator[tuple[Located, str] | tuple[Span, str]]:
-    ordered = list(unit.naming("After", word))
-    if word == "network.target":
-        yield word, ONLINE
-        missing = [] if ordered else [f"After={ONLINE}"]
-    else:
-        missing = [f"After={ONLINE}"]
-    if not units.brings_in(unit, ONLINE) and (ordered or word != "network.target"):
-        missing.insert(0, f"Wants={ONLINE}")
-    if missing:
-        yield line.end, "".join(f"\n{text}" for text in missing)
+def _related(robot: Robot, early: TooEarly) -> Iterator[Related]:
+    for _, other in early.unit.naming("Wants", ONLINE):
+        yield note(other, "pulled in here, but nothing waits for it")
+    if early.presumed:
+        for process in robot.units.started(early.unit):
+            if process.script_outside_tree:
+                yield note(process.script_outside_tree, "probably starts ROS 2: the script is not in this tree")

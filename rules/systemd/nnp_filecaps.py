@@ -42,17 +42,12 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.systemd import file_capabilities
-from bringup_lint.api.systemd import flag
 
 
 @rule("warning", symptoms=["Operation not permitted", "could not open raw socket"])
 def nnp_filecaps(robot: Robot) -> Iterator[Finding]:
-    units = [
-        unit
-        for unit in robot.units.services
-        if flag(unit, "NoNewPrivileges").value and unit.get("User") not in (None, "root", "0")
-    ]
-    given = file_capabilities(robot) if units else {}
+    units = [unit for unit in robot.units.services if unit.flag("NoNewPrivileges") and unit.identity.is_other]
+    given = file_capabilities(robot.files) if units else {}
     for unit in units:
         ambient = {str(word).upper() for word in unit.words("AmbientCapabilities")}
         for process in robot.units.started(unit):
@@ -65,7 +60,7 @@ def nnp_filecaps(robot: Robot) -> Iterator[Finding]:
                 if not lost:
                     continue
                 wanted = " ".join(dict.fromkeys(capability for capability, _ in lost))
-                at = flag(unit, "NoNewPrivileges").at
+                at = unit.flag("NoNewPrivileges").at
                 yield finding(
                     at,
                     f"NoNewPrivileges= makes {name} run without {wanted}, which setcap grants it",

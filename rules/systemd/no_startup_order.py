@@ -46,7 +46,7 @@ RANK = {"hardware": 0, "perception": 1, "application": 2}
 @rule("warning", confidence="medium")
 def no_startup_order(robot: Robot) -> Iterator[Finding]:
     units = robot.units
-    for stack in units.stacks:
+    for stack in units.enabled_ros_groups:
         layers = units.layers(stack)
         for unit in stack:
             rank = RANK.get(layers.get(unit.name), 0)

@@ -51,16 +51,20 @@ def notify_nobody_notifies(robot: Robot) -> Iterator[Finding]:
         service = robot.units.supervision(unit)
         if not unit.complete or not service.notifies or service.access.value not in ("all", "exec"):
             continue
-        if service.process is None or service.process.opaque or robot.notify.within(service.process):
+        if service.process is None or service.process.opaque or robot.notify.in_process(service.process):
             continue
         programs = [found for _, found in service.process.ros if found.kind in ("launch", "run")]
-        silent = [robot.notify.nobody(found) for found in programs]
-        if not silent or None in silent:
+        silent = [found for program in programs if (found := robot.notify.silent_launch(program))]
+        if not silent or len(silent) < len(programs):
             continue
-        why, idle = silent[0]
+        idle = silent[0].idle
+        if idle:
+            why = f"the launch file does not start {idle[0].basename}"
+        else:
+            why = "no code in the tree notifies systemd"
         limit = service.start_timeout.value
         yield finding(
-            service.type.at,
+            service.type.at or unit.where,
             f"Nothing that {unit.name} starts sends READY=1 ({why}): the start times out"
             + (f" after {duration(limit)}" if limit and limit < 1e9 else ""),
             advice="use Type=exec, or launch a node that reports readiness",

@@ -36,7 +36,6 @@ When a wrapper that is not in this tree is the main process and sends READY=1 it
 """
 
 from collections.abc import Iterator
-from typing import Any
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Fix
@@ -61,15 +60,13 @@ def notify_ros_launch(robot: Robot) -> Iterator[Finding]:
         service = robot.units.supervision(unit)
         if not unit.complete or not service.notifies or service.access.value in ("all", None) or service.main is None:
             continue
-        if not (service.main.is_ros_tool or service.main.kind == "shell"):
-            continue
-        if robot.notify.within(service.process) and (service.access.value == "exec" or service.as_root):
+        if not (service.main.is_ros_tool or service.main.kind == "shell") or robot.notify.is_heard(service):
             continue
         limit = service.start_timeout.value
         when = f" after {duration(limit)}" if limit and limit < 1e9 else ""
         main = "a shell" if service.main.kind == "shell" else f"ros2 {service.main.kind}"
         yield finding(
-            service.type.at,
+            service.type.at or unit.where,
             f"systemd accepts READY=1 only from the {service.access.value} process, which is {main}: it "
             f"rejects that of a node, and the start of {unit.name} times out{when}",
             advice="set NotifyAccess=all if a node sends READY=1, otherwise Type=exec",
@@ -78,22 +75,23 @@ def notify_ros_launch(robot: Robot) -> Iterator[Finding]:
                 *([note(service.access.at, "limits which process may notify")] if service.access.at else ()),
                 *(note(source, "notifies systemd") for source in robot.notify.sources[:3]),
             ],
-            fix=_fix(unit, service, robot) if unit.editable else None,
+            fix=_fix(robot, unit, service) if unit.editable else None,
             chain=_chain(robot, service),
         )
 
 
-def _chain(robot: Robot, service: Supervision) -> tuple[Any, Any] | tuple[Related, Any]:
-    """From the unit to the code of the node whose message systemd rejects."""
-    for ros in [service.main.ros] if service.main.ros else []:
-        for node, said in robot.notify.speakers(ros):
-            return robot.provenance.chain_to_node(node, note(said, "a child of launch notifies systemd"))
+def _chain(robot: Robot, service: Supervision) -> tuple[Related, ...]:
+    """From the unit to the code of the node whose message is refused."""
+    if service.main is None or service.main.ros is None:
+        return ()
+    for node, said in robot.notify.notifying_nodes(service.main.ros):
+        return robot.provenance.chain_to_node(node, note(said, "a child of launch notifies systemd"))
     return ()
 
 
-def _fix(unit: Unit, service: Supervision, robot: Robot) -> Fix:
+def _fix(robot: Robot, unit: Unit, service: Supervision) -> Fix | None:
     if not robot.notify.sources:
-        return fix("set Type=exec", (service.type.at, "exec"), safe=False)
+        return fix("set Type=exec", (service.type.at, "exec"), safe=False) if service.type.at else None
     if service.access.at:
         return fix("set NotifyAccess=all", (service.access.at, "all"), safe=False)
     return fix("set NotifyAccess=all", unit.new_line("Service", "NotifyAccess=all"), safe=False)

@@ -46,10 +46,9 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.supervision import devices_of
+from bringup_lint.api.supervision import devices_opened_by
 from bringup_lint.api.systemd import Unit
 from bringup_lint.api.systemd import delete_lines
-from bringup_lint.api.systemd import flag
 
 PSEUDO = re.compile(
     r"/dev/(?:null|zero|full|u?random|tty|ptmx|pts|shm|mqueue|hugepages|log|std(?:in|out|err)|fd|console)(?:/|$)"
@@ -67,7 +66,8 @@ def private_devices(robot: Robot) -> Iterator[Finding]:
         if closed is None or robot.units.supervision(unit).in_container:
             continue
         key, value = closed
-        used = [use for use in devices_of(unit, robot) if not PSEUDO.match(use.path)]
+        opened = devices_opened_by(unit, robot.units, robot.launch, robot.devices)
+        used = [use for use in opened if not PSEUDO.match(use.path)]
         if not used:
             continue
         lines = [line for line in unit.assignments(key, "Service") if line.value is value]
@@ -82,8 +82,8 @@ def private_devices(robot: Robot) -> Iterator[Finding]:
 
 def _closed(unit: Unit) -> tuple[str, Located] | tuple[str, Located | None] | None:
     """The setting that closes /dev, and its value."""
-    private = flag(unit, "PrivateDevices")
-    if private.value:
+    private = unit.flag("PrivateDevices")
+    if private:
         return "PrivateDevices", private.at
     policy = unit.get("DevicePolicy")
     if policy in ("closed", "strict") and not unit.has("DeviceAllow"):

@@ -43,7 +43,6 @@ from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
-from bringup_lint.api.systemd import flag
 
 
 @rule("error", symptoms=["failed to find interfaces", "Address family not supported by protocol"])
@@ -52,8 +51,8 @@ def private_network(robot: Robot) -> Iterator[Finding]:
         if robot.units.supervision(unit).in_container or unit.unsure_of("RestrictAddressFamilies", "IPAddressAllow"):
             continue
         local = robot.units.stays_local(unit)
-        private = flag(unit, "PrivateNetwork")
-        if private.value and not local and not unit.has("JoinsNamespaceOf"):
+        private = unit.flag("PrivateNetwork")
+        if private and not local and not unit.has("JoinsNamespaceOf"):
             yield finding(
                 private.at,
                 f"PrivateNetwork= gives {unit.name} only a loopback interface of its own: no other node ever sees it",

@@ -38,7 +38,6 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.systemd import Unit
-from bringup_lint.api.systemd import flag
 
 SHARED = re.compile(r"<SharedMemory\b[^>]*>(?:(?!</SharedMemory>).)*?<Enable>\s*true\s*</Enable>", re.S | re.I)
 
@@ -46,8 +45,8 @@ SHARED = re.compile(r"<SharedMemory\b[^>]*>(?:(?!</SharedMemory>).)*?<Enable>\s*
 @rule("warning", symptoms=["Timeout registering at RouDi", "RouDi not found"])
 def privatetmp_ipc(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
-        private = flag(unit, "PrivateTmp")
-        if not private.value or unit.has("JoinsNamespaceOf") or robot.units.supervision(unit).in_container:
+        private = unit.flag("PrivateTmp")
+        if not private or unit.has("JoinsNamespaceOf") or robot.units.supervision(unit).in_container:
             continue
         for where, what in _uses(unit, robot):
             yield finding(

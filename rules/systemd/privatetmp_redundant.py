@@ -40,15 +40,14 @@ from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.systemd import Unit
-from bringup_lint.api.systemd import flag
 from bringup_lint.api.systemd import paths
 
 
 @rule("info", fix="safe")
 def privatetmp_redundant(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.judged:
-        private = flag(unit, "PrivateTmp", unit.section)
-        if not private.value:
+        private = unit.flag("PrivateTmp")
+        if not private:
             continue
         for word, path, _ in paths(unit, "ReadWritePaths"):
             if path in ("/tmp", "/var/tmp"):

@@ -50,20 +50,24 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Fix
-from bringup_lint.api import Located
+from bringup_lint.api import Place
+from bringup_lint.api import Related
 from bringup_lint.api import Robot
-from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import HomeOrigin
+from bringup_lint.api.systemd import LogAccess
 from bringup_lint.api.systemd import LogDirectory
-from bringup_lint.api.systemd import Sandbox
+from bringup_lint.api.systemd import Obstacle
+from bringup_lint.api.systemd import Process
 from bringup_lint.api.systemd import Unit
-from bringup_lint.api.systemd import is_made
-from bringup_lint.api.systemd import sandbox
+from bringup_lint.api.systemd import Unwritable
+from bringup_lint.api.systemd import log_directory
 
-OF_ROOT = ("/var/log/", "/var/lib/", "/var/cache/", "/opt/", "/srv/", "/etc/", "/usr/")
+CLOSED = {"ro": "read-only", "hidden": "hidden", "empty": "empty and read-only"}
+SEVERITY = {Obstacle.NO_HOME: "error", Obstacle.CLOSED: "error", Obstacle.MISSING: "warning"}
 
 
 @rule(
@@ -73,85 +77,72 @@ OF_ROOT = ("/var/log/", "/var/lib/", "/var/cache/", "/opt/", "/srv/", "/etc/", "
     aliases=["env/ros-log-dir-unwritable"],
 )
 def protectsystem_log_dir(robot: Robot) -> Iterator[Finding]:
+    access = LogAccess(robot.units, robot.filesystem)
     seen = set()
     for unit in robot.units.ros:
-        service, box = robot.units.supervision(unit), sandbox(unit, robot)
-        processes = [
-            process for process in robot.units.started(unit) if any(found.kind != "cli" for _, found in process.ros)
-        ]
-        if not unit.complete or len(processes) != 1 or box.own_root or service.in_container or processes[0].is_ros1:
+        process = _logging(robot, unit)
+        log = log_directory(robot.units, process) if process else None
+        found = access.obstacle(unit, log) if log else None
+        if process is None or log is None or found is None:
             continue
-        log = box.log_directory(processes[0])
-        found = _verdict(unit, robot, box, log) if log is not None else None
-        if found is None or (found[0] is log.at and log.at.span in seen):
+        where = found.where or unit.where
+        if where is log.at and log.at.span in seen:
             continue
-        where, message, severity = found
         seen.add(log.at.span if log.at is not None else None)
+        severity = SEVERITY.get(found.obstacle, "info")
         yield finding(
             where,
-            message,
+            _message(robot, unit, log, found),
             advice="set LogsDirectory=ros2 and Environment=ROS_LOG_DIR=/var/log/ros2",
-            related=_related(unit, box, log, where),
+            related=_related(unit, log, where),
             fix=_fix(unit, log) if unit.editable and severity != "info" else None,
-            severity="warning" if severity == "error" and processes[0].opaque else severity,
-            confidence="medium" if processes[0].opaque or severity == "info" else "high",
+            severity="warning" if severity == "error" and process.opaque else severity,
+            confidence="medium" if process.opaque or severity == "info" else "high",
         )
 
 
-def _related(unit: Unit, box: Sandbox, log: LogDirectory | None, where):
-    parts = [(log.at, "the log directory"), (unit.get("User"), "the user that must write there")]
+def _logging(robot: Robot, unit: Unit) -> Process | None:
+    """The one command line of a service that starts nodes, on this machine's own file system."""
+    started = [process for process in robot.units.started(unit) if any(found.kind != "cli" for _, found in process.ros)]
+    if not unit.complete or len(started) != 1 or started[0].is_ros1:
+        return None
+    apart = robot.units.sandbox(unit).own_root or robot.units.supervision(unit).in_container
+    return None if apart else started[0]
+
+
+def _related(unit: Unit, log: LogDirectory, where: Place) -> list[Related]:
+    parts: list[tuple[Place | None, str]] = [
+        (log.at, "the log directory"),
+        (unit.identity.user, "the user that must write there"),
+    ]
     if where is log.at:
         parts.append((unit.where, f"{unit.name} logs there"))
     return [note(at, text) for at, text in parts if at is not None and at is not where]
 
 
-def _verdict(
-    unit: Unit, robot: Robot, box: Sandbox, log: LogDirectory
-) -> tuple[Located | Span, str, str] | tuple[Located, str, str] | None:
+def _message(robot: Robot, unit: Unit, log: LogDirectory, found: Unwritable) -> str:
     ends = f'every node of {unit.name} exits with "Failed to get logging directory"'
-    if log.path is None:
-        return (
-            unit.get("DynamicUser") or unit.get("User") or unit.where,
-            f"{log.why}, and ROS_LOG_DIR is not set: {ends}",
-            "error",
-        )
-    view = box.view(log.path)
-    if view is not None and view.mode in ("ro", "hidden", "empty"):
-        closed = {"ro": "read-only", "hidden": "hidden", "empty": "empty and read-only"}[view.mode]
-        if view.why.startswith("TemporaryFileSystem") and view.mode == "empty":
-            return None
-        return (
-            view.at or unit.where,
-            f"{view.why} makes {view.prefix} {closed}, but the logs go to {log.path}: {ends}",
-            "error",
-        )
-    if (
-        log.at is not None
-        and log.why == "ROS_LOG_DIR="
-        and _foreign(unit, log.path)
-        and is_made(log.path, unit, robot) is False
-    ):
-        return log.at, f"Nothing creates {log.path}, and {unit.get('User')} may not: {ends}", "warning"
-    if (
-        log.at is None
-        and box.protect_system.value == "strict"
-        and view is not None
-        and view.prefix in ("/home", "/root")
-    ):
-        text = (
-            f"{log.path} is writable only because ProtectSystem=strict leaves {view.prefix} writable, "
-            "which contradicts its manual page"
-        )
-        return box.protect_system.at or unit.where, text, "info"
-    return None
+    if found.obstacle is Obstacle.NO_HOME:
+        return f"{_homeless(robot, unit, log)}, and ROS_LOG_DIR is not set: {ends}"
+    if found.obstacle is Obstacle.MISSING or found.view is None:
+        return f"Nothing creates {log.path}, and {unit.identity.user} may not: {ends}"
+    view = found.view
+    if found.obstacle is Obstacle.CLOSED:
+        return f"{view.why} makes {view.prefix} {CLOSED[view.mode]}, but the logs go to {log.path}: {ends}"
+    return (
+        f"{log.path} is writable only because ProtectSystem=strict leaves {view.prefix} writable, "
+        "which contradicts its manual page"
+    )
 
 
-def _foreign(unit: Unit, path: str):
-    """Whether the directory is where only root may create one."""
-    return unit.get("User") not in (None, "root", "0") and path.startswith(OF_ROOT)
+def _homeless(robot: Robot, unit: Unit, log: LogDirectory) -> str:
+    if log.origin is HomeOrigin.DYNAMIC:
+        return "DynamicUser= gives no home"
+    passwd = robot.units.users.passwd
+    return f"{unit.identity.user} has no home in {passwd.name if passwd else '/etc/passwd'}"
 
 
-def _fix(unit: Unit, log: LogDirectory | None) -> Fix | None:
+def _fix(unit: Unit, log: LogDirectory) -> Fix | None:
     name = (log.path or "").removeprefix("/var/log/")
     if log.at is not None and name != log.path and "/" not in name:
         return fix("let systemd create it", unit.new_line("Service", f"LogsDirectory={name}"), safe=False)

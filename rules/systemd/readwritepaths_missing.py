@@ -44,9 +44,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
-from bringup_lint.api.systemd import is_made
 from bringup_lint.api.systemd import paths
-from bringup_lint.api.systemd import sandbox
 
 KEYS = ("ReadWritePaths", "ReadOnlyPaths", "BindPaths", "BindReadOnlyPaths")
 ALWAYS = (
@@ -71,7 +69,7 @@ BASES = {
 @rule("warning", fix="safe", symptoms=["Failed to set up mount namespacing", "status=226/NAMESPACE"])
 def readwritepaths_missing(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.judged:
-        box = sandbox(unit, robot)
+        box = robot.units.sandbox(unit)
         if not unit.complete or box.own_root:
             continue
         for key in KEYS:
@@ -80,7 +78,7 @@ def readwritepaths_missing(robot: Robot) -> Iterator[Finding]:
                 if optional or (view is not None and view.mode == "hidden"):
                     continue
                 device = path.startswith("/dev/")
-                if path.startswith(ALWAYS) if device else is_made(path, unit, robot) is not False:
+                if path.startswith(ALWAYS) if device else robot.filesystem.is_created(path, unit) is not False:
                     continue
                 yield finding(
                     word,

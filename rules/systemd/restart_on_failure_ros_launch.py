@@ -41,8 +41,8 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.supervision import all_respawn
-from bringup_lint.api.supervision import launched
+from bringup_lint.api.supervision import every_node_respawns
+from bringup_lint.api.supervision import expansion_of
 
 FAILURES = ("on-failure", "on-abnormal", "on-abort")
 
@@ -57,8 +57,8 @@ def restart_on_failure_ros_launch(robot: Robot) -> Iterator[Finding]:
         last = [found for step, found in service.process.launches if step.last and service.main.kind == "shell"]
         if not programs or not (service.main.kind == "launch" or last):
             continue
-        expansion = launched(programs[-1], robot)
-        if expansion is not None and all_respawn(expansion):
+        expansion = expansion_of(programs[-1], robot.launch)
+        if expansion is not None and every_node_respawns(expansion):
             continue
         yield finding(
             policy.restart_at,

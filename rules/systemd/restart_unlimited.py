@@ -56,21 +56,19 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Fix
-from bringup_lint.api import Located
+from bringup_lint.api import Place
 from bringup_lint.api import Related
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Loop
+from bringup_lint.api.systemd import Outcome
 from bringup_lint.api.systemd import RestartPolicy
 from bringup_lint.api.systemd import Unit
 from bringup_lint.api.systemd import duration
-
-SLOW = 60.0
-"""Seconds between restarts from which a loop is a deliberate, harmless retry."""
-FAILING_LAUNCH = 1.0
-"""Seconds that ros2 launch needs at least to start and fail."""
+from bringup_lint.api.systemd import restart_loop
 
 
 @rule(
@@ -79,74 +77,57 @@ FAILING_LAUNCH = 1.0
     symptoms=["Scheduled restart job, restart counter is at", "Start request repeated too quickly"],
 )
 def restart_unlimited(robot: Robot) -> Iterator[Finding]:
-    launches = [unit for unit, _ in robot.units.launch]
     for unit in robot.units.services:
         policy = robot.units.restart(unit)
-        if not unit.complete or not policy.known or not policy.restarts:
+        loop = restart_loop(unit, policy, robot.units)
+        if loop is None:
             continue
-        severity, message = _verdict(policy, unit, unit in robot.units.ros, unit in launches)
-        if not severity:
-            continue
-        off = [
-            at
-            for at, value in ((policy.interval_at, policy.interval), (policy.burst_at, policy.burst))
-            if at and not value
-        ]
-        where = off[0] if off and policy.never_trips else policy.restart_at
+        where = _where(policy) or unit.where
         yield finding(
             where,
-            message,
+            _message(loop, policy, unit),
             advice=f"set StartLimitIntervalSec= above {duration(policy.loop())} plus the time that "
             f"{policy.burst or 5} starts take to fail, and StartLimitBurst=, both in [Unit]",
             related=_parts(policy, where),
             fix=_limit(unit, policy) if unit.editable and not policy.misplaced else None,
-            severity=severity,
+            severity="warning" if loop.intended else "info",
             confidence="high" if policy.never_trips else "medium",
         )
 
 
-def _verdict(policy: RestartPolicy, unit: Unit, ros: bool, launch):
-    name, every = unit.name, duration(policy.longest)
-    if policy.never_trips:
-        if policy.steps and policy.longest >= SLOW:
-            return None, ""
-        intended = policy.own_limit or unit.has("OnFailure")
-        bad = policy.longest < SLOW and (policy.restart == "always" or ros or intended)
-        if not policy.limited:
-            message = f"The start limit is disabled: a failing {name} restarts every {every} forever"
-        else:
-            sums = "The first {0} delays take {2}" if policy.steps else "{0} restarts × {1} = {2}"
-            sums = sums.format(policy.burst, every, duration(policy.loop()))
-            message = (
-                f"{sums} > {duration(policy.interval)}: the start limit never trips, a failing {name} restarts forever"
-            )
-        return "warning" if bad else "info", message
-    limit = f"{policy.burst} starts in {duration(policy.interval)}"
-    if policy.leaves_no_time:
+def _where(policy: RestartPolicy) -> Place | None:
+    """The line that switches the limit off, else the one that enables the restarts."""
+    if policy.never_trips and policy.interval_at and not policy.interval:
+        return policy.interval_at
+    if policy.never_trips and policy.burst_at and not policy.burst:
+        return policy.burst_at
+    return policy.restart_at
+
+
+def _message(loop: Loop, policy: RestartPolicy, unit: Unit) -> str:
+    name, every, interval = unit.name, duration(policy.longest), duration(policy.interval)
+    limit = f"{policy.burst} starts in {interval}"
+    if loop.outcome is Outcome.NO_LIMIT:
+        return f"The start limit is disabled: a failing {name} restarts every {every} forever"
+    if loop.outcome is Outcome.NEVER_TRIPS:
+        sums = "The first {0} delays take {2}" if policy.steps else "{0} restarts × {1} = {2}"
+        sums = sums.format(policy.burst, every, duration(policy.loop()))
+        return f"{sums} > {interval}: the start limit never trips, a failing {name} restarts forever"
+    if loop.outcome is Outcome.NO_TIME_LEFT:
+        return f"{policy.burst} restarts × {every} fill the interval of {interval}: the limit never trips"
+    if loop.outcome is Outcome.GIVES_UP:
         return (
-            "info",
-            f"{policy.burst} restarts × {every} fill the interval of {duration(policy.interval)}: the "
-            "limit never trips",
-        )
-    if policy.interval_at or policy.burst_at or policy.misplaced:
-        return None, ""
-    if policy.restart == "always" and policy.delay < 1 and (ros or policy.delay):
-        message = (
             f"{name} restarts after {every} without a limit of its own: after {limit}, "
             "the default, it stays down for good"
         )
-        return "warning" if ros else "info", message
-    if launch and policy.loop(FAILING_LAUNCH) > policy.interval:
-        spare = (policy.interval - policy.loop()) / policy.burst
-        return (
-            "info",
-            f"The default limit of {limit} trips only if every start fails within "
-            f"{duration(round(spare, 2))}: otherwise {name} restarts forever",
-        )
-    return None, ""
+    spare = (policy.interval - policy.loop()) / policy.burst
+    return (
+        f"The default limit of {limit} trips only if every start fails within "
+        f"{duration(round(spare, 2))}: otherwise {name} restarts forever"
+    )
 
 
-def _parts(policy: RestartPolicy, where: Located | None) -> list[Related]:
+def _parts(policy: RestartPolicy, where: Place) -> list[Related]:
     lines = [
         (policy.restart_at, "enables the restarts"),
         (policy.delay_at, "the delay"),
@@ -160,7 +141,8 @@ def _parts(policy: RestartPolicy, where: Located | None) -> list[Related]:
 def _limit(unit: Unit, policy: RestartPolicy) -> Fix | None:
     burst = policy.burst or 5
     span = math.ceil(burst * (policy.longest + 10) / 30) * 30
-    edits, missing = [], []
+    edits: list[tuple[Place, str]] = []
+    missing = []
     for at, key, value in (
         (policy.interval_at, "StartLimitIntervalSec", span),
         (policy.burst_at, "StartLimitBurst", burst),

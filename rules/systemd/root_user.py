@@ -41,29 +41,29 @@ driver, grant groups and capabilities instead.
 - <https://github.com/eProsima/Fast-DDS/issues/5258>
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Fix
-from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.systemd import Process
+from bringup_lint.api.systemd import NeedlessRoot
 from bringup_lint.api.systemd import Unit
-from bringup_lint.api.systemd import Units
+from bringup_lint.api.systemd import Work
+from bringup_lint.api.systemd import changes_user
+from bringup_lint.api.systemd import needless_root
 
-ROOT = (None, "root", "0")
-HOME = re.compile(r"/home/([^/]+)/")
-INTERPRETER = re.compile(r"(?:python[0-9.]*|node|nodejs|ruby|perl|bash|sh|dash)$")
-RELAYS = frozenset({"socat", "nc", "ncat", "netcat", "websockify", "ttyd", "gunicorn", "uvicorn", "mjpg_streamer"})
-CONTAINERS = frozenset(
-    {"docker", "docker-compose", "podman", "podman-compose", "nerdctl", "systemd-nspawn", "machinectl", "lxc"}
-)
-DROPPERS = frozenset({"setpriv", "runuser", "su", "sudo", "gosu", "su-exec", "chpst", "s6-setuidgid"})
+TEXTS = {
+    Work.ROS: "ROS",
+    Work.PROBABLY_ROS: "{0.where} (probably ROS: it is not in this tree)",
+    Work.IN_HOME: "{0.where}, which user {0.owner} can change,",
+    Work.OWN_SCRIPT: "{0.where}",
+    Work.RELAY: "{0.where}, which needs no root,",
+}
+CERTAIN = (Work.ROS, Work.IN_HOME)
 
 
 @rule(
@@ -73,90 +73,56 @@ DROPPERS = frozenset({"setpriv", "runuser", "su", "sudo", "gosu", "su-exec", "ch
     symptoms=["$HOME is not set", "Failed to get logging directory"],
 )
 def root_user(robot: Robot) -> Iterator[Finding]:
-    units = robot.units
-    for unit in units.services:
-        if unit.manager == "user" or unit.unsure_of("User", "DynamicUser", section="Service"):
+    for unit in robot.units.services:
+        is_root = unit.identity.is_root
+        if unit.manager == "user" or is_root is None:
             continue
-        user = unit.get("User")
-        is_root = user in ROOT and not is_on(unit.get("DynamicUser"))
-        for process in units.started(unit):
+        for process in robot.units.started(unit):
             if not (is_root or "+" in process.prefixes) or changes_user(process):
                 continue
-            what, where, confidence = runs(robot, unit, process)
-            if not what:
+            needless = needless_root(process, robot.units)
+            if needless is None:
                 continue
-            if not is_root:
-                message = f"'+' runs {what} as root, whatever User={user} says"
+            if is_root:
+                yield _without_user(robot, unit, needless)
+            else:
+                set_user = unit.identity.user or unit.identity.dynamic.at
+                says = f"User={unit.identity.user}" if unit.identity.user else "DynamicUser="
                 yield finding(
                     process.program,
-                    message,
+                    f"'+' runs {_text(needless)} as root, whatever {says} says",
                     advice="remove the '+'",
-                    related=[note(user, "has no effect here")],
-                )
-            else:
-                yield finding(
-                    user or unit.where,
-                    f"{unit.name} runs {what} as root" + ("" if user else ": it has no User="),
-                    advice="add a User= of its own, and SupplementaryGroups= for the devices that it opens",
-                    related=[note(where, "the unit starts it here")],
-                    fix=_fix(units, unit, user),
-                    confidence=confidence,
+                    related=[note(set_user, "has no effect here")] if set_user else (),
                 )
             break
 
 
-def is_on(value: Located | None) -> bool:
-    return value is not None and value.lower() in ("yes", "true", "on", "1", "y", "t")
+def _without_user(robot: Robot, unit: Unit, needless: NeedlessRoot) -> Finding:
+    user = unit.identity.user
+    return finding(
+        user or unit.where,
+        f"{unit.name} runs {_text(needless)} as root" + ("" if user else ": it has no User="),
+        advice="add a User= of its own, and SupplementaryGroups= for the devices that it opens",
+        related=[note(needless.where, "the unit starts it here")],
+        fix=_fix(robot, unit),
+        confidence="high" if needless.work in CERTAIN else "medium",
+    )
 
 
-def changes_user(process: Process) -> bool:
-    names = {word.rpartition("/")[2] for step in process.steps for word in step.command.words[:1]}
-    names |= {
-        word.rpartition("/")[2]
-        for step in process.steps
-        for word in step.command.words[1:2]
-        if step.command.name == "exec"
-    }
-    return bool(names & (DROPPERS | CONTAINERS))
+def _text(needless: NeedlessRoot) -> str:
+    name = needless.where.rpartition("/")[2] if needless.work is Work.RELAY else needless.where
+    return TEXTS[needless.work].format(needless._replace(where=name))
 
 
-def runs(robot: Robot, unit: Unit, process: Process) -> tuple[str, Located, str] | tuple[None, None, None]:
-    """What it runs that needs no root, where, and how sure that is."""
-    if process.mentions_ros:
-        where = process.ros[0][1].where if process.ros else process.program
-        return "ROS", where, "high"
-    if unit in robot.units.presumed_ros and process.lost_script:
-        return (
-            f"{process.lost_script} (probably ROS: it is not in this tree)",
-            process.lost_script,
-            "medium",
-        )
-    if unit.get("Type") in ("oneshot", "forking"):
-        return None, None, None
-    paths = [word for word in process.argv[:2] if word.startswith("/")]
-    for word in paths:
-        if home := HOME.match(word):
-            return f"{word}, which user {home[1]} can change,", word, "high"
-    if (
-        INTERPRETER.match(process.name)
-        and len(paths) > 1
-        and not paths[1].startswith(("/usr/lib/", "/usr/share/", "/usr/bin/", "/lib/"))
-    ):
-        return str(paths[1]), paths[1], "medium"
-    if process.name in RELAYS:
-        return f"{process.name}, which needs no root,", process.program, "medium"
-    return None, None, None
-
-
-def _fix(units: Units, unit: Unit, user: Located | None) -> Fix | None:
-    others = {
-        str(other.get("User")) for other in units.ros if other.get("User") not in ROOT and "%" not in other.get("User")
-    }
+def _fix(robot: Robot, unit: Unit) -> Fix | None:
+    """The user of the other ROS services, when they have one in common."""
+    others = {other.identity.name for other in robot.units.ros if other.identity.is_other}
     if len(others) != 1:
         return None
     (name,) = others
+    user = unit.identity.user
     return fix(
         f"run it as {name}, like the other ROS services",
-        (user, name) if user else unit.new_line("Service", f"User={name}"),
+        (user, str(name)) if user else unit.new_line("Service", f"User={name}"),
         safe=False,
     )

@@ -50,18 +50,10 @@ from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.systemd import Unit
-from bringup_lint.api.systemd import granted_limits
+from bringup_lint.api.systemd import limit_line
+from bringup_lint.api.systemd import missing_limits
+from bringup_lint.api.systemd import sets_priority
 
-SETTING = {"rtprio": "LimitRTPRIO", "memlock": "LimitMEMLOCK", "nice": "LimitNICE"}
-SCHEDULING = (
-    "Nice",
-    "CPUSchedulingPolicy",
-    "CPUSchedulingPriority",
-    "LimitRTPRIO",
-    "LimitMEMLOCK",
-    "LimitNICE",
-    "IOSchedulingClass",
-)
 CONTROL = re.compile(r"ros2_control_node|controller_manager|ros2_control")
 
 
@@ -71,53 +63,34 @@ CONTROL = re.compile(r"ros2_control_node|controller_manager|ros2_control")
     symptoms=["Could not enable FIFO RT scheduling policy", "Operation not permitted"],
 )
 def rt_limits_only_in_pam(robot: Robot) -> Iterator[Finding]:
-    interested = {str(unit.get("User")) for unit in robot.units.ros if _schedules(unit) or _controls(robot, unit)}
+    users = {unit.identity.name for unit in robot.units.ros if sets_priority(unit) or _controls(robot, unit)}
     for unit in robot.units.ros:
         if not unit.complete or unit.get("PAMName") or robot.units.supervision(unit).in_container:
             continue
-        missing = {}
-        for item, grant in granted_limits(unit, robot):
-            if not unit.get(SETTING[item]) and not _given_otherwise(unit, item):
-                missing.setdefault(item, []).append(grant)
+        missing = missing_limits(unit, robot.units)
         if not missing:
             continue
-        only_nice = set(missing) == {"nice"}
-        control = _controls(robot, unit)
-        severity = "error" if control else "warning"
-        if str(unit.get("User")) in interested and not control and not _schedules(unit):
-            severity = "info"
-        if only_nice:
-            severity = "info" if unit.get("Nice") else severity
-        keys = [f"{SETTING[item]}={_value(item, grants[-1].value)}" for item, grants in missing.items()]
+        lines = [limit_line(item, grants[-1]) for item, grants in missing.items()]
         yield finding(
-            unit.get("User") or unit.where,
+            unit.identity.user or unit.where,
             f"limits.d grants {', '.join(missing)} only to logins: {unit.name} runs without it",
-            advice=f"set {' and '.join(keys)} in the unit",
+            advice=f"set {' and '.join(lines)} in the unit",
             related=[note(grant.line, "PAM reads this at login") for grants in missing.values() for grant in grants],
-            fix=fix("set the limit in the unit", unit.new_line("Service", "\n".join(keys)), safe=False)
+            fix=fix("set the limit in the unit", unit.new_line("Service", "\n".join(lines)), safe=False)
             if unit.editable
             else None,
-            severity=severity,
+            severity=_severity(robot, unit, set(missing), unit.identity.name in users),
         )
 
 
-def _schedules(unit: Unit) -> bool:
-    """Whether the unit sets any priority."""
-    return any(unit.get(key) for key in SCHEDULING)
+def _severity(robot: Robot, unit: Unit, missing: set[str], another_cares: bool) -> str:
+    """``another_cares``: a service of the same user has to do with real time."""
+    if missing == {"nice"} and unit.get("Nice"):
+        return "info"
+    if _controls(robot, unit):
+        return "error"
+    return "info" if another_cares and not sets_priority(unit) else "warning"
 
 
 def _controls(robot: Robot, unit: Unit) -> bool:
     return any(CONTROL.search(text) for process in robot.units.started(unit) for text in process.texts)
-
-
-def _given_otherwise(unit: Unit, item: str) -> bool:
-    capabilities = {str(word) for word in unit.words("AmbientCapabilities")}
-    if item == "rtprio":
-        return unit.get("CPUSchedulingPolicy") in ("fifo", "rr") or "CAP_SYS_NICE" in capabilities
-    return "CAP_IPC_LOCK" in capabilities if item == "memlock" else "CAP_SYS_NICE" in capabilities
-
-
-def _value(item, value):
-    if item == "memlock":
-        return "infinity" if value in ("unlimited", "-1", "infinity") else f"{value}K"
-    return value

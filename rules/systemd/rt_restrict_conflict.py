@@ -40,7 +40,6 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.systemd import flag
 
 
 @rule(
@@ -49,8 +48,8 @@ from bringup_lint.api.systemd import flag
 )
 def rt_restrict_conflict(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
-        restricted = flag(unit, "RestrictRealtime")
-        if not restricted.value:
+        restricted = unit.flag("RestrictRealtime")
+        if not restricted:
             continue
         policy, limit = unit.get("CPUSchedulingPolicy"), unit.get("LimitRTPRIO")
         if limit and limit.partition(":")[0] != "0":

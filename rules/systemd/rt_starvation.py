@@ -44,7 +44,6 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.systemd import flag
 
 HIGH = 90
 
@@ -57,7 +56,7 @@ def rt_starvation(robot: Robot) -> Iterator[Finding]:
             continue
         tree = [note(found.where, "every node of this launch inherits it") for found in launches]
         policy, priority = unit.get("CPUSchedulingPolicy"), unit.get("CPUSchedulingPriority")
-        inherited = not flag(unit, "CPUSchedulingResetOnFork").value
+        inherited = not unit.flag("CPUSchedulingResetOnFork")
         if (
             policy in ("fifo", "rr")
             and inherited

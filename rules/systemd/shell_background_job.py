@@ -44,7 +44,8 @@ PASSING = ("echo", "printf", "true", "logger", "exit", ":", "disown")
 @rule("error")
 def shell_background_job(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.ros:
-        if unit.get("Type") in ("oneshot", "forking") or unit.get("RemainAfterExit"):
+        remains = unit.flag("RemainAfterExit")
+        if unit.get("Type") in ("oneshot", "forking") or remains or remains.unknown:
             continue
         for process in robot.units.started(unit):
             for at, step in enumerate(process.steps):

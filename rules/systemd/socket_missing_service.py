@@ -45,7 +45,7 @@ def socket_missing_service(robot: Robot) -> Iterator[Finding]:
             continue
         if robot.units.is_distribution_unit(unit.name):
             continue
-        accept = (unit.get("Accept") or "no").lower() in ("yes", "true", "on", "1", "y", "t")
+        accept = unit.flag("Accept")
         named = unit.get("Service", "Socket")
         target = str(named or (f"{unit.stem}@.service" if accept else f"{unit.stem}.service"))
         if (named is not None and unit.is_opaque(named)) or robot.units.exists(target, unit) is not False:

@@ -47,8 +47,8 @@ from bringup_lint.api import rule
 )
 def sudo_in_exec(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
-        locked = unit.get("NoNewPrivileges")
-        locked = locked if locked and locked.lower() in ("yes", "true", "on", "1", "y", "t") else None
+        privileges = unit.flag("NoNewPrivileges")
+        locked = privileges.at if privileges else None
         for process in robot.units.processes(unit):
             for step in process.steps:
                 words = [word for word in step.command.words[:2] if word.rpartition("/")[2] == "sudo"]

@@ -34,7 +34,7 @@ from bringup_lint.api import rule
 
 @rule("warning", symptoms=["is marked executable. Please remove executable permission bits"])
 def unit_file_executable(robot: Robot) -> Iterator[Finding]:
-    for file in robot.units.files:
+    for file in robot.units.unit_files:
         source = file.source
         if source.mode is not None and source.link is None and source.mode & 0o111:
             yield finding(

@@ -40,7 +40,7 @@ from bringup_lint.api import rule
     symptoms=["is marked world-writable. Please remove world writability permission bits"],
 )
 def unit_file_world_writable(robot: Robot) -> Iterator[Finding]:
-    for file in robot.units.files:
+    for file in robot.units.unit_files:
         source = file.source
         if source.mode is not None and source.link is None and source.mode & 0o002:
             yield finding(

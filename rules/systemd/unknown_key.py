@@ -44,7 +44,7 @@ from bringup_lint.api.systemd import directives
 
 @rule("error", fix="safe", symptoms=["Unknown key name", "Unknown lvalue"])
 def unknown_key(robot: Robot) -> Iterator[Finding]:
-    for file in robot.units.files:
+    for file in robot.units.unit_files:
         allowed = directives.sections_of_type(file.type)
         for section in file.sections:
             if section.name not in allowed or section.name == "Install":

@@ -41,7 +41,6 @@ When a library or wrapper that is not in the tree sends WATCHDOG=1 from the main
 """
 
 from collections.abc import Iterator
-from typing import Any
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Fix
@@ -51,10 +50,22 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.supervision import CERTAIN
+from bringup_lint.api.supervision import Silence
+from bringup_lint.api.supervision import SilentService
 from bringup_lint.api.systemd import Supervision
 from bringup_lint.api.systemd import Unit
 from bringup_lint.api.systemd import delete_lines
 from bringup_lint.api.systemd import duration
+
+TEXTS = {
+    Silence.ROS_TOOL: "because it listens only to ros2 {main.kind}, which sends none",
+    Silence.SHELL: "because it listens only to the shell, which sends none",
+    Silence.SCRIPT_OUTSIDE_TREE: "because it listens only to the shell script",
+    Silence.PYTHON_SCRIPT: "because {main.script.basename} sends none",
+    Silence.NOT_STARTED: "the launch file does not start {idle[0].basename}",
+    Silence.NO_CODE: "no code in the tree notifies systemd",
+}
 
 
 @rule("error", fix="unsafe", symptoms=["Watchdog timeout (limit", "Failed with result 'watchdog'"])
@@ -63,59 +74,45 @@ def watchdog_without_notify(robot: Robot) -> Iterator[Finding]:
         service = robot.units.supervision(unit)
         if not unit.complete or not service.watchdog_on or service.main is None or service.access.unknown:
             continue
-        severity, why = _verdict(service, robot)
-        if not severity:
+        silent = robot.notify.silence(service)
+        if silent is None or service.watchdog.at is None:
             continue
+        certain = silent.why in CERTAIN
         yield finding(
             service.watchdog.at,
-            f"No keep-alive reaches systemd, {why}: {unit.name} is killed every {duration(service.watchdog.value)}",
+            f"No keep-alive reaches systemd, {_why(silent)}: {unit.name} is killed every "
+            f"{duration(service.watchdog.value or 0.0)}",
             advice="let a process of the unit send WATCHDOG=1 and set NotifyAccess=all, or remove WatchdogSec=",
             related=[
                 note(service.main.where, "the main process"),
                 *([note(service.type.at, "also requires READY=1")] if service.type.at and service.notifies else ()),
                 *([note(service.access.at, "limits which process may notify")] if service.access.at else ()),
             ],
-            fix=_fix(unit, service, robot) if unit.editable else None,
+            fix=_fix(robot, unit, service) if unit.editable else None,
             chain=_chain(robot, service),
-            severity=severity,
-            confidence="high" if severity == "error" else "medium",
+            severity="error" if certain else "warning",
+            confidence="high" if certain else "medium",
         )
 
 
-def _chain(robot: Robot, service: Supervision) -> tuple[Any, Any] | tuple[Related, Any]:
-    """From the unit to the code of a node whose keep-alives systemd rejects."""
-    if service.access.value == "all" or service.main.ros is None:
+def _why(silent: SilentService) -> str:
+    return TEXTS[silent.why].format(main=silent.main, idle=silent.idle)
+
+
+def _chain(robot: Robot, service: Supervision) -> tuple[Related, ...]:
+    """From the unit to the code of a node that sends keep-alives which are refused."""
+    if service.access.value == "all" or service.main is None or service.main.ros is None:
         return ()
-    for node, said in robot.notify.speakers(service.main.ros):
+    for node, said in robot.notify.notifying_nodes(service.main.ros):
         return robot.provenance.chain_to_node(node, note(said, "a child of launch notifies systemd"))
     return ()
 
 
-def _verdict(service: Supervision, robot: Robot) -> tuple[str, str] | tuple[None, str]:
-    main, access = service.main, service.access.value
-    if access == "all":
-        programs = [found for _, found in service.process.ros]
-        if service.notifies or not main.is_ros_tool or robot.notify.within(service.process) or len(programs) != 1:
-            return None, ""
-        silent = robot.notify.nobody(programs[0])
-        return ("warning", silent[0]) if silent else (None, "")
-    if robot.notify.within(service.process) and (access == "exec" or service.as_root):
-        return None, ""
-    if main.is_ros_tool:
-        return "error", f"because it listens only to ros2 {main.kind}, which sends none"
-    if main.kind == "shell":
-        return "error", "because it listens only to the shell, which sends none"
-    if main.kind == "lost":
-        return "warning", "because it listens only to the shell script"
-    if main.kind == "python" and main.script is not None and not robot.notify.sources:
-        return "warning", f"because {main.script.basename} sends none"
-    return None, ""
-
-
-def _fix(unit: Unit, service: Supervision, robot: Robot) -> Fix | None:
+def _fix(robot: Robot, unit: Unit, service: Supervision) -> Fix | None:
     if service.access.value != "all" and robot.notify.sources:
         if service.access.at:
             return fix("set NotifyAccess=all", (service.access.at, "all"), safe=False)
         return fix("set NotifyAccess=all", unit.new_line("Service", "NotifyAccess=all"), safe=False)
     lines = [line for line in unit.assignments("WatchdogSec", "Service") if line.value is service.watchdog.at]
-    return fix("remove WatchdogSec=", *map(delete_lines, lines), safe=False) if lines else None
+    edits = [delete_lines(line) for line in lines]
+    return fix("remove WatchdogSec=", *edits, safe=False) if edits else None

@@ -41,7 +41,7 @@ from bringup_lint.api.systemd import directives
 @rule("error", symptoms=["Unknown section"])
 def wrong_section_for_type(robot: Robot) -> Iterator[Finding]:
     homes = {section: kind for kind, section in directives.SECTION_OF_TYPE.items()}
-    for file in robot.units.files:
+    for file in robot.units.unit_files:
         for section in file.sections:
             if section.name in homes and section.name not in directives.sections_of_type(file.type):
                 yield finding(

@@ -11,7 +11,7 @@ import pytest
 
 from bringup_lint.discover.walk import discover
 from bringup_lint.graph.graph import Node
-from bringup_lint.graph.systemd.dependencies import PULLING
+from bringup_lint.graph.systemd.relations import PULLING
 from bringup_lint.robot import Robot
 from tests.oracles.answers import Oracle
 from tests.oracles.verify import systemd

@@ -11,14 +11,12 @@ from functools import cached_property
 from bringup_lint.graph.commands.environment import SETUP_FILE
 from bringup_lint.graph.commands.ros_command import Ros
 from bringup_lint.graph.commands.ros_command import ros_command
-from bringup_lint.graph.commands.wrappers import unwrapped
+from bringup_lint.graph.commands.shells import SHELLS
+from bringup_lint.graph.commands.shells import profiles
 from bringup_lint.model.shell import Command
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
-SHELLS = frozenset({"sh", "bash", "dash", "zsh", "ksh"})
-_PROFILE = re.compile(r"(?:^|/)(?:\.bashrc|\.bash_profile|\.profile|\.zshrc|bash\.bashrc|profile)$")
-_LOGIN = re.compile(r"-[a-z]*[li][a-z]*")
 _ROS1_TEXT = re.compile(r"/opt/ros/(?:noetic|melodic|kinetic|lunar|jade|indigo)\b|\broslaunch\b|\broscore\b")
 _ROS_TEXT = re.compile(r"\bros2 |/opt/ros/|install/(?:local_)?setup\.(?:bash|sh)|component_container")
 _ON_FILES = ("security", "pkg", "interface", "extensions", "extension_points")
@@ -94,15 +92,12 @@ class CommandLine:
     def profiles(self) -> list[tuple[Step, Located]]:
         """Where a shell is told to read what is meant for people: a sourced ``.bashrc``, ``bash -l``,
         ``bash -i``."""
-        return list(_profiles(self.steps))
+        return [(step, word) for step in self.steps for word in profiles(step.command)]
 
     @cached_property
     def texts(self) -> list[str]:
         """The line and the scripts it starts."""
-        return [
-            str(self.line),
-            *{id(step.script): step.script.text for step in self.steps if step.script}.values(),
-        ]
+        return [str(self.line), *(script.text for script in scripts_of(self.steps))]
 
     @property
     def mentions_ros(self) -> bool:
@@ -118,7 +113,7 @@ class CommandLine:
         return not self.ros and any(_ROS1_TEXT.search(text) for text in self.texts)
 
     @property
-    def lost_script(self) -> Located | None:
+    def script_outside_tree(self) -> Located | None:
         """The first shell script that is started and that the tree does not hold."""
         return self.scripts_outside[0] if self.scripts_outside else None
 
@@ -133,17 +128,6 @@ class CommandLine:
         return False
 
 
-def _profiles(steps: list[Step]) -> Iterator[tuple[Step, Located]]:
-    for step in steps:
-        words = unwrapped(step.command.words)
-        name = words[0].rpartition("/")[2] if words else ""
-        if name in ("source", ".") and len(words) > 1 and _PROFILE.search(words[1]):
-            yield step, words[1]
-        elif name in SHELLS:
-            for word in words[1:]:
-                if not word.startswith("-"):
-                    break
-                if word == "--login" or _LOGIN.fullmatch(word):
-                    yield step, word
-                if not word.startswith("--") and "c" in word:
-                    break
+def scripts_of(steps: list[Step]) -> Iterator[Source]:
+    """The scripts of the tree that the steps come from, each once."""
+    yield from dict.fromkeys(step.script for step in steps if step.script)

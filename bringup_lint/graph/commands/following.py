@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from collections.abc import Iterator
 from dataclasses import dataclass
 from dataclasses import field
 from dataclasses import replace
 
-from bringup_lint.graph.commands.command_line import SHELLS
 from bringup_lint.graph.commands.command_line import CommandLine
 from bringup_lint.graph.commands.command_line import Step
 from bringup_lint.graph.commands.environment import SETUP_FILE
 from bringup_lint.graph.commands.ros_command import INSTALLED_NODE
+from bringup_lint.graph.commands.shells import SCRIPT_DEPTH
+from bringup_lint.graph.commands.shells import SHELL_SCRIPT
+from bringup_lint.graph.commands.shells import SHELLS
+from bringup_lint.graph.commands.shells import shell_input
 from bringup_lint.graph.commands.wrappers import unwrapped
 from bringup_lint.model.shell import Command
 from bringup_lint.parsers.shell import commands
@@ -22,12 +24,6 @@ from bringup_lint.source import Source
 
 Find = Callable[[Located], Source | None]
 """The file of the tree that a path of a command means to whoever runs it."""
-
-SCRIPT_DEPTH = 4
-"""How many scripts that call each other are followed."""
-SHELL_SCRIPT = re.compile(r"#!\s*\S*/(?:env\s+(?:-S\s+)?)?(sh|bash|dash|zsh|ksh)\b")
-_SHELL_OPTIONS = re.compile(r"[-+][A-Za-z]*[oO]|--rcfile|--init-file")
-"""Options of shells that take a value."""
 
 
 def follow(line: CommandLine, find: Find) -> None:
@@ -64,20 +60,13 @@ class _Follower:
             yield from self.script(words[1], "bash", (), depth)
 
     def shell(self, name: str, words: tuple[Located, ...], depth: int) -> Iterator[Step]:
-        at = 0
-        while at < len(words):
-            word = words[at]
-            if _SHELL_OPTIONS.fullmatch(word):
-                at += 2
-            elif word.startswith("-") and not word.startswith("--") and "c" in word and at + 1 < len(words):
-                yield from self.text(words[at + 1], name, None, words[at + 3 :], depth)
-                return
-            elif word.startswith(("-", "+")):
-                at += 1
-            else:
-                yield from self.script(word, name, words[at + 1 :], depth)
-                return
-        self.line.opaque = True
+        read = shell_input(words)
+        if read is None:
+            self.line.opaque = True
+        elif read.text is not None:
+            yield from self.text(read.text, name, None, read.arguments, depth)
+        elif read.script is not None:
+            yield from self.script(read.script, name, read.arguments, depth)
 
     def script(self, path: Located, shell: str, arguments: tuple[Located, ...], depth: int) -> Iterator[Step]:
         source = None if "$" in path or "%" in path else self.find(path)

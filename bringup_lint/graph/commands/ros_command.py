@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from typing import Literal
 
+from bringup_lint.graph.commands.wrappers import program_name
 from bringup_lint.graph.commands.wrappers import unwrapped
 from bringup_lint.model.shell import Command
 from bringup_lint.source import Located
@@ -16,8 +18,8 @@ INSTALLED_NODE = re.compile(r"/install/(?:[^/]+/)?lib/[^/]+/[^/]+$|/opt/ros/[^/]
 class Ros:
     """One ROS 2 program that a command starts."""
 
-    kind: str
-    """``launch``, ``run``, ``node`` (an installed executable started by its path), or ``cli`` (another verb)."""
+    kind: Literal["launch", "run", "node", "cli"]
+    """``node``: an installed executable started by its path; ``cli``: another verb of ros2."""
     command: Command
     package: Located | None = None
     target: Located | None = None
@@ -39,21 +41,32 @@ def ros_command(command: Command) -> Ros | None:
     words = unwrapped(command.words)
     if not words:
         return None
-    name = words[0].rpartition("/")[2]
-    if name == "ros2" and len(words) > 1:
-        verb = str(words[1])
-        rest = [word for word in words[2:] if not word.startswith("-")]
-        if verb == "launch":
-            named = [word for word in rest if ":=" not in word]
-            arguments = tuple(word for word in words[2:] if ":=" in word)
-            if len(named) == 1:
-                return Ros("launch", command, None, named[0], arguments)
-            return Ros("launch", command, *(named[:2] or (None, None)), arguments)
-        if verb == "run":
-            return Ros("run", command, *(rest[:2] if len(rest) > 1 else (None, None)), tuple(words[4:]))
-        return Ros("cli", command, None, words[1])
+    if program_name(words[0]) == "ros2" and len(words) > 1:
+        return _ros2(command, words)
     if INSTALLED_NODE.search(words[0]):
         return Ros("node", command, None, words[0], words[1:])
     if "/" in words[0] and len(words) > 2 and words[1] == "ros2" and words[2] in ("launch", "run"):
         return ros_command(Command(words[1:]))
     return None
+
+
+def _ros2(command: Command, words: tuple[Located, ...]) -> Ros:
+    verb = words[1]
+    if verb == "launch":
+        return _launch(command, words[2:])
+    if verb != "run":
+        return Ros("cli", command, None, verb)
+    named = [word for word in words[2:] if not word.startswith("-")]
+    package, executable = named[:2] if len(named) > 1 else (None, None)
+    return Ros("run", command, package, executable, words[4:])
+
+
+def _launch(command: Command, words: tuple[Located, ...]) -> Ros:
+    """``ros2 launch PACKAGE FILE`` or ``ros2 launch PATH``, with ``NAME:=VALUE`` arguments."""
+    named = [word for word in words if not word.startswith("-") and ":=" not in word]
+    arguments = tuple(word for word in words if ":=" in word)
+    if not named:
+        return Ros("launch", command, None, None, arguments)
+    if len(named) == 1:
+        return Ros("launch", command, None, named[0], arguments)
+    return Ros("launch", command, named[0], named[1], arguments)

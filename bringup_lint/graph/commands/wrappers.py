@@ -36,14 +36,19 @@ _WRAPPERS = {
 need."""
 
 
+def program_name(word: str) -> str:
+    """The last component of a program's path."""
+    return word.rpartition("/")[2]
+
+
 def unwrapped(words: tuple[Located, ...]) -> tuple[Located, ...]:
     """The words without ``exec``, ``nice -n 5``, ``sudo -u rover``, ``env A=1`` and the like in front."""
-    while words and (wrapper := _WRAPPERS.get(words[0].rpartition("/")[2])):
+    while words and (wrapper := _WRAPPERS.get(program_name(words[0]))):
         options, own = wrapper
         at = 1
         while at < len(words) and (words[at].startswith("-") or "=" in words[at]):
             at += 2 if words[at] in options.split() else 1
-            if words[at - 1] == "--":
+            if words[at - 1 : at] == ("--",):
                 break
         words = words[at + own :]
     return words

@@ -175,23 +175,22 @@ def sharing_memory(ros: RosEnvironment) -> Iterator[RosProcess]:
             continue
         if unit.unsure_of("User", "DynamicUser", "PrivateIPC", section="Service") or unit.has("IPCNamespacePath"):
             continue
-        if (unit.get("PrivateIPC") or "no").lower() in ("no", "false", "off", "0"):
+        if unit.flag("PrivateIPC").value is not True:
             yield process
 
 
 def user_of(unit: Unit) -> tuple[str, Located | Span]:
     """The user of a service, and the place that says so."""
-    user = unit.get("User")
-    dynamic = unit.get("DynamicUser")
-    if dynamic is not None and dynamic.lower() in ("yes", "true", "on", "1"):
-        return f"a user of its own ({unit.name})", dynamic
-    if not user or user == "0":
+    identity = unit.identity
+    if identity.dynamic and identity.dynamic.at is not None:
+        return f"a user of its own ({unit.name})", identity.dynamic.at
+    if identity.user is None or identity.user == "0":
         return "root", unit.where
-    return str(user), user
+    return identity.name or str(identity.user), identity.user
 
 
 def largest_coexisting_group(units: Units, readers: list[Selection]) -> list[Selection]:
     """Of these processes, the most that surely run at the same time: one alone, or the units of one boot."""
     groups = [[each] for each in readers]
-    groups += [[each for each in readers if each.unit in crew] for crew in units.crews]
+    groups += [[each for each in readers if each.unit in crew] for crew in units.running_together]
     return max(groups, key=lambda group: sum(each.processes for each in group), default=[])

@@ -15,8 +15,8 @@ from bringup_lint.graph.file_nodes import file_place
 from bringup_lint.graph.file_nodes import is_plain
 from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.graph import Node
-from bringup_lint.graph.systemd.dependencies import instances
-from bringup_lint.graph.systemd.dependencies import named_instances
+from bringup_lint.graph.systemd.references import instances
+from bringup_lint.graph.systemd.references import named_instances
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.parsers.systemd_values import split_name
 from bringup_lint.source import Span

@@ -4,17 +4,18 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from collections.abc import Collection
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
 from bringup_lint import facts
-from bringup_lint.source import Source
 
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
     from bringup_lint.graph.systemd.units import Units
+    from bringup_lint.graph.systemd.user_database import UserDatabase
 
 _CREATES = re.compile(r"\b(?:groupadd|addgroup|useradd|adduser|newusers|dscl|ansible\.builtin\.(?:group|user))\b[^\n]*")
 _MODULE = re.compile(r"^[ \t]*(?:group|user):[ \t]*(?:name=(\S+))?[ \t]*$(?:\n[ \t]+name:[ \t]*[\"']?([\w-]+))?", re.M)
@@ -32,28 +33,31 @@ class Accounts:
     files: Files
     units: Callable[[], Units]
 
+    @property
+    def _database(self) -> UserDatabase | None:
+        """/etc/passwd and /etc/group of a root file system: a repository's overlay need not be all of it."""
+        return self.units().users if self.files.tree.root is not None else None
+
     def has_group(self, name: str) -> bool | None:
         """Whether the group exists; None when the tree cannot tell."""
-        return self._has(name, self._database("/etc/group"), self._declared("gu"))
+        listed = self._database.groups if self._database else {}
+        return self._has(name, listed, self._declared("gu"))
 
     def has_user(self, name: str) -> bool | None:
         """Whether the user exists; None when the tree cannot tell."""
-        return self._has(name, self._database("/etc/passwd"), self._declared("u"))
+        listed = self._database.accounts if self._database else {}
+        return self._has(name, listed, self._declared("u"))
 
     def home_of(self, user: str) -> str | None:
         """The home folder that the tree's /etc/passwd gives to a user."""
-        source = self._source("/etc/passwd")
-        entries = _entries(source) if source else []
-        return next((entry[5].rstrip("/") for entry in entries if entry[0] == user and len(entry) > 5), None)
+        account = self._database.account(user) if self._database else None
+        return account.home if account else None
 
     def login_home(self, user: str) -> str | None:
         """The home of a regular user who can log in; None for system users, and when the tree cannot tell."""
-        source = self._source("/etc/passwd")
-        if source is not None:
-            entry = next((entry for entry in _entries(source) if entry[0] == user and len(entry) > 6), None)
-            if entry is None or not entry[2].isdigit() or not 1000 <= int(entry[2]) < 60000:
-                return None
-            return None if entry[6].endswith(("nologin", "false")) else entry[5].rstrip("/")
+        if self._database is not None and self._database.passwd is not None:
+            account = self._database.account(user)
+            return account.home if account and account.can_log_in else None
         named = re.compile(rf"/home/{re.escape(user)}(?![\w.-])")
         declared = self._declared("u")
         texts = (file.source.text for unit in self.units().services for file in unit.files)
@@ -61,31 +65,17 @@ class Accounts:
 
     def groups_of(self, user: str) -> frozenset[str] | None:
         """The groups that the tree's /etc/passwd and /etc/group give to a user; None without these files."""
-        passwd, group = self._source("/etc/passwd"), self._source("/etc/group")
-        if passwd is None or group is None:
+        database = self._database
+        if database is None or database.passwd is None or database.group is None:
             return None
-        users, groups = _entries(passwd), _entries(group)
-        primary = {entry[3] for entry in users if entry[0] == user and len(entry) > 3}
-        return frozenset(
-            entry[0]
-            for entry in groups
-            if len(entry) > 3 and (entry[2] in primary or user in entry[3].strip().split(","))
-        )
+        return database.groups_of(user)
 
-    def _has(self, name: str, database: frozenset[str], declared: frozenset[str]) -> bool | None:
-        if name in database or name in declared:
+    def _has(self, name: str, listed: Collection[str], declared: frozenset[str]) -> bool | None:
+        if name in listed or name in declared:
             return True
-        if database and self.files.tree.complete:
+        if listed and self.files.tree.complete:
             return False
         return True if name in self._usual or name in self._created else None
-
-    def _database(self, path: str) -> frozenset[str]:
-        source = self._source(path)
-        return frozenset(entry[0] for entry in _entries(source)) if source else frozenset()
-
-    def _source(self, path: str) -> Source | None:
-        """A file of a root file system: a repository's overlay need not be all of it."""
-        return self.files.tree.find(path) if self.files.tree.root is not None else None
 
     def _declared(self, kinds: str) -> frozenset[str]:
         """Names that sysusers.d(5) lines of these types create; a user comes with a group of its name."""
@@ -115,8 +105,3 @@ class Accounts:
             source = tree.read(path, judged=False)
             if source is not None:
                 yield source.text
-
-
-def _entries(source: Source) -> list[list[str]]:
-    """The fields of passwd(5) and group(5)."""
-    return [line.split(":") for line in source.text.splitlines()]

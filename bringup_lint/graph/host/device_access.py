@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 from typing import NamedTuple
 
 from bringup_lint.graph.host.device_uses import DeviceUse
-from bringup_lint.graph.systemd.settings import flag
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.graph.udev.rule import Link
 from bringup_lint.source import Located
@@ -55,16 +54,17 @@ def closed_devices(
                         yield ClosedDevice(unit, user, use, link, group)
 
 
-def _groups(unit: Unit, units: Units, accounts: Accounts) -> set[str] | None:
+def _groups(unit: Unit, units: Units, accounts: Accounts) -> frozenset[str] | None:
     """The groups of a service that runs as a user of the tree's /etc/passwd; None for root, and when not known."""
-    user = unit.get("User")
-    groups = accounts.groups_of(str(user)) if user and "%" not in user else None
-    dynamic = flag(unit, "DynamicUser")
-    if groups is None or user in ("root", "0") or dynamic.value or dynamic.unknown or unit.get("PAMName"):
+    identity = unit.identity
+    if identity.name is None or identity.is_root is not False or identity.dynamic or unit.get("PAMName"):
         return None
-    own = groups | set(unit.words("SupplementaryGroups")) | {str(unit.get("Group") or "")}
+    groups = accounts.groups_of(identity.name)
+    if groups is None:
+        return None
+    own = identity.groups(units.users)
     privileged = any("+" in process.prefixes for process in units.started(unit))
-    return None if "root" in own or privileged else set(own)
+    return None if "root" in own or privileged else own
 
 
 def _sources(unit: Unit, units: Units, launch: Callable[[], Launch], params: Callable[[], Params]) -> set[Source]:

@@ -8,11 +8,11 @@ import re
 from collections.abc import Callable
 from collections.abc import Iterator
 
-from bringup_lint.graph.commands.command_line import SHELLS
 from bringup_lint.graph.commands.command_line import CommandLine
 from bringup_lint.graph.commands.environment import Environment
 from bringup_lint.graph.commands.environment import Variable
 from bringup_lint.graph.commands.following import follow
+from bringup_lint.graph.commands.shells import SHELLS
 from bringup_lint.graph.commands.wrappers import unwrapped
 from bringup_lint.graph.files import Files
 from bringup_lint.model.compose import Service

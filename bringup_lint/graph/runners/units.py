@@ -31,7 +31,7 @@ def _of(files: Files, units: Units, unit: Unit) -> Runner:
         main=list(units.started(unit)),
         runs_ros=unit in units.dds,
         system=unit.place,
-        user="root" if supervision.as_root else unit.get("User"),
+        user="root" if unit.identity.is_root else unit.identity.user,
         stop=Stop(signal.value, supervision.stop_timeout.value, signal.at),
         restarts=units.restart(unit).restarts,
         environment_files=tuple((each.value, each.source) for each in units.environment_files(unit) if each.source),

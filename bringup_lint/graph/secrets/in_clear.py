@@ -12,7 +12,6 @@ from bringup_lint.graph.secrets.ros import Indirect
 from bringup_lint.graph.secrets.ros import indirect
 from bringup_lint.graph.secrets.ros import launch_words
 from bringup_lint.graph.secrets.ros import named_values
-from bringup_lint.graph.systemd.environment import environment_files
 from bringup_lint.parsers.env_file import parse
 from bringup_lint.parsers.systemd_values import split_environment
 from bringup_lint.source import Located
@@ -119,7 +118,7 @@ def _of_words(assignments: tuple[Located, ...], words: tuple[Located, ...]) -> I
 def _of_env_files(robot: Robot) -> Iterator[Secret]:
     sources = {id(source): source for source in robot.of_kind("env-file")}
     for unit in robot.units.judged:
-        found = (file.source for file in environment_files(unit, robot) if file.source)
+        found = (file.source for file in robot.units.environment_files(unit) if file.source)
         sources |= {id(source): source for source in found}
     readable = [source for source in sources.values() if not is_private(source)]
     for model in robot.parsed(parse, readable):

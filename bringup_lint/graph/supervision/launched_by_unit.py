@@ -2,21 +2,21 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
+from bringup_lint.graph.commands.command_line import scripts_of
 from bringup_lint.graph.commands.ros_command import Ros
+from bringup_lint.graph.host.device_uses import DeviceUse
+from bringup_lint.graph.host.devices import Devices
+from bringup_lint.graph.launch.expansion import Expansion
+from bringup_lint.graph.launch.launch import Launch
+from bringup_lint.graph.supervision.launched_processes import respawns
+from bringup_lint.graph.systemd.unit import Unit
+from bringup_lint.graph.systemd.units import Units
 
-if TYPE_CHECKING:
-    from bringup_lint.graph.launch.expansion import Expansion
-    from bringup_lint.graph.systemd.unit import Unit
-    from bringup_lint.robot import Robot
 
-
-def launched(ros: Ros, robot: Robot) -> Expansion | None:
+def expansion_of(ros: Ros, launch: Launch) -> Expansion | None:
     """What ``ros2 launch PACKAGE FILE`` leads to; None when the file is not in the tree."""
     if ros.kind != "launch" or ros.package is None or ros.target is None:
         return None
-    launch = robot.launch
     for file in launch.files:
         owner = launch.workspace.owner(file.source)
         if owner is not None and owner.name == ros.package and file.source.basename == ros.target:
@@ -24,25 +24,19 @@ def launched(ros: Ros, robot: Robot) -> Expansion | None:
     return None
 
 
-def all_respawn(expansion: Expansion) -> bool:
+def every_node_respawns(expansion: Expansion) -> bool:
     """Whether launch itself starts every process again that ends."""
-    from bringup_lint.graph.supervision.launched_processes import respawns
-
     return bool(expansion.nodes) and all(respawns(node) for node in expansion.nodes)
 
 
-def devices_of(unit: Unit, robot: Robot):
-    """Device paths (``graph.devices.DeviceUse``) in the unit, its scripts and its launch files."""
-    sources = {id(file.source) for file in unit.files}
-    for process in robot.units.processes(unit):
-        sources |= {id(step.script) for step in process.steps if step.script}
+def devices_opened_by(unit: Unit, units: Units, launch: Launch, devices: Devices) -> list[DeviceUse]:
+    """Device paths in the unit, its scripts and its launch files."""
+    sources = {file.source for file in unit.files}
+    for process in units.processes(unit):
+        sources.update(scripts_of(process.steps))
         for _, ros in process.launches:
-            expansion = launched(ros, robot)
-            sources |= {id(file.source) for file in expansion.files} if expansion else set()
-    for variable in robot.units.environment(unit):
-        sources.add(id(variable.value.span.source))
-    return [
-        use
-        for use in robot.devices.uses
-        if id(use.path.span.source) in sources and use.certainty in ("literal", "unit")
-    ]
+            expansion = expansion_of(ros, launch)
+            if expansion is not None:
+                sources.update(file.source for file in expansion.files)
+    sources.update(variable.value.span.source for variable in units.environment(unit))
+    return [use for use in devices.uses if use.path.span.source in sources and use.certainty in ("literal", "unit")]

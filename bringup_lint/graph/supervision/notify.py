@@ -5,20 +5,26 @@ from __future__ import annotations
 
 import os
 import re
+from collections.abc import Callable
 from collections.abc import Iterator
 from dataclasses import dataclass
+from enum import Enum
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import NamedTuple
 
 from bringup_lint.graph.commands.ros_command import Ros
-from bringup_lint.graph.supervision.launched_by_unit import launched
+from bringup_lint.graph.files import Files
+from bringup_lint.graph.launch.expansion import Expansion
+from bringup_lint.graph.launch.launch import Launch
+from bringup_lint.graph.launch.started import Started
+from bringup_lint.graph.launch.started import literal_text
+from bringup_lint.graph.supervision.launched_by_unit import expansion_of
+from bringup_lint.graph.systemd.main_process import Main
 from bringup_lint.graph.systemd.process import Process
+from bringup_lint.graph.systemd.supervision import Supervision
+from bringup_lint.graph.workspace import Workspace
 from bringup_lint.source import Located
 from bringup_lint.source import Source
-
-if TYPE_CHECKING:
-    from bringup_lint.graph.launch.started import Started
-    from bringup_lint.robot import Robot
 
 SPEAKS = re.compile(
     r"\bsd_(?:pid_)?notify|READY=1|WATCHDOG=1|systemd-notify|\bsdnotify\b|NOTIFY_SOCKET|systemd\.daemon|cysystemd"
@@ -31,16 +37,58 @@ _PERHAPS = re.compile(r"notif|systemd|watchdog|heartbeat|sd_", re.I)
 _FILES = 5000
 
 
+class Silence(Enum):
+    """Why nothing reaches systemd."""
+
+    ROS_TOOL = "systemd listens to ros2 launch or ros2 run only"
+    SHELL = "systemd listens to a shell only"
+    SCRIPT_OUTSIDE_TREE = "systemd listens to a shell script only, which the tree does not hold"
+    PYTHON_SCRIPT = "systemd listens to a Python script only, which says nothing"
+    NOT_STARTED = "the code that talks to systemd is not started"
+    NO_CODE = "no code of the tree talks to systemd"
+
+
+CERTAIN = frozenset({Silence.ROS_TOOL, Silence.SHELL})
+"""What follows from the command line alone."""
+
+
+class SilentLaunch(NamedTuple):
+    """That nothing which a ROS command starts can talk to systemd."""
+
+    why: Silence
+    idle: list[Source]
+    """The notifiers of the tree that are not started."""
+
+
+class SilentService(NamedTuple):
+    """That no keep-alive of a service reaches systemd."""
+
+    why: Silence
+    main: Main
+    idle: list[Source]
+    """The notifiers of the tree that are not started."""
+
+
+class _Programs(NamedTuple):
+    """What a launch file starts."""
+
+    started: list[tuple[str, str]]
+    """(package, executable)"""
+    external: set[str]
+    """The packages that are not in the tree."""
+
+
 @dataclass(eq=False)
 class Notify:
     """The notifiers of a tree."""
 
-    robot: Robot
+    files: Files
+    launch: Callable[[], Launch]
 
     @cached_property
     def sources(self) -> list[Source]:
         """The source files of the tree that talk to systemd."""
-        tree = self.robot.tree
+        tree = self.files.tree
         paths = [path for path in tree.paths if path.endswith(_CODE) or "." not in os.path.basename(path)]
         found = []
         for path in paths[:_FILES]:
@@ -49,79 +97,109 @@ class Notify:
                 found.append(source)
         return found
 
-    def within(self, process: Process) -> bool:
+    @property
+    def _workspace(self) -> Workspace:
+        return self.launch().workspace
+
+    def in_process(self, process: Process) -> bool:
         """Whether the command line itself, or a script that it runs, talks to systemd."""
         return any(SPEAKS.search(text) for text in process.texts)
 
-    def nobody(self, ros: Ros) -> tuple[str, list[Source]] | None:
-        """That nothing which ``ros2 launch`` or ``ros2 run`` starts can talk to systemd: the reason in words,
-        and the notifiers of the tree that are not started. None when it may."""
+    def is_heard(self, service: Supervision) -> bool:
+        """Whether the command line talks to systemd, and systemd listens to the processes that it starts: with
+        NotifyAccess=exec, and to those of root always."""
+        process = service.process
+        if process is None or not self.in_process(process):
+            return False
+        return service.access.value == "exec" or service.unit.identity.is_root is not False
+
+    def silence(self, service: Supervision) -> SilentService | None:
+        """Why no keep-alive of a service reaches systemd; None when one may."""
+        main, process = service.main, service.process
+        if main is None or process is None:
+            return None
+        if service.access.value == "all":
+            programs = [found for _, found in process.ros]
+            if service.notifies or not main.is_ros_tool or self.in_process(process) or len(programs) != 1:
+                return None
+            silent = self.silent_launch(programs[0])
+            return SilentService(silent.why, main, silent.idle) if silent else None
+        why = None if self.is_heard(service) else self._deaf_to(main)
+        return SilentService(why, main, []) if why else None
+
+    def _deaf_to(self, main: Main) -> Silence | None:
+        """Why systemd hears nothing when it listens to the main process only."""
+        if main.is_ros_tool:
+            return Silence.ROS_TOOL
+        if main.kind == "shell":
+            return Silence.SHELL
+        if main.kind == "lost":
+            return Silence.SCRIPT_OUTSIDE_TREE
+        says_nothing = main.kind == "python" and main.script is not None and not self.sources
+        return Silence.PYTHON_SCRIPT if says_nothing else None
+
+    def silent_launch(self, ros: Ros) -> SilentLaunch | None:
+        """That nothing which ``ros2 launch`` or ``ros2 run`` starts can talk to systemd. None when it may."""
+        programs = self._programs(ros)
+        if programs is None or any(_PERHAPS.search(name) for name in programs.external):
+            return None
+        idle = [source for source in self.sources if not self._starts(source, programs.started)]
+        if len(idle) < len(self.sources):
+            return None
+        return SilentLaunch(Silence.NOT_STARTED if idle else Silence.NO_CODE, idle)
+
+    def notifying_nodes(self, ros: Ros) -> Iterator[tuple[Started, Located]]:
+        """The nodes of a launch file whose code talks to systemd, with the place where it does."""
+        expansion = expansion_of(ros, self.launch())
+        if expansion is None:
+            return
+        for node in expansion.nodes:
+            package, executable = literal_text(node.package), literal_text(node.executable)
+            if package is not None and executable is not None:
+                for where in self._speaking(str(package), str(executable)):
+                    yield node, where
+
+    def _speaking(self, package: str, executable: str) -> Iterator[Located]:
+        """Where the code of a program talks to systemd."""
+        for source in self.sources:
+            owner = self._workspace.owner(source)
+            found = SPEAKS.search(source.text)
+            if owner is not None and owner.name == package and found and self._starts(source, [(package, executable)]):
+                yield source.located(*found.span())
+
+    def _programs(self, ros: Ros) -> _Programs | None:
+        """What a ROS command of a package of the tree starts; None when that is not known."""
         if ros.package is None or ros.target is None:
             return None
-        workspace = self.robot.launch.workspace
-        package = workspace.packages.get(str(ros.package))
+        package = self._workspace.packages.get(str(ros.package))
         if package is None:
             return None
         if ros.kind == "run":
-            started, external = [(package.name, str(ros.target))], set()
-        else:
-            found = self._launched(ros)
-            if found is None:
-                return None
-            started, external = found
-        if any(_PERHAPS.search(name) for name in external):
-            return None
-        idle = [source for source in self.sources if not self._starts(source, started)]
-        if len(idle) < len(self.sources):
-            return None
-        named = os.path.basename(idle[0].name) if idle else ""
-        return (f"the launch file does not start {named}" if named else "no code in the tree notifies systemd"), idle
+            return _Programs([(package.name, str(ros.target))], set())
+        expansion = expansion_of(ros, self.launch())
+        return None if expansion is None else self._launched(expansion)
 
-    def speakers(self, ros: Ros) -> Iterator[tuple[Started, Located]]:
-        """The nodes of a launch file whose code talks to systemd, with the place where it does."""
-        from bringup_lint.graph.launch.started import literal_text
-
-        expansion = launched(ros, self.robot)
-        for node in expansion.nodes if expansion is not None else ():
-            package, executable = literal_text(node.package), literal_text(node.executable)
-            if package is None or executable is None:
-                continue
-            for source in self.sources:
-                owner = self.robot.launch.workspace.owner(source)
-                said = SPEAKS.search(source.text)
-                if owner is not None and owner.name == package and said:
-                    if self._starts(source, [(str(package), str(executable))]):
-                        yield node, source.located(*said.span())
-
-    def _launched(self, ros: Ros) -> tuple[list[tuple[str, str]], set[str]] | None:
-        """(package, executable) of what the launch file starts, and the packages that are not in the tree."""
-        expansion = launched(ros, self.robot)
-        if expansion is None:
-            return None
-        from bringup_lint.graph.launch.started import literal_text
-
-        workspace = self.robot.launch.workspace
-        started, external = [], set()
+    def _launched(self, expansion: Expansion) -> _Programs | None:
+        packages = self._workspace.packages
+        started = []
         for node in expansion.nodes:
-            package, executable = (
-                literal_text(node.package),
-                literal_text(node.executable) or literal_text(node.plugin),
-            )
+            package = literal_text(node.package)
+            executable = literal_text(node.executable) or literal_text(node.plugin)
             if package is None or executable is None:
                 return None
             started.append((str(package), str(executable)))
-        external |= {package for package, _ in started if package not in workspace.packages}
+        external = {package for package, _ in started if package not in packages}
         for include in expansion.includes:
             if include.target is None:
-                place = self.robot.launch.place(include.file)
-                if place is None or not place.package or place.package in workspace.packages:
+                place = self.launch().place(include.file)
+                if place is None or not place.package or place.package in packages:
                     return None
                 external.add(place.package)
-        return started, external
+        return _Programs(started, external)
 
     def _starts(self, notifier: Source, started: list[tuple[str, str]]) -> bool:
         """Whether a started program may run the code of a notifier."""
-        package = self.robot.launch.workspace.owner(notifier)
+        package = self._workspace.owner(notifier)
         if package is None:
             return True
         executables = {executable for name, executable in started if name == package.name}
@@ -135,20 +213,20 @@ class Notify:
         )
 
     def _depends(self, name: str, other: str) -> bool:
-        package = self.robot.launch.workspace.packages.get(name)
+        package = self._workspace.packages.get(name)
         return package is not None and package.depends_on(other)
 
     def _entry_points(self, folder: str, stem: str) -> Iterator[str]:
-        for source in self.robot.of_kind("setup-py", "setup-cfg"):
+        for source in self.files.of_kind("setup-py", "setup-cfg"):
             if os.path.dirname(os.path.abspath(source.name)) == folder:
                 yield from re.findall(rf"([\w.-]+)\s*=\s*[\w.]*\b{re.escape(stem)}\s*:", source.text)
 
     def _imported(self, folder: str, stem: str, notifier: Source) -> bool:
         """Whether another module of the package imports the notifier."""
         uses = re.compile(rf"^\s*(?:from|import)\s[^\n]*\b{re.escape(stem)}\b", re.M)
-        for path in self.robot.tree.paths:
+        for path in self.files.tree.paths:
             if path.startswith(folder + "/") and path.endswith(".py") and os.path.basename(path) != notifier.basename:
-                source = self.robot.tree.read(path, judged=False)
+                source = self.files.tree.read(path, judged=False)
                 if source is not None and uses.search(source.text):
                     return True
         return False

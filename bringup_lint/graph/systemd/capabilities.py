@@ -3,12 +3,9 @@
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING
 
+from bringup_lint.graph.files import Files
 from bringup_lint.source import Span
-
-if TYPE_CHECKING:
-    from bringup_lint.robot import Robot
 
 _SETCAP = re.compile(
     r"\bsetcap\b[ \t]+(?:-\w+[ \t]+)*[\"']?((?:cap_\w+,?)+)[=+][epi+]+[\"']?[ \t]+[\"']?([^\s\"';&|]+)", re.I
@@ -19,13 +16,15 @@ _SCRIPTS = re.compile(
 _FILES = 3000
 
 
-def file_capabilities(robot: Robot) -> dict[str, list[tuple[str, Span]]]:
+def file_capabilities(files: Files) -> dict[str, list[tuple[str, Span]]]:
     """Name of a program -> the capabilities (``CAP_NET_RAW``) that it is given, each with the place that says so."""
     found: dict[str, list[tuple[str, Span]]] = {}
-    paths = [path for path in robot.tree.paths if _SCRIPTS.search(path)]
+    paths = [path for path in files.tree.paths if _SCRIPTS.search(path)]
     for path in paths[:_FILES]:
-        source = robot.tree.read(path, judged=False)
-        for match in _SETCAP.finditer(source.text) if source else ():
+        source = files.tree.read(path, judged=False)
+        if source is None:
+            continue
+        for match in _SETCAP.finditer(source.text):
             name = match[2].rpartition("/")[2]
             for capability in match[1].split(","):
                 if capability and "$" not in name:

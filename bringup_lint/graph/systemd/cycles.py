@@ -5,15 +5,21 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Iterable
 from collections.abc import Iterator
+from functools import partial
 from typing import NamedTuple
 
+from bringup_lint.graph.components import components
 from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.graph import Graph
 from bringup_lint.graph.graph import Node
-from bringup_lint.graph.systemd.dependencies import HARD
-from bringup_lint.graph.systemd.dependencies import PULLING
+from bringup_lint.graph.systemd.relations import HARD
+from bringup_lint.graph.systemd.relations import PULLING
 
 ROOTS = ("graphical.target", "multi-user.target")
+MOST_VISITS = 500_000
+"""Edges that the search for cycles of one component goes along; what is found until then is told."""
+MOST_ROOTS = 100
+"""Units that are tried as the one that pulls in all members of a cycle."""
 
 
 class Cycle(NamedTuple):
@@ -57,121 +63,90 @@ def _said(edge: Edge) -> str:
 
 def ordering_cycles(graph: Graph, roots: Iterable[str] = ROOTS) -> Iterator[Cycle]:
     """Shortest cycles of every strongly connected component of the ordering that the tree has a part in."""
-    remaining = _unsortable(graph)
-    if not remaining:
-        return
-    import networkx
-
-    digraph = networkx.DiGraph()
-    for edge in graph.edges("orders"):
-        if edge.source in remaining and edge.target in remaining:
-            digraph.add_edge(edge.source, edge.target)
-    for component in sorted(networkx.strongly_connected_components(digraph), key=min):
-        if len(component) > 1 and _is_written(graph, component):
-            for edges in _covering_cycles(graph, component):
-                members = {edge.source for edge in edges}
-                root = _common_root(graph, members, roots)
-                required = frozenset(graph.reachable(root, HARD)) if root else frozenset()
-                yield Cycle(edges, root, root is not None and members <= required, frozenset(members - required))
+    for nodes in sorted(components(graph.out, partial(_after, graph)), key=min):
+        component = _Component(graph, nodes)
+        for edges in component.covering_cycles():
+            members = {edge.source for edge in edges}
+            root = _common_root(graph, members, roots)
+            required = frozenset(graph.reachable(root, HARD)) if root else frozenset()
+            yield Cycle(edges, root, root is not None and members <= required, frozenset(members - required))
 
 
-def _is_written(graph: Graph, component: set[Node]) -> bool:
-    """Whether a line of the tree contributes, rather than only units of several releases of the
-    distribution."""
-    edges = (edge for node in component for edge in graph.out.get(node, ()))
-    return any(edge.where and edge.kind == "orders" and edge.target in component for edge in edges)
+def _after(graph: Graph, node: Node) -> Iterator[Node]:
+    return (edge.target for edge in graph.out.get(node, ()) if edge.kind == "orders")
 
 
-def _covering_cycles(graph: Graph, component: set[Node]) -> Iterator[tuple[Edge, ...]]:
-    """A shortest cycle, then one through every further member that a line of the tree puts into a cycle."""
-    covered: set[Node] = set()
-    first = _shortest_cycle(graph, component)
-    for node in [None, *sorted(component)]:
-        if node is None:
-            edges = first
-        elif node in covered or not _has_written_edge(graph, node, component):
-            continue
-        else:
-            edges = _cycle_through(graph, node, component, 0)
-        if edges:
-            yield edges
-            covered |= {edge.source for edge in edges}
+class _Component:
+    """Units that all wait for each other, and the edges between them."""
+
+    def __init__(self, graph: Graph, nodes: set[Node]) -> None:
+        self.nodes = sorted(nodes)
+        self.out = {node: sorted(_inside(graph, node, nodes), key=_written_first) for node in self.nodes}
+        self.visits = MOST_VISITS
+
+    def covering_cycles(self) -> Iterator[tuple[Edge, ...]]:
+        """A shortest cycle, then one through every further member that a line of the tree puts into a cycle. None
+        where only units of several releases of the distribution contribute."""
+        written = {
+            end for edges in self.out.values() for edge in edges if edge.where for end in (edge.source, edge.target)
+        }
+        if not written:
+            return
+        first = self._shortest()
+        yield first
+        covered = {edge.source for edge in first}
+        for node in self.nodes:
+            if node in written and node not in covered and self.visits >= 0:
+                edges = self._through(node)
+                yield edges
+                covered |= {edge.source for edge in edges}
+
+    def _shortest(self) -> tuple[Edge, ...]:
+        best = self._through(self.nodes[0])
+        for start in self.nodes[1:]:
+            if len(best) == 2 or self.visits < 0:
+                break
+            best = self._through(start, len(best)) or best
+        return best
+
+    def _through(self, start: Node, limit: int | None = None) -> tuple[Edge, ...]:
+        """A shortest cycle through a member; nothing when it has ``limit`` edges or more."""
+        arrived: dict[Node, Edge] = {}
+        pending = deque([(start, 1)])
+        while pending:
+            node, length = pending.popleft()
+            if limit is not None and length >= limit:
+                return ()
+            self.visits -= len(self.out[node])
+            for edge in self.out[node]:
+                if edge.target == start:
+                    return _way_back(edge, start, arrived)
+                if edge.target not in arrived:
+                    arrived[edge.target] = edge
+                    pending.append((edge.target, length + 1))
+        return ()
 
 
-def _has_written_edge(graph: Graph, node: Node, component: set[Node]) -> bool:
-    ends = [
-        *((e, e.target) for e in graph.out.get(node, ())),
-        *((e, e.source) for e in graph.into.get(node, ())),
-    ]
-    return any(edge.where and edge.kind == "orders" and other in component for edge, other in ends)
-
-
-def _unsortable(graph: Graph) -> set[Node]:
-    """What is left when everything that can be ordered is taken away, from both ends."""
-    nodes = set(graph.out) | set(graph.into)
-    for ends, others in ((graph.into, graph.out), (graph.out, graph.into)):
-        counts = {node: sum(edge.kind == "orders" for edge in ends.get(node, ())) for node in nodes}
-        for node in nodes:
-            for edge in ends.get(node, ()):
-                far = edge.source if ends is graph.into else edge.target
-                if edge.kind == "orders" and far not in nodes:
-                    counts[node] -= 1
-        ready = deque(node for node in nodes if counts[node] == 0)
-        done = set()
-        while ready:
-            node = ready.popleft()
-            done.add(node)
-            for edge in others.get(node, ()):
-                far = edge.target if ends is graph.into else edge.source
-                if edge.kind == "orders" and far in nodes:
-                    counts[far] -= 1
-                    if counts[far] == 0:
-                        ready.append(far)
-        nodes -= done
-    return nodes
-
-
-def _shortest_cycle(graph: Graph, component: set[Node]) -> tuple[Edge, ...]:
-    best: tuple[Edge, ...] = ()
-    for start in sorted(component):
-        found = _cycle_through(graph, start, component, len(best))
-        if found and (not best or len(found) < len(best)):
-            best = found
-        if len(best) == 2:
-            break
-    return best
-
-
-def _cycle_through(graph: Graph, start: Node, component: set[Node], limit: int) -> tuple[Edge, ...]:
-    arrived: dict[Node, Edge] = {}
-    pending = deque([(start, 0)])
-    while pending:
-        node, length = pending.popleft()
-        if limit and length >= limit:
-            return ()
-        for edge in sorted(graph.out.get(node, ()), key=_written_first):
-            if edge.kind != "orders" or edge.target not in component:
-                continue
-            if edge.target == start:
-                path = [edge]
-                while path[0].source != start:
-                    path.insert(0, arrived[path[0].source])
-                return tuple(path)
-            if edge.target not in arrived:
-                arrived[edge.target] = edge
-                pending.append((edge.target, length + 1))
-    return ()
+def _inside(graph: Graph, node: Node, nodes: set[Node]) -> Iterator[Edge]:
+    return (edge for edge in graph.out.get(node, ()) if edge.kind == "orders" and edge.target in nodes)
 
 
 def _written_first(edge: Edge) -> tuple[bool, str]:
     return (edge.where is None, edge.target.name)
 
 
+def _way_back(last: Edge, start: Node, arrived: dict[Node, Edge]) -> tuple[Edge, ...]:
+    way = [last]
+    while way[-1].source != start:
+        way.append(arrived[way[-1].source])
+    return tuple(reversed(way))
+
+
 def _common_root(graph: Graph, members: set[Node], roots: Iterable[str]) -> Node | None:
     """Who pulls all members into one transaction: a boot target, a member, or another unit."""
     candidates = [*(Node("unit", name) for name in roots), *sorted(members)]
     pullers = {edge.source for member in members for edge in graph.into.get(member, ()) if edge.kind in PULLING}
-    for root in [*candidates, *sorted(pullers)]:
+    for root in [*candidates, *sorted(pullers)][:MOST_ROOTS]:
         if members <= graph.reachable(root, PULLING):
             return root
     return None

@@ -13,22 +13,20 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from dataclasses import field
 from functools import cached_property
-from typing import TYPE_CHECKING
 from typing import NamedTuple
 from typing import TypeVar
 
+from bringup_lint.graph.files import Files
 from bringup_lint.model.schema import Item
 from bringup_lint.model.unit import Assignment
 from bringup_lint.model.unit import Section
 from bringup_lint.model.unit import UnitFile
 from bringup_lint.parsers import daemon_conf
 from bringup_lint.parsers.systemd_values import ValueProblem
+from bringup_lint.parsers.systemd_values import parse_bool
 from bringup_lint.parsers.unit import parse
 from bringup_lint.source import Located
 from bringup_lint.source import Source
-
-if TYPE_CHECKING:
-    from bringup_lint.robot import Robot
 
 Value = TypeVar("Value")
 
@@ -91,6 +89,10 @@ class Daemon:
                 found = None
         return found
 
+    def flag(self, key: str) -> tuple[Located, bool] | None:
+        """The last boolean of a key."""
+        return self.get(key, read=parse_bool)
+
     def sets(self, *keys: str) -> bool:
         """Whether some line says something of one of the keys, or may once a template is filled in."""
         return any(line.assignment.key in keys for line in self.lines) or any(file.uncertain for file in self.files)
@@ -111,10 +113,10 @@ class Daemon:
                     yield file, line, key, value
 
 
-def load_daemons(robot: Robot, name: str) -> list[Daemon]:
+def load_daemons(files: Files, name: str) -> list[Daemon]:
     """One Daemon for each root or folder that holds files of it."""
     groups: dict[str, list[tuple[int, bool, UnitFile]]] = {}
-    for file in robot.parsed(parse, robot.of_kind(f"{name}-conf")):
+    for file in files.parsed(parse, files.of_kind(f"{name}-conf")):
         root, rank, main = _place(file.source, name)
         groups.setdefault(root, []).append((rank, main, file))
     return [_merged(name, root, group) for root, group in groups.items()]
@@ -191,7 +193,8 @@ def headless(daemon: Daemon) -> Iterator[tuple[Located, int]]:
     """For each judged file with lines before any section header: the first of them, and how many there are."""
     known = daemon_conf.settings(daemon.name)
     for file in daemon.judged:
-        lines = [problem.where for problem in file.problems if problem.code == "line-outside-section"]
+        places = [problem.where for problem in file.problems if problem.code == "line-outside-section"]
+        lines = [where for where in places if isinstance(where, Located)]
         if any(line.partition("=")[0].strip() in known for line in lines) and not file.source.template:
             yield lines[0], len(lines)
 

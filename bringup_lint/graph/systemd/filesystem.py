@@ -1,33 +1,22 @@
-"""Whether a directory will be there on the running robot, by everything that makes directories."""
+"""Whether a path will be there on the running robot, by everything that makes files and directories."""
 
 from __future__ import annotations
 
-import posixpath
 import re
+from collections.abc import Callable
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from dataclasses import dataclass
+from functools import cached_property
 
 from bringup_lint.discover.roots import resolve_inside
 from bringup_lint.facts import table
+from bringup_lint.graph.files import Files
+from bringup_lint.graph.systemd.directories import directories
 from bringup_lint.graph.systemd.provision import makes
 from bringup_lint.graph.systemd.provision import mentions
-from bringup_lint.parsers.systemd_values import expand
-from bringup_lint.parsers.systemd_values import split_words
-from bringup_lint.parsers.systemd_values import unit_specifiers
-from bringup_lint.source import Located
-
-if TYPE_CHECKING:
-    from bringup_lint.graph.systemd.unit import Unit
-    from bringup_lint.robot import Robot
-
-DIRECTORIES = {
-    "RuntimeDirectory": "/run",
-    "StateDirectory": "/var/lib",
-    "CacheDirectory": "/var/cache",
-    "LogsDirectory": "/var/log",
-    "ConfigurationDirectory": "/etc",
-}
-"""What systemd makes for a unit, and where; systemd.exec(5)."""
+from bringup_lint.graph.systemd.unit import Unit
+from bringup_lint.graph.systemd.units import Units
+from bringup_lint.model.fstab import Fstab
 
 _MADE_BY_TMPFILES = frozenset("fFwdDvqQpLcbC")
 _STATE = ("/var/log/", "/var/lib/", "/var/cache/", "/var/spool/", "/run/", "/var/run/", "/tmp/", "/var/tmp/")
@@ -35,98 +24,118 @@ _STATE = ("/var/log/", "/var/lib/", "/var/cache/", "/var/spool/", "/run/", "/var
 _VOLATILE = ("/run/", "/var/run/", "/tmp/", "/dev/", "/proc/", "/sys/")
 
 
-def absolute(word: Located, unit: Unit) -> str | None:
-    """A path of a unit file with its specifiers replaced; None when it is not known."""
-    path = expand(word, unit_specifiers(unit.name))
-    return posixpath.normpath(path) if path and path.startswith("/") and "$" not in path else None
+@dataclass(eq=False)
+class Filesystem:
+    files: Files
+    units: Units
+    fstabs: Callable[[], list[Fstab]]
+
+    def is_created(self, path: str, unit: Unit) -> bool | None:
+        """Whether something makes the path before the unit starts. False: nothing of the tree; None: unknown."""
+        path = path.replace("/var/run/", "/run/", 1) if path.startswith("/var/run/") else path
+        if path in self._created or any(made == path or made.startswith(f"{path}/") for made in self._presumed(unit)):
+            return True
+        if self._is_below_mount(path):
+            return None
+        tree = self.files.tree
+        if tree.complete and tree.root is not None and not path.startswith(_VOLATILE):
+            there = self.exists(path)
+            if there is not None:
+                return there
+        if path in self._shipped or mentions(tree, path):
+            return True
+        return False if path.startswith(_STATE) else None
+
+    def exists(self, path: str) -> bool | None:
+        """What a root file system says of a path; None when it is not whole there, or the path lies on another
+        mount."""
+        root = self.files.tree.root
+        if root is None or self._is_below_mount(path):
+            return None
+        if resolve_inside(root, path) is not None:
+            return True
+        parts = path.split("/")
+        top = "/".join(parts[:3]) if parts[1] == "home" else "/".join(parts[:2])
+        return False if path != top and resolve_inside(root, top) is not None else None
+
+    def shipped_sibling(self, path: str) -> str | None:
+        """A file of one's own that the repository ships for the same folder of the robot, when it ships and makes
+        nothing at ``path``. Names that share their first word, and scripts, are one's own; the rest may come from
+        elsewhere."""
+        tree = self.files.tree
+        if tree.root is not None or tree.find(path) is not None or path.startswith(_VOLATILE):
+            return None
+        folder, _, name = path.rpartition("/")
+        sibling = next((found for found in self._shipped_in.get(folder, []) if _related(name, _basename(found))), None)
+        if sibling is None or any(True for _ in tree.named(name)) or makes(tree, name) or mentions(tree, path):
+            return None
+        return sibling
+
+    @cached_property
+    def _shipped_in(self) -> dict[str, list[str]]:
+        """The paths on the robot of the files of the tree, by folder."""
+        found: dict[str, list[str]] = {}
+        for path in self.files.tree.paths:
+            shipped = self.files.tree.robot_path(path)
+            if shipped:
+                found.setdefault(shipped.rpartition("/")[0], []).append(shipped)
+        return found
+
+    @cached_property
+    def _shipped(self) -> frozenset[str]:
+        """The folders on the robot that hold files of the tree."""
+        return frozenset(folder for source in self.files.sources for folder in _above(source.robot_path or ""))
+
+    @cached_property
+    def _created(self) -> frozenset[str]:
+        """What is made whatever unit asks, with the folders above it."""
+        made = list(self._made())
+        return frozenset([*made, *(folder for path in made for folder in _above(path))])
+
+    def _made(self) -> Iterator[str]:
+        yield from (row["path"] for row in table("host/base_directories"))
+        for unit in self.units.all:
+            yield from directories(unit)
+            where = unit.get("Where") if unit.type == "mount" else None
+            if where:
+                yield str(where)
+        for source in self.files.of_kind("tmpfiles"):
+            for line in source.text.splitlines():
+                words = line.split()
+                if len(words) > 1 and words[0][:1] in _MADE_BY_TMPFILES:
+                    yield words[1].strip("\"'").rstrip("/")
+        yield from self._mounts
+
+    @cached_property
+    def _mounts(self) -> frozenset[str]:
+        """The mount points of fstab, without the root."""
+        targets = (mount.target for fstab in self.fstabs() for mount in fstab.mounts if mount.target)
+        return frozenset(target.rstrip("/") for target in targets if target.startswith("/") and target != "/")
+
+    def _is_below_mount(self, path: str) -> bool:
+        return any(folder in self._mounts for folder in _above(path))
+
+    def _presumed(self, unit: Unit) -> Iterator[str]:
+        """What must be there for the unit to start at all."""
+        folder = unit.get("WorkingDirectory")
+        if folder and folder.startswith("/"):
+            yield folder.rstrip("/")
+        for process in self.units.processes(unit):
+            yield from (str(word) for word in process.argv if word.startswith("/"))
+            if "mkdir" in process.line or "install -d" in process.line:
+                yield from (word.strip("'\";&") for word in process.line.split() if word.startswith("/"))
 
 
-def is_made(path: str, unit: Unit, robot: Robot) -> bool | None:
-    """Whether something makes the path before the unit starts. False: nothing of the tree; None: unknown."""
-    path = path.replace("/var/run/", "/run/", 1) if path.startswith("/var/run/") else path
-    if any(made == path or made.startswith(f"{path}/") for made in _made(unit, robot)):
-        return True
-    if any(path.startswith(f"{mount}/") for mount in _mounts(robot)):
-        return None
-    if robot.tree.complete and robot.tree.root is not None and not path.startswith(_VOLATILE):
-        there = is_there(path, robot)
-        if there is not None:
-            return there
-    if any((source.robot_path or "").startswith(f"{path}/") for source in robot.sources) or mentions(robot.tree, path):
-        return True
-    return False if path.startswith(_STATE) else None
+def _above(path: str) -> Iterator[str]:
+    """The folders that a path lies in, the nearest first, without the root."""
+    while path := path.rpartition("/")[0]:
+        yield path
 
 
-def is_there(path: str, robot: Robot) -> bool | None:
-    """What a root file system says of a path; None when it is not whole there, or the path lies on another mount."""
-    if any(path.startswith(f"{mount}/") for mount in _mounts(robot)):
-        return None
-    if resolve_inside(robot.tree.root, path) is not None:
-        return True
-    parts = path.split("/")
-    top = "/".join(parts[:3]) if parts[1] == "home" else "/".join(parts[:2])
-    return False if path != top and resolve_inside(robot.tree.root, top) is not None else None
-
-
-def forgotten(path: str, robot: Robot) -> str | None:
-    """A file of one's own that the repository ships for the same folder of the robot, when it ships and makes
-    nothing at ``path``. Names that share their first word, and scripts, are one's own; the rest may come from
-    elsewhere."""
-    tree = robot.tree
-    if tree.root is not None or tree.find(path) is not None or path.startswith(_VOLATILE):
-        return None
-    folder, _, name = path.rpartition("/")
-    for shipped in tree.paths:
-        found = tree.robot_path(shipped)
-        if found and found.rpartition("/")[0] == folder and _related(name, found.rpartition("/")[2]):
-            known = any(True for _ in tree.named(name)) or makes(tree, name) or mentions(tree, path)
-            return None if known else found
-    return None
+def _basename(path: str) -> str:
+    return path.rpartition("/")[2]
 
 
 def _related(name: str, other: str) -> bool:
     words = re.split(r"[-_.]", name)
     return name.endswith((".sh", ".bash")) or (len(words) > 1 and words[0] == re.split(r"[-_.]", other)[0])
-
-
-def _made(unit: Unit, robot: Robot) -> Iterator[str]:
-    yield from (row["path"] for row in table("host/base_directories"))
-    for other in robot.units.all:
-        yield from directories(other)
-        if other.type == "mount" and (where := other.get("Where")):
-            yield str(where)
-    for source in robot.of_kind("tmpfiles"):
-        for line in source.text.splitlines():
-            words = line.split()
-            if len(words) > 1 and words[0][:1] in _MADE_BY_TMPFILES:
-                yield words[1].strip("\"'").rstrip("/")
-    yield from _mounts(robot)
-    yield from _presumed(unit, robot)
-
-
-def directories(unit: Unit) -> Iterator[str]:
-    """The directories that systemd makes for a unit."""
-    for key, base in DIRECTORIES.items():
-        for value in unit.values(key, unit.section):
-            for word in split_words(value).words:
-                name = expand(word.partition(":")[0], unit_specifiers(unit.name))
-                if name:
-                    yield f"{base}/{name}".rstrip("/")
-
-
-def _mounts(robot: Robot) -> Iterator[str]:
-    for fstab in robot.fstabs:
-        for mount in fstab.mounts:
-            if mount.target and mount.target.startswith("/") and mount.target != "/":
-                yield mount.target.rstrip("/")
-
-
-def _presumed(unit: Unit, robot: Robot) -> Iterator[str]:
-    """What must be there for the unit to start at all."""
-    folder = unit.get("WorkingDirectory")
-    if folder and folder.startswith("/"):
-        yield folder.rstrip("/")
-    for process in robot.units.processes(unit):
-        yield from (str(word) for word in process.argv if word.startswith("/"))
-        if "mkdir" in process.line or "install -d" in process.line:
-            yield from (word.strip("'\";&") for word in process.line.split() if word.startswith("/"))

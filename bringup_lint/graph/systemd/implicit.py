@@ -5,21 +5,23 @@ of each unit type."""
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from typing import NamedTuple
 
+from bringup_lint.facts.systemd.directives import SECTION_OF_TYPE
 from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.graph import Graph
 from bringup_lint.graph.graph import Node
+from bringup_lint.graph.systemd.named_units import NamedUnits
+from bringup_lint.graph.systemd.references import Instance
+from bringup_lint.graph.systemd.references import resolve
+from bringup_lint.graph.systemd.references import targets
+from bringup_lint.graph.systemd.shipped_units import without_default_dependencies
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.parsers.systemd_values import escape_path
-from bringup_lint.parsers.systemd_values import parse_bool
-
-if TYPE_CHECKING:
-    from bringup_lint.graph.systemd.dependencies import Instance
-    from bringup_lint.graph.systemd.units import Units
+from bringup_lint.source import Span
 
 _GROUPING_TARGET = {"socket": "sockets.target", "timer": "timers.target", "path": "paths.target"}
-_TRIGGERS = {"timer": "Timer", "path": "Path", "socket": "Socket"}
+_TRIGGERS = ("timer", "path", "socket")
 _NETWORK_MOUNTS = frozenset(
     {
         "nfs",
@@ -37,15 +39,15 @@ _NETWORK_MOUNTS = frozenset(
         "ncp",
     }
 )
+_MEMBERS = frozenset({"wants", "requires", "binds-to"})
 _FOLDERS = ("WorkingDirectory", "RootDirectory")
 
 
 def has_default_dependencies(unit: Unit) -> bool:
-    value = unit.get("DefaultDependencies", "Unit")
-    return value is None or parse_bool(value) is not False
+    return unit.flag("DefaultDependencies", "Unit").value is not False
 
 
-def implicit_edges(instance: Instance, units: Units) -> Iterator[Edge]:
+def implicit_edges(instance: Instance, units: NamedUnits) -> Iterator[Edge]:
     """What systemd adds to a unit of the tree by its type and settings."""
     unit, here = instance.unit, instance.node
     enabled = has_default_dependencies(unit)
@@ -75,9 +77,7 @@ def _after(here: Node, name: str, why: str) -> Edge:
     return Edge("orders", _sibling(here, name), here, None, why)
 
 
-def _service(instance: Instance, units: Units) -> Iterator[Edge]:
-    from bringup_lint.graph.systemd.dependencies import targets
-
+def _service(instance: Instance, units: NamedUnits) -> Iterator[Edge]:
     unit, here = instance.unit, instance.node
     for there, span in targets(instance, units, unit.words("Sockets")):
         yield Edge("wants", here, there, span, "Sockets=")
@@ -85,32 +85,44 @@ def _service(instance: Instance, units: Units) -> Iterator[Edge]:
     if unit.get("Type") == "dbus":
         yield Edge("requires", here, _sibling(here, "dbus.socket"), None, "implicit: Type=dbus")
         yield _after(here, "dbus.socket", "implicit: Type=dbus")
-    if unit.manager == "system" and parse_bool(unit.get("PrivateTmp") or "no"):
+    if unit.manager == "system" and unit.flag("PrivateTmp"):
         yield _after(here, "systemd-tmpfiles-setup.service", "implicit: PrivateTmp=")
 
 
-def _mounts(instance: Instance, units: Units) -> Iterator[Edge]:
-    """The mount units of the tree that a path needs, by RequiresMountsFor= and the settings that imply it."""
-    from bringup_lint.graph.systemd.dependencies import resolve
+class _NeededPath(NamedTuple):
+    """A path that must be mounted before the unit starts."""
 
-    unit, here = instance.unit, instance.node
-    wanted = [(word, "RequiresMountsFor=", "requires") for word in unit.words("RequiresMountsFor")]
-    wanted += [(word, "WantsMountsFor=", "wants") for word in unit.words("WantsMountsFor")]
+    path: str
+    kind: str
+    why: str
+    where: Span | None
+    """The line that says so; None for what a setting implies."""
+
+
+def _needed_paths(unit: Unit) -> Iterator[_NeededPath]:
+    for word in unit.words("RequiresMountsFor"):
+        yield _NeededPath(word, "requires", "RequiresMountsFor=", word.span)
+    for word in unit.words("WantsMountsFor"):
+        yield _NeededPath(word, "wants", "WantsMountsFor=", word.span)
     for key in _FOLDERS:
         value = unit.get(key)
         if value and value.startswith("/"):
-            wanted.append((value, f"implicit: {key}=", "requires"))
+            yield _NeededPath(value, "requires", f"implicit: {key}=", None)
     if unit.type == "mount":
         parent = (unit.get("Where") or "").rstrip("/").rpartition("/")[0]
-        wanted.append((parent, "implicit: a mount requires the mount above it", "requires"))
-    for path, why, kind in wanted:
-        for folder in _upwards(path):
+        yield _NeededPath(parent, "requires", "implicit: a mount requires the mount above it", None)
+
+
+def _mounts(instance: Instance, units: NamedUnits) -> Iterator[Edge]:
+    """The mount units of the tree that a path needs, by RequiresMountsFor= and the settings that imply it."""
+    unit, here = instance.unit, instance.node
+    for needed in _needed_paths(unit):
+        for folder in _upwards(needed.path):
             name = f"{escape_path(folder)}.mount"
             there = resolve(name, unit, units) if units.candidates(name, unit.manager) else None
             if there and there != here:
-                where = None if why.startswith("implicit") else path.span
-                yield Edge(kind, here, there, where, why)
-                yield Edge("orders", there, here, where, why)
+                yield Edge(needed.kind, here, there, needed.where, needed.why)
+                yield Edge("orders", there, here, needed.where, needed.why)
 
 
 def _upwards(path: str) -> Iterator[str]:
@@ -134,17 +146,14 @@ def _mount(unit: Unit, here: Node, enabled: bool) -> Iterator[Edge]:
         yield Edge("orders", here, _sibling(here, "remote-fs.target" if network else "local-fs.target"), None, why)
 
 
-def _trigger(instance: Instance, units: Units) -> Iterator[Edge]:
+def _trigger(instance: Instance, units: NamedUnits) -> Iterator[Edge]:
     """The unit that a timer, path or socket starts, which is ordered after it."""
-    from bringup_lint.graph.systemd.dependencies import resolve
-    from bringup_lint.graph.systemd.dependencies import targets
-
     unit, here = instance.unit, instance.node
     key = "Service" if unit.type == "socket" else "Unit"
-    named = unit.get(key, _TRIGGERS[unit.type])
+    named = unit.get(key, SECTION_OF_TYPE[unit.type])
     if named:
         ends = list(targets(instance, units, [named]))
-    elif unit.type == "socket" and parse_bool(unit.get("Accept") or "no"):
+    elif unit.type == "socket" and unit.flag("Accept"):
         return
     else:
         there = resolve(f"{instance.name.rpartition('.')[0]}.service", unit, units)
@@ -172,31 +181,32 @@ def default_edges(here: Node, enabled: bool) -> Iterator[Edge]:
         yield Edge("orders", here, _sibling(here, _GROUPING_TARGET[kind]), None, reason)
 
 
-def after_members(graph: Graph, units: Units) -> Iterator[Edge]:
+def after_members(graph: Graph, units: NamedUnits) -> Iterator[Edge]:
     """A target is ordered after what it wants or requires, unless one side says otherwise
     (systemd.target(5))."""
-    without = {units.node(unit) for unit in units.all if unit.fragment and not has_default_dependencies(unit)}
-    if not units.has_vendor_units:
-        from bringup_lint.facts import table
-
-        own = {unit.name for unit in units.all if unit.manager == "system"}
-        without |= {
-            Node("unit", row["unit"])
-            for row in table("systemd/units")
-            if row["default_dependencies"] == "no" and row["unit"] not in own
-        }
+    without = _without_defaults(units)
     for target, edges in list(graph.out.items()):
         if not target.name.endswith(".target") or target in without:
             continue
-        ordered = {edge.target for edge in edges if edge.kind == "orders"}
-        ordered |= {edge.source for edge in graph.into.get(target, ()) if edge.kind == "orders"}
+        ordered = _ordered_with(target, graph)
         for edge in edges:
-            if (
-                edge.kind in ("wants", "requires", "binds-to")
-                and edge.target not in ordered
-                and edge.target not in without
-            ):
+            if edge.kind in _MEMBERS and edge.target not in ordered and edge.target not in without:
                 why = f"implicit: {target.name} is ordered after the units that it pulls in"
                 why = f"{why} ({edge.why})" if edge.where else why
                 yield Edge("orders", edge.target, target, edge.where, why, edge.of_package)
                 ordered.add(edge.target)
+
+
+def _without_defaults(units: NamedUnits) -> set[Node]:
+    """The units that say DefaultDependencies=no."""
+    found = {units.node(unit) for unit in units.all if unit.fragment and not has_default_dependencies(unit)}
+    if not units.has_vendor_units:
+        own = {unit.name for unit in units.all if unit.manager == "system"}
+        found |= {Node("unit", name) for name in without_default_dependencies() if name not in own}
+    return found
+
+
+def _ordered_with(node: Node, graph: Graph) -> set[Node]:
+    """The units that are ordered before or after another one, by an edge between the two."""
+    after = {edge.target for edge in graph.out.get(node, ()) if edge.kind == "orders"}
+    return after | {edge.source for edge in graph.into.get(node, ()) if edge.kind == "orders"}

@@ -7,23 +7,24 @@ A shell is replaced by what it execs; ``bash -c`` also execs the last command of
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING
+from dataclasses import dataclass
+from typing import Literal
 from typing import NamedTuple
 
-from bringup_lint.graph.commands.command_line import SHELLS
-from bringup_lint.graph.commands.following import SCRIPT_DEPTH
-from bringup_lint.graph.commands.following import SHELL_SCRIPT
 from bringup_lint.graph.commands.ros_command import Ros
 from bringup_lint.graph.commands.ros_command import ros_command
+from bringup_lint.graph.commands.shells import SCRIPT_DEPTH
+from bringup_lint.graph.commands.shells import SHELL_SCRIPT
+from bringup_lint.graph.commands.shells import SHELLS
+from bringup_lint.graph.commands.shells import shell_input
+from bringup_lint.graph.commands.wrappers import program_name
 from bringup_lint.graph.commands.wrappers import unwrapped
+from bringup_lint.graph.files import Files
 from bringup_lint.graph.systemd.process import Process
 from bringup_lint.model.shell import Command
 from bringup_lint.parsers.shell import commands
 from bringup_lint.source import Located
 from bringup_lint.source import Source
-
-if TYPE_CHECKING:
-    from bringup_lint.robot import Robot
 
 CONTAINERS = frozenset(
     {"docker", "podman", "docker-compose", "podman-compose", "systemd-nspawn", "lxc-start", "lxc", "nerdctl"}
@@ -38,12 +39,15 @@ _BUILTINS = frozenset(
 )
 """Commands that bash runs itself, so that there is nothing to exec."""
 _TRAPS = re.compile(r"\btrap\b")
+_ALL_ARGUMENTS = ("$@", "$*")
+
+Kind = Literal["launch", "run", "node", "cli", "shell", "lost", "python", "container", "program", "unknown"]
 
 
 class Main(NamedTuple):
     """What the main process turns out to be."""
 
-    kind: str
+    kind: Kind
     """``launch``, ``run``, ``node``, ``cli`` (ROS 2 programs); ``shell`` (one that stays, with children);
     ``lost`` (a shell that runs a script which the tree does not hold); ``python`` (a script of the tree or
     not); ``container``; ``program`` (any other program); ``unknown``."""
@@ -59,83 +63,98 @@ class Main(NamedTuple):
         return self.kind in ("launch", "run")
 
 
-def main_process(process: Process, robot: Robot) -> Main:
+def main_process(process: Process, files: Files) -> Main:
     """The process that systemd takes for the main one, for Type= other than forking."""
-    return _main(Command(process.argv), robot, 0, None)
+    return _main(Command(process.argv), files, 0, None)
 
 
-def _main(command: Command, robot: Robot, depth: int, script: Source | None) -> Main:
+def _main(command: Command, files: Files, depth: int, script: Source | None) -> Main:
     words = unwrapped(command.words)
     if not words or depth > SCRIPT_DEPTH:
         return Main("unknown", command.words[-1])
-    name = words[0].rpartition("/")[2]
+    name = program_name(words[0])
     if name in CONTAINERS:
         return Main("container", words[0])
     found = ros_command(command)
     if found is not None:
         return Main(found.kind, found.where, found, script)
     if name in SHELLS:
-        return _shell(name, words, robot, depth)
+        return _shell(name, words, files, depth)
     if _PYTHON.match(name):
         path = next((word for word in words[1:] if not word.startswith("-")), words[0])
-        return Main("python", path, None, robot.find(path, path.span.source) if path.startswith("/") else None)
+        return Main("python", path, None, files.find(path, path.span.source) if path.startswith("/") else None)
     if "/" in words[0] and "$" not in words[0] and "%" not in words[0]:
-        return _program(words, robot, depth)
+        return _program(words, files, depth)
     return Main("unknown" if "$" in words[0] else "program", words[0])
 
 
-def _program(words: tuple[Located, ...], robot: Robot, depth: int) -> Main:
-    source = robot.find(words[0], words[0].span.source)
-    shebang = SHELL_SCRIPT.match(source.text) if source else None
-    if shebang:
-        return _script(source, words, robot, depth)
-    if source and _PYTHON_SCRIPT.match(source.text):
-        return Main("python", words[0], None, source)
-    if source is None and words[0].endswith((".sh", ".bash")):
-        return Main("lost", words[0])
-    return Main("program", words[0])
+def _program(words: tuple[Located, ...], files: Files, depth: int) -> Main:
+    path = words[0]
+    source = files.find(path, path.span.source)
+    if source is not None and SHELL_SCRIPT.match(source.text):
+        return _script(source, path, words[1:], files, depth)
+    if source is not None and _PYTHON_SCRIPT.match(source.text):
+        return Main("python", path, None, source)
+    if source is None and path.endswith((".sh", ".bash")):
+        return Main("lost", path)
+    return Main("program", path)
 
 
-def _shell(name: str, words: tuple[Located, ...], robot: Robot, depth: int) -> Main:
-    for at, word in enumerate(words[1:], 1):
-        if word.startswith("-") and not word.startswith("--") and "c" in word and at + 1 < len(words):
-            return _text(words[at + 1], words[0], (), robot, depth, None, implicit=name == "bash")
-        if not word.startswith(("-", "+")):
-            source = robot.find(word, word.span.source) if word.startswith("/") and "$" not in word else None
-            return Main("lost", word) if source is None else _script(source, words[at:], robot, depth)
-    return Main("shell", words[0])
+def _shell(name: str, words: tuple[Located, ...], files: Files, depth: int) -> Main:
+    read = shell_input(words[1:])
+    if read is None:
+        return Main("shell", words[0])
+    if read.text is not None:
+        shell = _Shell(words[0], read.arguments, None, execs_last=name == "bash")
+        return _text(read.text, shell, files, depth)
+    path = read.script or words[0]
+    source = files.find(path, path.span.source) if path.startswith("/") and "$" not in path else None
+    return Main("lost", path) if source is None else _script(source, path, read.arguments, files, depth)
 
 
-def _script(source: Source, words: tuple[Located, ...], robot: Robot, depth: int) -> Main:
+def _script(source: Source, path: Located, arguments: tuple[Located, ...], files: Files, depth: int) -> Main:
     text = source.located(0, len(source.text))
-    return _text(text, words[0], words[1:], robot, depth, source, implicit=False)
+    return _text(text, _Shell(path, arguments, source, execs_last=False), files, depth)
 
 
-def _text(
-    text: Located,
-    shell: Located,
-    arguments: tuple[Located, ...],
-    robot: Robot,
-    depth: int,
-    script: Source | None,
-    *,
-    implicit: bool,
-) -> Main:
+@dataclass(frozen=True)
+class _Shell:
+    """A shell that reads a text."""
+
+    where: Located
+    arguments: tuple[Located, ...]
+    script: Source | None
+    execs_last: bool
+    """It execs the last command by itself."""
+
+
+def _text(text: Located, shell: _Shell, files: Files, depth: int) -> Main:
     """What becomes of a shell that reads ``text``."""
     found = [command for command in commands(text) if command.words]
     execs = [command for command in found if command.words[0] == "exec" and len(command.words) > 1]
     taken = next((command for command in execs if not command.depth), None)
     if taken is None and execs:
-        return Main("unknown", shell)
-    if taken is None and implicit and found and not _TRAPS.search(text):
-        last, piped = found[-1], len(found) > 1 and found[-2].ends == "|"
-        stays = last.depth or last.background or piped or last.name in _BUILTINS
-        taken = None if stays else last
+        return Main("unknown", shell.where)
+    if taken is None and shell.execs_last and not _TRAPS.search(text):
+        taken = _execd_last(found)
     if taken is None:
-        return Main("shell", shell, None, script)
-    words = taken.words
-    if any(word in ("$@", "$*") for word in words):
-        words = tuple(other for word in words for other in (arguments if word in ("$@", "$*") else (word,)))
-        if len(words) < 2:
-            return Main("unknown", shell)
-    return _main(Command(words), robot, depth + 1, script)
+        return Main("shell", shell.where, None, shell.script)
+    words = _with_arguments(taken.words, shell.arguments)
+    return _main(Command(words), files, depth + 1, shell.script) if words else Main("unknown", shell.where)
+
+
+def _execd_last(found: list[Command]) -> Command | None:
+    """The last command of a text, when a shell that execs the last command can exec it."""
+    if not found:
+        return None
+    last, piped = found[-1], len(found) > 1 and found[-2].ends == "|"
+    stays = last.depth or last.background or piped or last.name in _BUILTINS
+    return None if stays else last
+
+
+def _with_arguments(words: tuple[Located, ...], arguments: tuple[Located, ...]) -> tuple[Located, ...]:
+    """The words with the arguments of the shell for ``"$@"``; none when nothing is left to start."""
+    if not any(word in _ALL_ARGUMENTS for word in words):
+        return words
+    filled = tuple(other for word in words for other in (arguments if word in _ALL_ARGUMENTS else (word,)))
+    return filled if len(filled) > 1 else ()

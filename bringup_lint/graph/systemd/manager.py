@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 from typing import TypeVar
 
+from bringup_lint.graph.systemd.daemons import Daemon
 from bringup_lint.source import Located
-
-if TYPE_CHECKING:
-    from bringup_lint.robot import Robot
 
 Value = TypeVar("Value")
 
 
-def manager_setting(robot: Robot, key: str, read: Callable[[str], Value | None]) -> tuple[Located, Value] | None:
+def manager_setting(
+    configurations: list[Daemon], key: str, read: Callable[[str], Value | None]
+) -> tuple[Located, Value] | None:
     """The last value of a key of [Manager] that ``read`` accepts. Files of several robots side by side leave
     no order: none counts."""
-    daemons = robot.system_conf
-    return daemons[0].get(key, read=read) if len(daemons) == 1 and daemons[0].certain else None
+    if len(configurations) != 1 or not configurations[0].certain:
+        return None
+    return configurations[0].get(key, read=read)

@@ -3,16 +3,12 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
 from typing import NamedTuple
 
-from bringup_lint.graph.systemd.settings import setting
+from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.parsers.systemd_values import parse_share
 from bringup_lint.parsers.systemd_values import parse_size
 from bringup_lint.source import Located
-
-if TYPE_CHECKING:
-    from bringup_lint.graph.systemd.unit import Unit
 
 
 class Memory(NamedTuple):
@@ -25,7 +21,7 @@ class Memory(NamedTuple):
 
 def memory(unit: Unit, key: str) -> Memory | None:
     """A memory limit; None when it is unset, switched off or not known."""
-    found = setting(unit, _amount, (key, unit.section))
+    found = unit.setting(_amount, key, section=unit.section)
     if found.at is None or found.value is None:
         return None
     amount, measure = found.value

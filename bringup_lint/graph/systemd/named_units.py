@@ -3,72 +3,69 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from collections.abc import Iterator
 from dataclasses import dataclass
-from dataclasses import field
 from functools import cached_property
-from typing import TYPE_CHECKING
-from typing import NamedTuple
 
+from bringup_lint.graph.files import Files
 from bringup_lint.graph.graph import Node
-from bringup_lint.graph.systemd import distribution
+from bringup_lint.graph.memo import memo
+from bringup_lint.graph.systemd import shipped_units
+from bringup_lint.graph.systemd.daemons import Daemon
 from bringup_lint.graph.systemd.provision import makes
+from bringup_lint.graph.systemd.shipped_units import GENERATED
 from bringup_lint.graph.systemd.unit import Unit
+from bringup_lint.graph.systemd.unit_loading import Link
+from bringup_lint.graph.systemd.unit_loading import LoadedUnits
+from bringup_lint.graph.systemd.unit_loading import load_units
 from bringup_lint.graph.variants import overlay_of
 from bringup_lint.parsers.systemd_values import is_unit_name
 from bringup_lint.source import Located
-from bringup_lint.source import Source
 from bringup_lint.spelling import nearest
 
-if TYPE_CHECKING:
-    from bringup_lint.robot import Robot
-
-_DIGITS = re.compile(r"\d+")
-GENERATED = re.compile(
-    r"\.(?:device|mount|automount|swap|slice|scope)$|^(?:getty|serial-getty|user|user-runtime-dir|modprobe|systemd-fsck"
-    r"|systemd-backlight|systemd-growfs|systemd-cryptsetup|systemd-pcrphase|wpa_supplicant|dhcpcd|ifup|netplan-\w+"
-    r"|container-getty|autovt|systemd-[\w-]+)@|^(?:dbus-.*|netplan-.*|snap[.-].*|cloud-.*|nvargus-.*|nvidia-.*)\.\w+$"
+_USUAL_TARGETS = frozenset(
+    {
+        "multi-user.target",
+        "graphical.target",
+        "sysinit.target",
+        "basic.target",
+        "timers.target",
+        "sockets.target",
+        "default.target",
+    }
 )
-"""Names that the kernel, a generator or an installed package provides, so that nothing in a tree can prove
-them missing."""
-
-
-class Link(NamedTuple):
-    """An entry of ``UNIT.wants/`` and the like: UNIT pulls in ``name``."""
-
-    unit: str
-    relation: str
-    name: Located
-    source: Source
-    manager: str = "system"
-    place: str = ""
+_DIGITS = re.compile(r"\d+")
 
 
 @dataclass(eq=False)
 class NamedUnits:
     """All units of a robot, and what is known about the distribution's."""
 
-    robot: Robot
-    all: list[Unit] = field(default_factory=list)
-    links: list[Link] = field(default_factory=list)
-    alias_links: dict[tuple[str, str], str] = field(default_factory=dict)
-    """(manager, alias) -> the unit of the distribution that a link of the tree gives the name to."""
+    files: Files
+    system_conf: Callable[[], list[Daemon]]
+    """Gives the configuration of the service manager."""
 
     @cached_property
-    def _by_name(self) -> dict[tuple[str, str], list[Unit]]:
-        by_name: dict[tuple[str, str], list[Unit]] = {}
-        for unit in self.all:
-            for name in dict.fromkeys((unit.name, *unit.aliases, *_install_aliases(unit))):
-                by_name.setdefault((unit.manager, name), []).append(unit)
-        return by_name
+    def loaded(self) -> LoadedUnits:
+        return load_units(self.files)
+
+    @property
+    def all(self) -> list[Unit]:
+        return self.loaded.all
+
+    @property
+    def links(self) -> list[Link]:
+        return self.loaded.links
+
+    @property
+    def alias_links(self) -> dict[tuple[str, str], str]:
+        """(manager, alias) -> the unit of the distribution that a link of the tree gives the name to."""
+        return self.loaded.alias_links
 
     def candidates(self, name: str, manager: str = "system") -> list[Unit]:
         """The units of this name; for an instance without a file of its own, those of its template."""
-        found = self._by_name.get((manager, name))
-        if found is None and "@" in name:
-            stem, _, suffix = name.rpartition(".")
-            found = self._by_name.get((manager, f"{stem.partition('@')[0]}@.{suffix}"))
-        return found or []
+        return self.loaded.index.candidates(name, manager)
 
     def find(self, name: str, near: Unit) -> Unit | None:
         """The unit that a name in ``near`` means; None when it is not in the tree or several variants could
@@ -89,7 +86,7 @@ class NamedUnits:
         tree links it."""
         if (manager, name) in self.alias_links:
             return self.alias_links[manager, name]
-        return distribution.aliases().get(name, name) if manager == "system" else name
+        return shipped_units.aliases().get(name, name) if manager == "system" else name
 
     def exists(self, name: str, near: Unit) -> bool | None:
         """Whether systemd would find a unit of this name; None when that cannot be told."""
@@ -104,14 +101,17 @@ class NamedUnits:
         provides it, no script makes it, and it looks like one of the robot's own."""
         if self.exists(name, near) is not False or self.is_distribution_unit(name):
             return False
-        return self.robot.tree.complete or (self.is_own(name, near) and not self.is_made(name))
+        return self.files.tree.complete or (self.is_own(name, near) and not self.is_made(name))
 
     def is_own(self, name: str, near: Unit) -> bool:
         """Whether a name looks like the robot's own units: the same first word, or nearly the name of one."""
         family = _family(name)
-        own = {unit.name for unit in self.all if unit.manager == near.manager and unit.fragment}
         related = len(family) > 2 and "-" in name and family != "systemd"
-        return (related and any(_family(other) == family for other in own)) or bool(self.meant(name, near))
+        return (related and family in self._families(near.manager)) or bool(self.meant(name, near))
+
+    @memo
+    def _families(self, manager: str) -> frozenset[str]:
+        return frozenset(_family(unit.name) for unit in self.all if unit.manager == manager and unit.fragment)
 
     def meant(self, name: str, near: Unit) -> str | None:
         """The one unit of the tree whose name a misspelt one nearly is. Units that differ in a number are
@@ -119,11 +119,26 @@ class NamedUnits:
         stem, _, kind = name.rpartition(".")
         if len(stem) < 6:
             return None
-        own = {
-            unit.stem for unit in self.all if unit.type == kind and unit.manager == near.manager and unit is not near
-        }
-        found = [other for other in nearest(stem, sorted(own)) if _DIGITS.sub("", other) != _DIGITS.sub("", stem)]
+        own = [other for other in self._stems((near.manager, kind)) if other != near.stem or kind != near.type]
+        found = [other for other in nearest(stem, own) if _DIGITS.sub("", other) != _DIGITS.sub("", stem)]
         return f"{found[0]}.{kind}" if len(found) == 1 else None
+
+    @memo
+    def _stems(self, kind: tuple[str, str]) -> list[str]:
+        """The names of the units of a manager and type, without the type."""
+        return sorted({unit.stem for unit in self.all if (unit.manager, unit.type) == kind})
+
+    def is_install_target_missing(self, name: str, unit: Unit) -> bool:
+        """Whether the unit of an [Install] setting is not there. Only few own units are targets, so that a target that
+        nothing in the tree makes is missing whatever its name."""
+        if name.endswith(".target") and not self.files.tree.complete:
+            return self.exists(name, unit) is False and not self.is_made(name)
+        return self.is_missing(name, unit)
+
+    def install_targets(self, unit: Unit) -> list[str]:
+        """The names that WantedBy= of the unit can mean: the targets of the tree and the usual ones."""
+        own = (f"{stem}.target" for manager in ("system", "user") for stem in self._stems((manager, "target")))
+        return sorted({name for name in own if name != unit.name} | _USUAL_TARGETS)
 
     @staticmethod
     def is_name(text: str) -> bool:
@@ -132,20 +147,17 @@ class NamedUnits:
 
     def is_made(self, name: str) -> bool:
         """Whether a script of the tree makes a file of that name."""
-        return makes(self.robot.tree, name)
+        return makes(self.files.tree, name)
 
     def is_distribution_unit(self, name: str) -> bool:
         """Whether Ubuntu or Debian ships the unit (table ``systemd_units``), templates' instances
         included."""
-        if name in distribution.names():
-            return True
-        stem, _, suffix = name.rpartition(".")
-        return "@" in stem and f"{stem.partition('@')[0]}@.{suffix}" in distribution.names()
+        return shipped_units.is_shipped(name)
 
     @cached_property
     def has_vendor_units(self) -> bool:
         """Whether the tree holds the distribution's own units, so that no table has to stand in for them."""
-        return self.robot.tree.complete and any(
+        return self.files.tree.complete and any(
             unit.name == "multi-user.target" and unit.fragment and unit.fragment.source.robot_path for unit in self.all
         )
 
@@ -153,7 +165,7 @@ class NamedUnits:
     def knows_enabled(self) -> bool:
         """Whether the links of a root file system tell which units are enabled, rather than their [Install]
         sections."""
-        return self.robot.tree.complete and any(
+        return self.files.tree.complete and any(
             (link.source.robot_path or "").startswith("/etc/systemd/system/") for link in self.links
         )
 
@@ -169,18 +181,23 @@ class NamedUnits:
     def wanted_by(self, unit: Unit) -> Iterator[tuple[str, str, Located]]:
         """Who pulls the unit in by installation: (unit name, ``Wants``/``Requires``/``Upholds``, the word
         that says so)."""
-        for key, relation in (("WantedBy", "Wants"), ("RequiredBy", "Requires"), ("UpheldBy", "Upholds")):
-            for word in unit.words(key, "Install") if self.installs(unit) else ():
-                yield str(word), relation, word
+        if self.installs(unit):
+            for key, relation in (("WantedBy", "Wants"), ("RequiredBy", "Requires"), ("UpheldBy", "Upholds")):
+                for word in unit.words(key, "Install"):
+                    yield str(word), relation, word
+        for link in self._links_to.get(unit, []):
+            yield link.unit, link.relation, link.name
+
+    @cached_property
+    def _links_to(self) -> dict[Unit, list[Link]]:
+        """The links that pull in a unit: by its name or an alias, or as the only one that the name can mean."""
+        found: dict[Unit, list[Link]] = {}
         for link in self.links:
-            if link.manager != unit.manager:
-                continue
-            if (
-                link.name == unit.name
-                or link.name in unit.aliases
-                or self.candidates(link.name, unit.manager) == [unit]
-            ):
-                yield link.unit, link.relation, link.name
+            named = self.candidates(link.name, link.manager)
+            for unit in named:
+                if len(named) == 1 or link.name == unit.name or link.name in unit.aliases:
+                    found.setdefault(unit, []).append(link)
+        return found
 
 
 def _apart(one: Unit, other: Unit) -> bool:
@@ -192,10 +209,3 @@ def _apart(one: Unit, other: Unit) -> bool:
 def _family(name: str) -> str:
     """The first word of a unit's name: ``rover`` of ``rover-nav@a.service``."""
     return re.split(r"[-@.]", name, maxsplit=1)[0]
-
-
-def _install_aliases(unit: Unit) -> Iterator[str]:
-    """The names that enabling the unit gives it. Its drop-ins are not joined yet, and seldom hold any."""
-    for assignment in unit.fragment.assignments if unit.fragment else ():
-        if assignment.key == "Alias" and assignment.section == "Install":
-            yield from map(str, assignment.value.words())

@@ -1,15 +1,36 @@
-"""Who waits for the network at boot."""
+"""Who waits for the network at boot, and who only seems to."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import re
+from collections.abc import Iterator
+from typing import NamedTuple
 
+from bringup_lint.graph.systemd.unit import Unit
+from bringup_lint.graph.systemd.units import Units
+from bringup_lint.model.unit import Assignment
 from bringup_lint.source import Located
-
-if TYPE_CHECKING:
-    from bringup_lint.graph.systemd.units import Units
+from bringup_lint.source import Span
 
 WAITER = "systemd-networkd-wait-online.service"
+ONLINE = "network-online.target"
+_EARLY = ("network.target", "network-pre.target", "NetworkManager.service", "systemd-networkd.service")
+"""Units that are up before any interface has an address."""
+_WAITS = re.compile(
+    r"wait-online|nm-online|\bping\b|wait[-_ ]?for[-_ ]?(?:the[-_ ])?(?:net|ip\b|interface)"
+    r"|\bip (?:-\S+ )*(?:a|addr|route)\b"
+)
+"""What a script does that waits for the network itself."""
+
+
+class TooEarly(NamedTuple):
+    """A unit that needs the network and waits for something that comes before it."""
+
+    unit: Unit
+    line: Assignment
+    word: Located
+    presumed: bool
+    """That it runs ROS is not certain."""
 
 
 def waiting_for_network(units: Units) -> list[tuple[str, Located]]:
@@ -19,6 +40,31 @@ def waiting_for_network(units: Units) -> list[tuple[str, Located]]:
     """
     if any(unit.dropins for unit in units.candidates(WAITER)):
         return []
-    return [
-        (unit.name, word) for unit in units.judged for word in unit.words("After") if word == "network-online.target"
-    ]
+    return [(unit.name, word) for unit in units.judged for word in unit.words("After") if word == ONLINE]
+
+
+def too_early(units: Units) -> Iterator[TooEarly]:
+    """The units that take part in DDS and that can start before any interface has an address."""
+    for unit in (*units.dds, *units.presumed_ros):
+        named = next((found for key in ("After", "Wants", "Requires") for found in unit.naming(key, *_EARLY)), None)
+        if named is None or unit.manager == "user" or unit.unsure_of("After", "Wants", "Requires"):
+            continue
+        if not units.waits_for(unit, ONLINE) and not units.stays_local(unit) and not _waits_itself(unit, units):
+            yield TooEarly(unit, *named, presumed=unit not in units.dds)
+
+
+def _waits_itself(unit: Unit, units: Units) -> bool:
+    return any(_WAITS.search(text) for process in units.processes(unit) for text in process.texts)
+
+
+def edits_to_wait(early: TooEarly, units: Units) -> Iterator[tuple[Located | Span, str]]:
+    """The edits by which the unit waits for the network and pulls it in."""
+    ordered = list(early.unit.naming("After", early.word))
+    replaced = early.word == "network.target"
+    missing = [] if replaced and ordered else [f"After={ONLINE}"]
+    if replaced:
+        yield early.word, ONLINE
+    if not units.brings_in(early.unit, ONLINE) and (ordered or not replaced):
+        missing.insert(0, f"Wants={ONLINE}")
+    if missing:
+        yield early.line.end, "".join(f"\n{text}" for text in missing)

@@ -8,21 +8,21 @@ more than the interval.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import Any
+from typing import TypeVar
 
+from bringup_lint.graph.systemd.daemons import Daemon
 from bringup_lint.graph.systemd.manager import manager_setting
 from bringup_lint.graph.systemd.settings import Setting
-from bringup_lint.graph.systemd.settings import seconds
-from bringup_lint.graph.systemd.settings import setting
-from bringup_lint.graph.systemd.settings import word
+from bringup_lint.graph.systemd.settings import count
+from bringup_lint.graph.systemd.settings import one_of
 from bringup_lint.graph.systemd.unit import Unit
-from bringup_lint.parsers.systemd_values import parse_integer
 from bringup_lint.parsers.systemd_values import parse_timespan
 from bringup_lint.source import Located
 
-if TYPE_CHECKING:
-    from bringup_lint.robot import Robot
+Value = TypeVar("Value")
 
 DEFAULT_INTERVAL = 10.0
 DEFAULT_BURST = 5
@@ -36,31 +36,29 @@ BURSTS_COUNTED = 10_000
 
 @dataclass(frozen=True)
 class RestartPolicy:
-    """What happens when the service ends. Times are in seconds; None stands for a value that is not known."""
+    """What happens when the service ends. Times are in seconds."""
 
     restart: str | None
-    """The effective Restart=, ``no`` when unset."""
+    """The effective Restart=, ``no`` when unset; None when it is not known."""
     restart_at: Located | None
-    delay: float | None
+    delay: float
     delay_at: Located | None
     steps: int
     """RestartSteps= of systemd 254: restarts until the delay has grown to ``longest``; 0 keeps it."""
-    longest: float | None
+    longest: float
     """The delay that restarts end up with."""
-    interval: float | None
+    interval: float
     interval_at: Located | None
-    burst: int | None
+    burst: int
     burst_at: Located | None
     misplaced: tuple[Located, ...] = ()
     """StartLimitIntervalSec= in [Service], where systemd ignores it."""
+    known: bool = True
+    """False when a template's placeholder hides one of the values; the numbers then are the defaults."""
 
     @property
     def restarts(self) -> bool:
         return self.restart not in ("no", None) and self.delay != math.inf
-
-    @property
-    def known(self) -> bool:
-        return None not in (self.restart, self.delay, self.longest, self.interval, self.burst)
 
     @property
     def limited(self) -> bool:
@@ -79,7 +77,8 @@ class RestartPolicy:
             return self.delay
         if restart > self.steps:
             return self.longest
-        return self.delay * (self.longest / self.delay) ** ((restart - 1) / self.steps)
+        factor: float = (self.longest / self.delay) ** ((restart - 1) / self.steps)
+        return self.delay * factor
 
     def loop(self, fail: float = 0.0) -> float:
         """Seconds from the first start to the one that would trip the limit, when every start fails after ``fail``."""
@@ -98,54 +97,41 @@ class RestartPolicy:
         return self.known and self.restarts and self.limited and self.loop() == self.interval
 
 
-def restart_policy(unit: Unit, robot: Robot) -> RestartPolicy:
+def restart_policy(unit: Unit, systemd: int, system_conf: Callable[[], list[Daemon]]) -> RestartPolicy:
     """The effective policy of a service: [Service] spellings that still count, and the manager's defaults."""
-    restart = word(unit, "Restart", RESTARTS)
-    delay = seconds(unit, "RestartSec")
-    interval = setting(
-        unit,
+
+    def effective(own: Setting[Value], default: str, read: Callable[[str], Value | None], otherwise: Value) -> Value:
+        if own.value is not None:
+            return own.value
+        configured = manager_setting(system_conf(), default, read)
+        return configured[1] if configured else otherwise
+
+    restart = unit.setting(one_of(RESTARTS), "Restart").otherwise("no")
+    delay = unit.seconds("RestartSec")
+    interval = unit.setting_of(
         parse_timespan,
         ("StartLimitIntervalSec", "Unit"),
         ("StartLimitInterval", "Unit"),
         ("StartLimitInterval", "Service"),
     )
-    burst = setting(unit, _count, ("StartLimitBurst", "Unit"), ("StartLimitBurst", "Service"))
-    seconds_to_restart = _value(robot, delay, "DefaultRestartSec", parse_timespan, DEFAULT_DELAY)
-    steps, longest = _growth(unit, robot, seconds_to_restart)
+    burst = unit.setting_of(count, ("StartLimitBurst", "Unit"), ("StartLimitBurst", "Service"))
+    first = effective(delay, "DefaultRestartSec", parse_timespan, DEFAULT_DELAY)
+    steps, longest = unit.setting(count, "RestartSteps"), unit.seconds("RestartMaxDelaySec")
+    grows = systemd >= 254 and bool(steps) and longest.value is not None and 0 < first < longest.value < math.inf
+    settings: list[Setting[Any]] = [restart, delay, interval, burst]
+    if systemd >= 254:
+        settings += [steps, longest]
     return RestartPolicy(
-        "no" if restart.at is None else restart.value,
+        restart.value,
         restart.at,
-        seconds_to_restart,
+        first,
         delay.at,
-        steps,
-        longest,
-        _value(robot, interval, "DefaultStartLimitIntervalSec", parse_timespan, DEFAULT_INTERVAL),
+        (steps.value or 0) if grows else 0,
+        longest.value if grows and longest.value is not None else first,
+        effective(interval, "DefaultStartLimitIntervalSec", parse_timespan, DEFAULT_INTERVAL),
         interval.at,
-        _value(robot, burst, "DefaultStartLimitBurst", _count, DEFAULT_BURST),
+        effective(burst, "DefaultStartLimitBurst", count, DEFAULT_BURST),
         burst.at,
-        tuple(value for value in unit.values("StartLimitIntervalSec", "Service")),
+        tuple(unit.values("StartLimitIntervalSec", "Service")),
+        known=not any(each.unknown for each in settings),
     )
-
-
-def _count(text: str) -> int | None:
-    value = parse_integer(text)
-    return None if value is None or value < 0 else value
-
-
-def _value(robot: Robot, own: Setting, default: str, read, otherwise):
-    if own.at is not None:
-        return own.value
-    configured = manager_setting(robot, default, read)
-    return configured[1] if configured else otherwise
-
-
-def _growth(unit: Unit, robot: Robot, delay: float | None) -> tuple[int, float | None]:
-    """RestartSteps= and the delay that restarts end up with."""
-    if robot.target.systemd < 254:
-        return 0, delay
-    steps, longest = setting(unit, _count, ("RestartSteps", "Service")), seconds(unit, "RestartMaxDelaySec")
-    if steps.unknown or longest.unknown:
-        return 0, None
-    if not steps.value or longest.value is None or delay is None or math.isinf(longest.value):
-        return 0, delay
-    return (steps.value, longest.value) if 0 < delay < longest.value else (0, delay)

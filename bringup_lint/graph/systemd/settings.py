@@ -7,60 +7,60 @@ boolean or word is ignored with a warning, and what an earlier line said stays.
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
-from typing import NamedTuple
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Generic
 from typing import TypeVar
 
-from bringup_lint.parsers.systemd_values import parse_bool
-from bringup_lint.parsers.systemd_values import parse_timespan
+from bringup_lint.model.unit import Assignment
+from bringup_lint.parsers.systemd_values import parse_integer
 from bringup_lint.source import Located
-
-if TYPE_CHECKING:
-    from bringup_lint.graph.systemd.unit import Unit
 
 Value = TypeVar("Value")
 
 
-class Setting(NamedTuple):
-    """What a scalar setting amounts to."""
+@dataclass(frozen=True)
+class Setting(Generic[Value]):
+    """What a scalar setting amounts to. It is true where its value is: ``if unit.flag("PrivateTmp")``."""
 
     at: Located | None
     """The value that wins; None when nothing sets it."""
-    value: object
+    value: Value | None
     """As read; None when it is unset, or cannot be known (a template's placeholder)."""
 
     @property
     def unknown(self) -> bool:
         return self.at is not None and self.value is None
 
+    def __bool__(self) -> bool:
+        return bool(self.value)
 
-def setting(unit: Unit, read: Callable[[str], Value | None], *keys: tuple[str, str]) -> Setting:
-    """The last assignment to one of the (key, section) pairs that ``read`` accepts (it gives None for what
-    systemd would ignore)."""
-    found = Setting(None, None)
-    for file in unit.files:
-        for assignment in file.assignments:
-            if (str(assignment.key), str(assignment.section)) not in keys:
-                continue
-            if assignment.opaque:
-                found = Setting(assignment.value, None)
-            elif assignment.value and (value := read(assignment.value)) is not None:
-                found = Setting(assignment.value, value)
+    def otherwise(self, default: Value) -> Setting[Value]:
+        """The same setting with the value that applies when nothing sets it."""
+        return self if self.at is not None else Setting(None, default)
+
+
+def setting_of(assignments: Iterable[Assignment], read: Callable[[str], Value | None]) -> Setting[Value]:
+    """The last assignment that ``read`` accepts (it gives None for what systemd would ignore)."""
+    found: Setting[Value] = Setting(None, None)
+    for assignment in assignments:
+        if assignment.opaque:
+            found = Setting(assignment.value, None)
+        elif assignment.value and (value := read(assignment.value)) is not None:
+            found = Setting(assignment.value, value)
     return found
 
 
-def flag(unit: Unit, key: str, section: str = "Service") -> Setting:
-    return setting(unit, parse_bool, (key, section))
+def one_of(choices: Iterable[str]) -> Callable[[str], str | None]:
+    """Reads one of several words."""
+    known = frozenset(choices)
+    return lambda text: text if text in known else None
 
 
-def seconds(unit: Unit, *keys: str, section: str = "Service") -> Setting:
-    """A time span in seconds; several keys are spellings of one setting (TimeoutSec= and TimeoutStopSec=)."""
-    return setting(unit, parse_timespan, *((key, section) for key in keys))
-
-
-def word(unit: Unit, key: str, choices: frozenset[str], section: str = "Service") -> Setting:
-    """One of several words."""
-    return setting(unit, lambda text: text if text in choices else None, (key, section))
+def count(text: str) -> int | None:
+    """A whole number from 0."""
+    value = parse_integer(text)
+    return None if value is None or value < 0 else value
 
 
 def duration(span: float) -> str:

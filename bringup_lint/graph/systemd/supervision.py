@@ -4,24 +4,20 @@ systemd.kill(5)."""
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
 
+from bringup_lint.graph.files import Files
+from bringup_lint.graph.systemd.daemons import Daemon
 from bringup_lint.graph.systemd.main_process import Main
 from bringup_lint.graph.systemd.main_process import main_process
 from bringup_lint.graph.systemd.manager import manager_setting
 from bringup_lint.graph.systemd.process import Process
 from bringup_lint.graph.systemd.settings import Setting
-from bringup_lint.graph.systemd.settings import flag
-from bringup_lint.graph.systemd.settings import seconds
-from bringup_lint.graph.systemd.settings import setting
-from bringup_lint.graph.systemd.settings import word
+from bringup_lint.graph.systemd.settings import one_of
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.parsers.systemd_values import parse_timespan
-
-if TYPE_CHECKING:
-    from bringup_lint.robot import Robot
 
 TYPES = frozenset("simple exec forking oneshot dbus notify notify-reload idle".split())
 ACCESS = frozenset(["none", "main", "exec", "all"])
@@ -60,20 +56,19 @@ class Supervision:
     """The settings of one service; ``value`` None in a setting that has a place means: not known."""
 
     unit: Unit
-    robot: Robot
+    files: Files
+    system_conf: Callable[[], list[Daemon]]
     process: Process | None
     """The one command line of ExecStart=; None when there are none or several."""
 
     @cached_property
-    def type(self) -> Setting:
+    def type(self) -> Setting[str]:
         """Type=, its default filled in."""
-        known = TYPES if self.robot.target.systemd >= 253 else TYPES - {"notify-reload"}
-        found = word(self.unit, "Type", known)
-        if found.at is not None:
-            return found
+        known = TYPES if self.files.target.systemd >= 253 else TYPES - {"notify-reload"}
+        found = self.unit.setting(one_of(known), "Type")
         if self.unit.get("BusName"):
-            return Setting(None, "dbus")
-        return Setting(None, "simple" if self.unit.has("ExecStart") else "oneshot")
+            return found.otherwise("dbus")
+        return found.otherwise("simple" if self.unit.has("ExecStart") else "oneshot")
 
     @property
     def notifies(self) -> bool:
@@ -81,81 +76,65 @@ class Supervision:
         return self.type.value in ("notify", "notify-reload")
 
     @cached_property
-    def access(self) -> Setting:
+    def access(self) -> Setting[str]:
         """NotifyAccess=, with what systemd makes of ``none`` when it needs the socket (``service_add_extras()``)."""
-        found = word(self.unit, "NotifyAccess", ACCESS)
+        found = self.unit.setting(one_of(ACCESS), "NotifyAccess")
         if found.unknown or found.value in ("main", "exec", "all"):
             return found
         return Setting(found.at, "main" if self.notifies or self.watchdog_on else "none")
 
     @cached_property
-    def watchdog(self) -> Setting:
-        return seconds(self.unit, "WatchdogSec")
+    def watchdog(self) -> Setting[float]:
+        return self.unit.seconds("WatchdogSec")
 
     @property
     def watchdog_on(self) -> bool:
-        return bool(self.watchdog.value) and self.watchdog.value != math.inf
+        return bool(self.watchdog) and self.watchdog.value != math.inf
 
     @cached_property
-    def start_timeout(self) -> Setting:
+    def start_timeout(self) -> Setting[float]:
         """TimeoutStartSec= in seconds. systemd starts the clock anew for every command of the unit."""
         otherwise = math.inf if self.type.value == "oneshot" else self._default("DefaultTimeoutStartSec")
         return self._timeout("TimeoutStartSec", otherwise)
 
     @cached_property
-    def stop_timeout(self) -> Setting:
+    def stop_timeout(self) -> Setting[float]:
         return self._timeout("TimeoutStopSec", self._default("DefaultTimeoutStopSec"))
 
-    def _timeout(self, key: str, otherwise: float) -> Setting:
-        found = seconds(self.unit, key, "TimeoutSec")
+    def _timeout(self, key: str, otherwise: float) -> Setting[float]:
+        found = self.unit.seconds(key, "TimeoutSec")
         if found.at is None:
             return Setting(None, otherwise)
         return Setting(found.at, math.inf if found.value == 0 else found.value)
 
     def _default(self, key: str) -> float:
-        configured = manager_setting(self.robot, key, parse_timespan)
+        configured = manager_setting(self.system_conf(), key, parse_timespan)
         return configured[1] or math.inf if configured else DEFAULT_TIMEOUT
 
     @cached_property
-    def kill_signal(self) -> Setting:
-        found = setting(self.unit, signal_name, ("KillSignal", "Service"))
-        return found if found.at is not None else Setting(None, "SIGTERM")
+    def kill_signal(self) -> Setting[str]:
+        return self.unit.setting(signal_name, "KillSignal").otherwise("SIGTERM")
 
     @cached_property
-    def kill_mode(self) -> Setting:
-        found = word(self.unit, "KillMode", KILL_MODES)
-        return found if found.at is not None else Setting(None, "control-group")
+    def kill_mode(self) -> Setting[str]:
+        return self.unit.setting(one_of(KILL_MODES), "KillMode").otherwise("control-group")
 
     @cached_property
-    def final_signal(self) -> Setting:
-        found = setting(self.unit, signal_name, ("FinalKillSignal", "Service"))
-        return found if found.at is not None else Setting(None, "SIGKILL")
+    def final_signal(self) -> Setting[str]:
+        return self.unit.setting(signal_name, "FinalKillSignal").otherwise("SIGKILL")
 
     @cached_property
-    def sends_kill(self) -> Setting:
-        found = flag(self.unit, "SendSIGKILL")
-        return found if found.at is not None else Setting(None, True)
-
-    @cached_property
-    def as_root(self) -> bool:
-        """Whether the processes run as root, who may speak to systemd in the name of another process."""
-        if self.unit.manager != "system" or self.unit.get("DynamicUser"):
-            return False
-        return self.unit.get("User") in (None, "root", "0")
+    def sends_kill(self) -> Setting[bool]:
+        return self.unit.flag("SendSIGKILL").otherwise(True)
 
     @cached_property
     def main(self) -> Main | None:
         """The main process; None when it is not known which command line starts it."""
         if self.process is None or self.type.value in ("forking", "oneshot") or self.type.unknown:
             return None
-        return main_process(self.process, self.robot)
+        return main_process(self.process, self.files)
 
     @property
     def in_container(self) -> bool:
         """Whether the service runs in a container, whose processes are not the unit's."""
         return self.main is not None and self.main.kind == "container"
-
-
-def supervision(unit: Unit, robot: Robot) -> Supervision:
-    started = robot.units.started(unit)
-    return Supervision(unit, robot, started[0] if len(started) == 1 else None)

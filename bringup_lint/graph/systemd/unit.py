@@ -2,17 +2,27 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from collections.abc import Iterator
 from dataclasses import dataclass
 from dataclasses import field
 from functools import cached_property
+from typing import TypeVar
 
+from bringup_lint.facts.systemd.directives import SECTION_OF_TYPE
+from bringup_lint.graph.systemd.identity import Identity
+from bringup_lint.graph.systemd.settings import Setting
+from bringup_lint.graph.systemd.settings import setting_of
 from bringup_lint.model.unit import Assignment
 from bringup_lint.model.unit import Section
 from bringup_lint.model.unit import UnitFile
+from bringup_lint.parsers.systemd_values import parse_bool
+from bringup_lint.parsers.systemd_values import parse_timespan
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.source import Span
+
+Value = TypeVar("Value")
 
 DEPENDENCIES = frozenset(
     {
@@ -38,18 +48,6 @@ DEPENDENCIES = frozenset(
 )
 """Settings that an empty assignment does not reset (systemd.unit(5))."""
 
-SECTION_OF_TYPE = {
-    "service": "Service",
-    "socket": "Socket",
-    "timer": "Timer",
-    "path": "Path",
-    "mount": "Mount",
-    "automount": "Automount",
-    "swap": "Swap",
-    "slice": "Slice",
-    "scope": "Scope",
-}
-
 
 @dataclass(eq=False)
 class Unit:
@@ -68,11 +66,11 @@ class Unit:
     place: str = ""
     """The overlay root or folder that the unit belongs to; tells variants of one name apart."""
 
-    @property
+    @cached_property
     def type(self) -> str:
         return self.name.rpartition(".")[2]
 
-    @property
+    @cached_property
     def stem(self) -> str:
         return self.name.rpartition(".")[0]
 
@@ -124,7 +122,10 @@ class Unit:
             named = [section for section in file.sections if section.name == self.section]
             for section in named or file.sections:
                 return section.header
-        return (self.files[0].source if self.files else self.masked).whole
+        source = self.files[0].source if self.files else self.masked
+        if source is None:
+            raise LookupError(f"{self.name} has no file")
+        return source.whole
 
     @cached_property
     def _settings(self) -> dict[tuple[str, str], list[Assignment]]:
@@ -156,9 +157,45 @@ class Unit:
         return values
 
     def get(self, key: str, section: str | None = None) -> Located | None:
-        """The value of a scalar setting: the last assignment, or None when it is unset or reset."""
+        """The value of a scalar setting as written: the last assignment, or None when it is unset or reset. For
+        booleans, numbers and times see ``flag``, ``setting`` and ``seconds``."""
         assignments = self.assignments(key, section)
         return assignments[-1].value or None if assignments else None
+
+    def flag(self, key: str, section: str | None = None) -> Setting[bool]:
+        """A boolean."""
+        return self.setting(parse_bool, key, section=section)
+
+    def seconds(self, *keys: str, section: str | None = None) -> Setting[float]:
+        """A time span in seconds; several keys are spellings of one setting (TimeoutSec= and TimeoutStopSec=)."""
+        return self.setting(parse_timespan, *keys, section=section)
+
+    def setting(self, read: Callable[[str], Value | None], *keys: str, section: str | None = None) -> Setting[Value]:
+        """The last assignment to one of the keys that ``read`` accepts (it gives None for what systemd ignores)."""
+        return self.setting_of(read, *((key, self._section_of(key, section)) for key in keys))
+
+    def setting_of(self, read: Callable[[str], Value | None], *keys: tuple[str, str]) -> Setting[Value]:
+        """The same for (key, section) pairs, for settings that have moved from one section to another."""
+        if len(keys) == 1:
+            key, section = keys[0]
+            return setting_of(self._settings.get((section, key), ()), read)
+        lines = (line for file in self.files for line in file.assignments)
+        return setting_of((line for line in lines if (str(line.key), str(line.section)) in keys), read)
+
+    @cached_property
+    def identity(self) -> Identity:
+        """Who its processes run as."""
+        user, dynamic = self.get("User"), self.flag("DynamicUser")
+        return Identity(
+            self.name,
+            self.manager,
+            user,
+            dynamic,
+            self.get("Group"),
+            tuple(self.words("SupplementaryGroups")),
+            opaque=user is not None and self.is_opaque(user),
+            certain=not self.uncertain and (self.fragment is not None or user is not None or bool(dynamic)),
+        )
 
     def words(self, key: str, section: str | None = None) -> list[Located]:
         """The blank-separated words of a list setting."""
@@ -194,11 +231,13 @@ class Unit:
 
     def is_opaque(self, value: Located) -> bool:
         """Whether a value still holds a template's placeholder."""
-        return any(
-            assignment.opaque and assignment.value.span == value.span
-            for assignments in self._settings.values()
-            for assignment in assignments
-        )
+        return bool(self._opaque) and value.span in self._opaque
+
+    @cached_property
+    def _opaque(self) -> frozenset[Span]:
+        """Where values with placeholders are."""
+        lines = (line for lines in self._settings.values() for line in lines)
+        return frozenset(line.value.span for line in lines if line.opaque)
 
     def sections(self, name: str) -> Iterator[Section]:
         for file in self.files:

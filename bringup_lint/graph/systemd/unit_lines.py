@@ -131,7 +131,7 @@ def _variable(value: Located, kind: str) -> Located | None:
 
 @cache
 def _defaults() -> dict[str, str]:
-    return dict(facts.rows("systemd/defaults")[1])
+    return {row[0]: row[1] for row in facts.rows("systemd/defaults")[1]}
 
 
 def default_of(key: str) -> str:

@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from dataclasses import dataclass
+from dataclasses import field
+from functools import cached_property
+from typing import NamedTuple
 
+from bringup_lint.graph.files import Files
 from bringup_lint.graph.systemd.load_path import Place
 from bringup_lint.graph.systemd.load_path import order
 from bringup_lint.graph.systemd.load_path import place_of
-from bringup_lint.graph.systemd.named_units import GENERATED
-from bringup_lint.graph.systemd.named_units import Link
+from bringup_lint.graph.systemd.shipped_units import GENERATED
+from bringup_lint.graph.systemd.shipped_units import is_shipped
 from bringup_lint.graph.systemd.unit import Unit
-from bringup_lint.graph.systemd.units import Units
 from bringup_lint.model.unit import UnitFile
 from bringup_lint.parsers.unit import parse
 from bringup_lint.parsers.unit import unit_name
@@ -20,46 +24,111 @@ from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.templates import final_name
 
-if TYPE_CHECKING:
-    from bringup_lint.robot import Robot
-
 _LINK_FOLDER = re.compile(r"([^/]+)\.(wants|requires|upholds)$")
 _RELATION = {"wants": "Wants", "requires": "Requires", "upholds": "Upholds"}
 
 
-def load_units(robot: Robot) -> Units:
+class Link(NamedTuple):
+    """An entry of ``UNIT.wants/`` and the like: UNIT pulls in ``name``."""
+
+    unit: str
+    relation: str
+    name: Located
+    source: Source
+    manager: str = "system"
+    place: str = ""
+
+
+class NameIndex:
+    """Units by the names that they have, aliases included."""
+
+    def __init__(self, units: Iterable[Unit]) -> None:
+        self._by_name: dict[tuple[str, str], list[Unit]] = {}
+        for unit in units:
+            self.add(unit)
+
+    def add(self, unit: Unit) -> None:
+        for name in dict.fromkeys((unit.name, *unit.aliases, *_install_aliases(unit))):
+            self._by_name.setdefault((unit.manager, name), []).append(unit)
+
+    def candidates(self, name: str, manager: str = "system") -> list[Unit]:
+        """The units of this name; for an instance without a file of its own, those of its template."""
+        found = self._by_name.get((manager, name))
+        if found is None and "@" in name:
+            stem, _, suffix = name.rpartition(".")
+            found = self._by_name.get((manager, f"{stem.partition('@')[0]}@.{suffix}"))
+        return found or []
+
+
+def _install_aliases(unit: Unit) -> Iterator[str]:
+    """The names that enabling the unit gives it. Its drop-ins are not joined yet, and seldom hold any."""
+    for assignment in unit.fragment.assignments if unit.fragment else []:
+        if assignment.key == "Alias" and assignment.section == "Install":
+            yield from map(str, assignment.value.words())
+
+
+@dataclass(eq=False)
+class LoadedUnits:
+    """The units of a tree."""
+
+    all: list[Unit] = field(default_factory=list)
+    links: list[Link] = field(default_factory=list)
+    alias_links: dict[tuple[str, str], str] = field(default_factory=dict)
+    """(manager, alias) -> the unit of the distribution that a link of the tree gives the name to."""
+    shadowed: list[tuple[UnitFile, Unit]] = field(default_factory=list)
+    """Files that a higher directory hides, with the unit that hides them."""
+    orphans: list[UnitFile] = field(default_factory=list)
+    """Drop-ins of units that neither the tree nor the distribution has."""
+    loose: list[UnitFile] = field(default_factory=list)
+    """Drop-ins of single instances and of groups of units that the tree does not hold."""
+
+    @cached_property
+    def index(self) -> NameIndex:
+        return NameIndex(self.all)
+
+
+class _Alias(NamedTuple):
+    """A link from one unit name to another."""
+
+    place: Place
+    name: str
+    target: str
+
+
+def load_units(files: Files) -> LoadedUnits:
     """Join the unit files of the tree to units."""
-    units = Units(robot)
+    loaded = LoadedUnits()
     fragments: dict[tuple[str, str, str], list[tuple[int, Source]]] = {}
-    aliases: list[tuple[Place, str, str]] = []
-    for source in robot.of_kind("systemd-unit"):
-        folder = source.name.rpartition("/")[0]
-        linked = _LINK_FOLDER.search(folder)
-        if linked:
-            units.links.append(_link(source, linked))
-            continue
+    aliases: list[_Alias] = []
+    for source in files.of_kind("systemd-unit"):
+        linked = _LINK_FOLDER.search(source.name.rpartition("/")[0])
         place = place_of(source)
         name = unit_name(source)[0]
         target = (source.link or "").rpartition("/")[2]
-        if source.link and target != name and source.link != "/dev/null":
-            aliases.append((place, name, target))
-            continue
-        fragments.setdefault((place.root, place.manager, name), []).append((order(place), source))
-    for (root, manager, name), sources in fragments.items():
-        _add_unit(
-            units,
-            Unit(name, manager, place=root),
-            [source for _, source in sorted(sources, key=lambda s: s[0])],
-        )
+        if linked:
+            loaded.links.append(_link(source, linked))
+        elif source.link and target != name and source.link != "/dev/null":
+            aliases.append(_Alias(place, name, target))
+        else:
+            fragments.setdefault((place.root, place.manager, name), []).append((order(place), source))
+    for (root, manager, name), found in fragments.items():
+        sources = [source for _, source in sorted(found, key=lambda ranked: ranked[0])]
+        _add_unit(loaded, Unit(name, manager, place=root), sources, files)
+    _add_aliases(loaded, aliases)
+    _add_dropins(loaded, files)
+    return loaded
+
+
+def _add_aliases(loaded: LoadedUnits, aliases: list[_Alias]) -> None:
+    units: dict[tuple[str, str, str], list[Unit]] = {}
+    for unit in loaded.all:
+        units.setdefault((unit.place, unit.manager, unit.name), []).append(unit)
     for place, name, target in aliases:
-        named = [u for u in units.all if u.name == target and u.manager == place.manager and u.place == place.root]
+        named = units.get((place.root, place.manager, target), [])
         for unit in named:
             unit.aliases.append(name)
         if not named:
-            units.alias_links[place.manager, name] = target
-    _add_dropins(units, robot)
-    units.files = list({id(file): file for file in _files(units) if file.source.judged}.values())
-    return units
+            loaded.alias_links[place.manager, name] = target
 
 
 def _link(source: Source, folder: re.Match[str]) -> Link:
@@ -68,20 +137,14 @@ def _link(source: Source, folder: re.Match[str]) -> Link:
     return Link(folder.group(1), _RELATION[folder.group(2)], name, source, place.manager, place.root)
 
 
-def _add_unit(units: Units, unit: Unit, sources: list[Source]) -> None:
+def _add_unit(loaded: LoadedUnits, unit: Unit, sources: list[Source], files: Files) -> None:
     winner, *hidden = sources
     if winner.link == "/dev/null" or (not winner.text and winner.link is None):
         unit.masked = winner
     elif winner.text or winner.link is None:
-        unit.fragment = next(iter(units.robot.parsed(parse, [winner])), None)
-    units.all.append(unit)
-    units.shadowed += [(file, unit) for file in units.robot.parsed(parse, filter(lambda s: s.text, hidden))]
-
-
-def _files(units: Units) -> Iterator[UnitFile]:
-    for unit in units.all:
-        yield from unit.files
-    yield from units.loose
+        unit.fragment = next(iter(files.parsed(parse, [winner])), None)
+    loaded.all.append(unit)
+    loaded.shadowed += [(file, unit) for file in files.parsed(parse, [source for source in hidden if source.text])]
 
 
 def dropin_folders(unit: Unit) -> list[str]:
@@ -99,39 +162,41 @@ def dropin_folders(unit: Unit) -> list[str]:
     return list(dict.fromkeys(folders))
 
 
-def _add_dropins(units: Units, robot: Robot) -> None:
+def _add_dropins(loaded: LoadedUnits, files: Files) -> None:
     by_folder: dict[tuple[str, str], list[tuple[Place, UnitFile]]] = {}
-    dropins = [s for s in robot.of_kind("systemd-dropin") if final_name(s.basename).endswith(".conf")]
-    for file in robot.parsed(parse, dropins):
-        source = file.source
-        place = place_of(source, folder=(source.robot_path or "").rpartition("/")[0])
+    sources = [source for source in files.of_kind("systemd-dropin") if final_name(source.basename).endswith(".conf")]
+    for file in files.parsed(parse, sources):
+        place = place_of(file.source, folder=(file.source.robot_path or "").rpartition("/")[0])
         by_folder.setdefault((place.manager, file.name), []).append((place, file))
+    _add_extended(loaded, by_folder)
+    joined: set[UnitFile] = set()
+    for unit in loaded.all:
+        _extend(unit, by_folder, joined, alone=len(loaded.index.candidates(unit.name, unit.manager)) == 1)
+    loaded.loose = [file for found in by_folder.values() for _, file in found if file not in joined]
+
+
+def _add_extended(loaded: LoadedUnits, by_folder: dict[tuple[str, str], list[tuple[Place, UnitFile]]]) -> None:
+    """Add the units of the distribution that the tree only extends."""
     for (manager, name), files in by_folder.items():
-        if "." in name and not name.partition(".")[0].endswith(("-", "@")) and not units.candidates(name, manager):
-            _add_extended(units, name, manager, files)
-    known: set[int] = set()
-    for unit in units.all:
-        _extend(unit, by_folder, known, alone=len(units.candidates(unit.name, unit.manager)) == 1)
-    units.loose = [file for files in by_folder.values() for _, file in files if id(file) not in known]
-
-
-def _add_extended(units: Units, name: str, manager: str, files: list[tuple[Place, UnitFile]]) -> None:
-    """A unit of the distribution that the tree only extends."""
-    units.all.append(Unit(name, manager, place=files[0][0].root))
-    units.__dict__.pop("_by_name", None)
-    if not units.is_distribution_unit(name) and not GENERATED.search(name):
-        units.orphans += [file for _, file in files]
+        if "." not in name or name.partition(".")[0].endswith(("-", "@")) or loaded.index.candidates(name, manager):
+            continue
+        unit = Unit(name, manager, place=files[0][0].root)
+        loaded.all.append(unit)
+        loaded.index.add(unit)
+        if not is_shipped(name) and not GENERATED.search(name):
+            loaded.orphans += [file for _, file in files]
 
 
 def _extend(
-    unit: Unit, by_folder: dict[tuple[str, str], list[tuple[Place, UnitFile]]], seen: set[int], alone: bool
+    unit: Unit, by_folder: dict[tuple[str, str], list[tuple[Place, UnitFile]]], joined: set[UnitFile], *, alone: bool
 ) -> None:
+    """Give a unit its drop-ins; of files of one name the one of the highest and most specific folder."""
     winners: dict[str, tuple[tuple[int, int], UnitFile]] = {}
     for specificity, folder in enumerate(dropin_folders(unit)):
         for place, file in by_folder.get((unit.manager, folder), ()):
             if place.root != unit.place and not (alone and folder == unit.name):
                 continue
-            seen.add(id(file))
+            joined.add(file)
             rank = (order(place), specificity)
             known = winners.get(file.source.basename)
             if known is None or rank < known[0]:

@@ -4,17 +4,19 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
+from collections.abc import Iterator
 from dataclasses import dataclass
-from dataclasses import field
 from functools import cached_property
 
 from bringup_lint.facts.systemd.directives import NEWEST
+from bringup_lint.facts.systemd.directives import SECTION_OF_TYPE
+from bringup_lint.graph.commands.command_line import Step
 from bringup_lint.graph.commands.environment import Environment
 from bringup_lint.graph.commands.environment import stays_local
 from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.graph import Graph
-from bringup_lint.graph.systemd import boot
-from bringup_lint.graph.systemd.companions import companions
+from bringup_lint.graph.memo import memo
+from bringup_lint.graph.systemd.boot import Boot
 from bringup_lint.graph.systemd.cycles import ROOTS
 from bringup_lint.graph.systemd.cycles import Cycle
 from bringup_lint.graph.systemd.cycles import ordering_cycles
@@ -26,34 +28,54 @@ from bringup_lint.graph.systemd.environment import unit_environment
 from bringup_lint.graph.systemd.named_units import NamedUnits
 from bringup_lint.graph.systemd.process import Process
 from bringup_lint.graph.systemd.process import processes
+from bringup_lint.graph.systemd.relations import STARTING
 from bringup_lint.graph.systemd.restart import RestartPolicy
 from bringup_lint.graph.systemd.restart import restart_policy
+from bringup_lint.graph.systemd.same_robot_groups import same_robot_groups
+from bringup_lint.graph.systemd.sandbox import Sandbox
 from bringup_lint.graph.systemd.stack_layers import layers
 from bringup_lint.graph.systemd.supervision import Supervision
-from bringup_lint.graph.systemd.supervision import supervision
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.graph.systemd.unit_lines import Line
 from bringup_lint.graph.systemd.unit_lines import lines
+from bringup_lint.graph.systemd.user_database import UserDatabase
 from bringup_lint.graph.systemd.waits import Wait
 from bringup_lint.graph.systemd.waits import longest_wait
 from bringup_lint.model.unit import UnitFile
 
-_STARTING = frozenset({"requires", "binds-to", "wants", "upholds", "triggers", "on-failure", "on-success"})
 _DDS_VARIABLE = re.compile(r"(?:ROS|RMW|CYCLONEDDS|FASTRTPS|FASTDDS|ZENOH)_(?!VERSION$|PYTHON_VERSION$)")
+
+
+_WORD = re.compile(r"[\w:.\\@-]+")
+_WORD_START = re.compile(r"\b(?=\w)")
+_TYPE = re.compile(rf"\.(?:target|{'|'.join(SECTION_OF_TYPE)})")
+_LONGEST_WORD = 1000
 
 
 @dataclass(eq=False)
 class Units(NamedUnits):
     """All units with what follows from their settings."""
 
-    shadowed: list[tuple[UnitFile, Unit]] = field(default_factory=list)
-    """Files that a higher directory hides, with the unit that hides them."""
-    orphans: list[UnitFile] = field(default_factory=list)
-    """Drop-ins of units that neither the tree nor the distribution has."""
-    loose: list[UnitFile] = field(default_factory=list)
-    """Drop-ins of single instances and of groups of units that the tree does not hold."""
-    files: list[UnitFile] = field(default_factory=list)
-    """All unit files and drop-ins that systemd reads, as written, judged ones only."""
+    @property
+    def shadowed(self) -> list[tuple[UnitFile, Unit]]:
+        """Files that a higher directory hides, with the unit that hides them."""
+        return self.loaded.shadowed
+
+    @property
+    def orphans(self) -> list[UnitFile]:
+        """Drop-ins of units that neither the tree nor the distribution has."""
+        return self.loaded.orphans
+
+    @property
+    def loose(self) -> list[UnitFile]:
+        """Drop-ins of single instances and of groups of units that the tree does not hold."""
+        return self.loaded.loose
+
+    @cached_property
+    def unit_files(self) -> list[UnitFile]:
+        """All unit files and drop-ins that systemd reads, as written, judged ones only."""
+        found = [*(file for unit in self.all for file in unit.files), *self.loose]
+        return list(dict.fromkeys(file for file in found if file.source.judged))
 
     @cached_property
     def judged(self) -> list[Unit]:
@@ -64,8 +86,8 @@ class Units(NamedUnits):
     def lines(self) -> list[Line]:
         """Every judged line with a key that its section knows, and what systemd finds wrong with its
         value."""
-        target = self.robot.target
-        return list(lines(self.files, target.systemd if target.systemd_known else NEWEST))
+        target = self.files.target
+        return list(lines(self.unit_files, target.systemd if target.systemd_known else NEWEST))
 
     def mount_name(self, unit: Unit, where: str) -> str:
         """The name that a mount or automount unit of this path must have."""
@@ -77,48 +99,49 @@ class Units(NamedUnits):
     def services(self) -> list[Unit]:
         return [unit for unit in self.judged if unit.type == "service"]
 
-    @cached_property
-    def _environments(self) -> dict[int, Environment]:
-        return {}
-
+    @memo
     def environment(self, unit: Unit) -> Environment:
         """What systemd gives to the processes of a unit. Do not change it."""
-        if id(unit) not in self._environments:
-            self._environments[id(unit)] = unit_environment(unit, self.robot)
-        return self._environments[id(unit)]
+        return unit_environment(unit, self.files)
 
+    @memo
     def environment_files(self, unit: Unit) -> list[EnvironmentFile]:
         """The environment files of a unit, in the order in which they are read."""
-        return environment_files(unit, self.robot)
+        return environment_files(unit, self.files)
+
+    def process_environment(self, process: Process, until: Step | None = None) -> Environment:
+        """The environment of a command line of a unit, or of one step of what its shells and scripts run."""
+        return process_environment(process, self.environment(process.unit), self.files, until)
 
     def stays_local(self, unit: Unit) -> bool:
         """Whether everything that the unit starts talks to this machine only."""
-        found = [process_environment(process, self.robot) for process in self.started(unit)]
+        found = [self.process_environment(process) for process in self.started(unit)]
         return bool(found) and all(map(stays_local, found))
 
-    @cached_property
-    def _policies(self) -> dict[int, RestartPolicy]:
-        return {}
-
+    @memo
     def restart(self, unit: Unit) -> RestartPolicy:
         """What systemd does when the service ends."""
-        if id(unit) not in self._policies:
-            self._policies[id(unit)] = restart_policy(unit, self.robot)
-        return self._policies[id(unit)]
+        return restart_policy(unit, self.files.target.systemd, self.system_conf)
 
-    @cached_property
-    def _supervisions(self) -> dict[int, Supervision]:
-        return {}
-
+    @memo
     def supervision(self, unit: Unit) -> Supervision:
         """How systemd starts, watches and stops the service."""
-        if id(unit) not in self._supervisions:
-            self._supervisions[id(unit)] = supervision(unit, self.robot)
-        return self._supervisions[id(unit)]
+        started = self.started(unit)
+        return Supervision(unit, self.files, self.system_conf, started[0] if len(started) == 1 else None)
+
+    @memo
+    def sandbox(self, unit: Unit) -> Sandbox:
+        """What the service may see and write."""
+        return Sandbox(unit)
+
+    @cached_property
+    def users(self) -> UserDatabase:
+        """/etc/passwd and /etc/group of the tree."""
+        return UserDatabase(self.files)
 
     def longest_wait(self, process: Process) -> Wait:
         """How long a command line may wait, by the loops and sleeps of its shells and scripts."""
-        return longest_wait(process, self.robot)
+        return longest_wait(process, self.files)
 
     @cached_property
     def triggered(self) -> frozenset[str]:
@@ -129,15 +152,10 @@ class Units(NamedUnits):
                 found.add(str(unit.get("Unit") or f"{unit.stem}.service"))
         return frozenset(found)
 
-    @cached_property
-    def _processes(self) -> dict[int, list[Process]]:
-        return {}
-
+    @memo
     def processes(self, unit: Unit) -> list[Process]:
         """The command lines of a service with what they run."""
-        if id(unit) not in self._processes:
-            self._processes[id(unit)] = processes(unit, self.robot.files)
-        return self._processes[id(unit)]
+        return processes(unit, self.files)
 
     def started(self, unit: Unit) -> list[Process]:
         """The command lines of ExecStart= alone."""
@@ -174,7 +192,7 @@ class Units(NamedUnits):
     def presumed_ros(self) -> list[Unit]:
         """Services of a ROS 2 tree that run a shell script which the tree does not hold: most likely ROS
         too."""
-        if not self.robot.is_ros:
+        if not self.files.is_ros:
             return []
         return [
             unit
@@ -182,11 +200,11 @@ class Units(NamedUnits):
             if unit not in self.dds
             and unit not in self.ros
             and unit.get("Type") != "oneshot"
-            and any(process.lost_script for process in self.started(unit))
+            and any(process.script_outside_tree for process in self.started(unit))
         ]
 
     @cached_property
-    def stacks(self) -> list[list[Unit]]:
+    def enabled_ros_groups(self) -> list[list[Unit]]:
         """The ROS services of one place that are enabled somewhere, so that they may run together."""
         places: dict[str, list[Unit]] = {}
         for unit in self.ros:
@@ -194,14 +212,15 @@ class Units(NamedUnits):
                 places.setdefault(unit.place, []).append(unit)
         return [units for units in places.values() if len(units) > 1]
 
-    def companions(self, chosen: Iterable[Unit]) -> list[list[Unit]]:
+    def same_robot_groups(self, chosen: Iterable[Unit]) -> list[list[Unit]]:
         """Units in groups that surely belong to one robot."""
-        return companions(self, chosen)
+        return same_robot_groups(self, chosen)
 
     @cached_property
-    def crews(self) -> list[list[Unit]]:
-        """The ROS services that surely run together: of one stack, and of one robot."""
-        return [crew for stack in self.stacks for crew in self.companions(stack) if len(crew) > 1]
+    def running_together(self) -> list[list[Unit]]:
+        """The groups of ROS services that surely run together: enabled, and of one robot."""
+        groups = (group for enabled in self.enabled_ros_groups for group in self.same_robot_groups(enabled))
+        return [group for group in groups if len(group) > 1]
 
     def conflict(self, one: Unit, other: Unit) -> bool:
         """Whether the two never run at the same time."""
@@ -229,23 +248,37 @@ class Units(NamedUnits):
         if self.is_distribution_unit(unit.name) or unit.name.startswith("systemd-"):
             return True
         edges = self.graph.into.get(self.node(unit), ())
-        if any(edge.kind in _STARTING for edge in edges):
-            return True
-        name = re.escape(unit.name)
-        return any(re.search(rf"\b{name}", source.text) for source in self.robot.of_kind("udev-rules"))
+        return any(edge.kind in STARTING for edge in edges) or unit.name in self._named_by_udev
+
+    @cached_property
+    def _named_by_udev(self) -> frozenset[str]:
+        """Everything in udev rules that can be the name of a unit."""
+        return frozenset(name for source in self.files.of_kind("udev-rules") for name in _unit_names(source.text))
+
+    @cached_property
+    def boot(self) -> Boot:
+        return Boot(self, self.graph)
 
     def waits_for(self, unit: Unit, name: str) -> list[Edge] | None:
         """The chain of ordering by which the unit starts after the named one; None when there is none."""
-        return boot.waits_for(self, unit, name)
+        return self.boot.waits_for(unit, name)
 
     def ordered(self, unit: Unit, name: str) -> bool:
         """Whether the two units have an order at all, whichever is first."""
-        return boot.ordered(self, unit, name)
+        return self.boot.ordered(unit, name)
 
     def brings_in(self, unit: Unit, name: str) -> list[Edge] | None:
         """The chain by which starting the unit starts the named one too; None when there is none."""
-        return boot.brings_in(self, unit, name)
+        return self.boot.brings_in(unit, name)
 
     def brought_in(self, near: Unit, name: str) -> list[Edge] | None:
         """The chain by which the named unit starts at boot, whatever ``near`` says."""
-        return boot.brought_in(self, near, name)
+        return self.boot.brought_in(near, name)
+
+
+def _unit_names(text: str) -> Iterator[str]:
+    """The parts of words that start where a word may start and end with the type of a unit."""
+    for word in _WORD.findall(text):
+        for suffix in _TYPE.finditer(word) if len(word) <= _LONGEST_WORD else []:
+            for start in _WORD_START.finditer(word, 0, suffix.start()):
+                yield word[start.start() : suffix.end()]

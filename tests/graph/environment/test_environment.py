@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from bringup_lint.graph.systemd.environment import process_environment
 from bringup_lint.parsers.env_file import parse
+from bringup_lint.robot import Robot
 from bringup_lint.source import Source
 from tests.graph.systemd.test_units import load
 from tests.graph.systemd.test_units import only
@@ -102,7 +102,7 @@ def test_shell_text_and_scripts_add_to_it(tmp_path, monkeypatch):
     )
     unit = only(units, "a.service")
     (process,) = units.started(unit)
-    environment = process_environment(process, units.robot)
+    environment = units.process_environment(process)
     assert environment.text("NAME") == "humble-x"
     assert environment.text("OTHER") == "fallback"
     assert environment.text("ID") is None
@@ -124,7 +124,7 @@ def test_launch_adds_to_the_environment_of_its_unit(tmp_path, monkeypatch):
         },
         monkeypatch,
     )
-    ros = units.robot.ros
+    ros = Robot(units.files.tree).ros
     (launcher,) = ros.launchers
     seen = {each.node.label(): each.environment for each in ros.launched_by(launcher)}
     assert {name: each.text("ROS_DOMAIN_ID") for name, each in seen.items()} == {"plain": "2", "own": "43", "next": "3"}
@@ -147,7 +147,7 @@ def test_only_the_launched_processes_count_when_all_of_them_are_changed(tmp_path
         "a.launch.yaml": launch,
         "run.sh": "#!/bin/sh\nROS_DOMAIN_ID=7 ros2 launch a.launch.yaml\n",
     }
-    ros = load(tmp_path, files, monkeypatch).robot.ros
+    ros = Robot(load(tmp_path, files, monkeypatch).files.tree).ros
     assert [process.name for process in ros.processes] == ["b of service 'base'", "b of run.sh"]
     (of_service, of_script) = ros.processes
     assert of_service.environment.text("ROS_HOME") == "/y"
@@ -160,7 +160,7 @@ def test_a_node_of_several_launch_files_counts_once(tmp_path, monkeypatch):
     part = "<launch><node pkg='a' exec='b'><env name='ROS_DOMAIN_ID' value='5'/></node></launch>"
     entry = "<launch><include file='$(dirname)/part.launch.xml'/></launch>"
     files = {"part.launch.xml": part, "robot.launch.xml": entry, "test_bench.launch.xml": entry}
-    ros = load(tmp_path, files, monkeypatch).robot.ros
+    ros = Robot(load(tmp_path, files, monkeypatch).files.tree).ros
     assert [process.name for process in ros.processes] == ["b of robot.launch.xml"]
 
 
@@ -175,7 +175,7 @@ def test_a_node_of_several_launch_files_counts_once(tmp_path, monkeypatch):
 )
 def test_a_middleware_in_the_environment_is_of_ros(tmp_path, monkeypatch, variable, expected):
     units = load(tmp_path, {"a.service": f"[Service]\nEnvironment={variable}\nExecStart=/opt/drive\n"}, monkeypatch)
-    assert units.robot.is_ros is expected
+    assert units.files.is_ros is expected
 
 
 def test_processes_are_counted_once_when_launch_gets_arguments(tmp_path, monkeypatch):
@@ -188,7 +188,7 @@ def test_processes_are_counted_once_when_launch_gets_arguments(tmp_path, monkeyp
         },
         monkeypatch,
     )
-    ros = units.robot.ros
+    ros = Robot(units.files.tree).ros
     assert [(process.name, ros.started_by(process)) for process in ros.processes] == [
         ("a.service", 1),
         ("own of a.service", 1),

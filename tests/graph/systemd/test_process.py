@@ -52,10 +52,10 @@ def test_scripts_of_the_tree_are_followed(tmp_path, monkeypatch):
 def test_script_that_is_not_there_is_said(tmp_path, monkeypatch):
     found = process(tmp_path, monkeypatch, "/bin/bash /opt/robot/none.sh")
     assert found.opaque
-    assert found.lost_script == "/opt/robot/none.sh"
+    assert found.script_outside_tree == "/opt/robot/none.sh"
 
 
 def test_program_of_the_system_is_no_lost_script(tmp_path, monkeypatch):
     found = process(tmp_path, monkeypatch, "/usr/bin/socat TCP-LISTEN:1 TCP:x:2")
     assert found.opaque
-    assert found.lost_script is None
+    assert found.script_outside_tree is None

@@ -7,15 +7,27 @@ from pathlib import Path
 import pytest
 
 from bringup_lint.discover.walk import discover
+from bringup_lint.graph.systemd.log_directory import LogDirectory
+from bringup_lint.graph.systemd.log_directory import log_directory
 from bringup_lint.graph.systemd.sandbox import Sandbox
+from bringup_lint.graph.systemd.units import Units
 from bringup_lint.robot import Robot
 
 
-def sandbox(folder: Path, *lines: str) -> Sandbox:
+def units_of(folder: Path, *lines: str) -> Units:
     text = "\n".join(["[Service]", "ExecStart=/opt/ros/jazzy/lib/rover/arm", *lines])
     (folder / "one.service").write_text(text + "\n")
-    robot = Robot(discover([str(folder)]))
-    return Sandbox(robot.units.services[0], robot)
+    return Robot(discover([str(folder)])).units
+
+
+def sandbox(folder: Path, *lines: str) -> Sandbox:
+    units = units_of(folder, *lines)
+    return units.sandbox(units.services[0])
+
+
+def log_of(folder: Path, *lines: str) -> LogDirectory | None:
+    units = units_of(folder, *lines)
+    return log_directory(units, units.started(units.services[0])[0])
 
 
 @pytest.mark.parametrize(
@@ -63,11 +75,11 @@ def test_nothing_restricts(tmp_path: Path, lines: list[str], path: str) -> None:
     ],
 )
 def test_log_directory(tmp_path: Path, lines: list[str], path: str | None) -> None:
-    box = sandbox(tmp_path, *lines)
-    assert box.log_directory(box.robot.units.started(box.unit)[0]).path == path
+    log = log_of(tmp_path, *lines)
+    assert log is not None
+    assert log.path == path
 
 
 @pytest.mark.parametrize("lines", [["User=%i"], ["User=1000"], ["EnvironmentFile=/etc/rover.env"], []])
 def test_log_directory_is_not_known(tmp_path: Path, lines: list[str]) -> None:
-    box = sandbox(tmp_path, *lines)
-    assert box.log_directory(box.robot.units.started(box.unit)[0]) is None
+    assert log_of(tmp_path, *lines) is None

@@ -21,7 +21,7 @@ def wait(folder: Path, text: str, arguments: str = "") -> float:
     script.write_text(f"#!/bin/bash\n{text}\n")
     (folder / "one.service").write_text(f"[Service]\nExecStart=/usr/local/bin/check {arguments}\n")
     robot = Robot(discover([str(folder)]))
-    return longest_wait(robot.units.started(robot.units.services[0])[0], robot).seconds
+    return longest_wait(robot.units.started(robot.units.services[0])[0], robot.files).seconds
 
 
 @pytest.mark.parametrize(

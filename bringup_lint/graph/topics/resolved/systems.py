@@ -33,7 +33,7 @@ def systems(robot: Robot) -> Iterator[tuple[str, list[Expansion], bool]]:
 def _groups(robot: Robot, processes: list[RosProcess]) -> Iterator[tuple[str, list[RosProcess]]]:
     units = {id(each.unit): each.unit for each in processes if each.unit is not None}
     stacked: set[int] = set()
-    for stack in robot.units.stacks if units else ():
+    for stack in robot.units.enabled_ros_groups if units else ():
         stacked.update(id(unit) for unit in stack)
         if not any(robot.units.conflict(one, other) for one, other in combinations(stack, 2)):
             yield "the units", [each for each in processes if each.unit in stack]

@@ -4,13 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
+from bringup_lint.graph.systemd.named_units import NamedUnits
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.graph.variants import overlay_of
-
-if TYPE_CHECKING:
-    from bringup_lint.graph.systemd.units import Units
 
 _NAMING = (
     *("Requires", "Requisite", "Wants", "BindsTo", "PartOf", "Upholds", "After", "Before", "Conflicts"),
@@ -19,15 +16,15 @@ _NAMING = (
 _INSTALLING = ("WantedBy", "RequiredBy", "UpheldBy", "Also")
 
 
-def companions(units: Units, chosen: Iterable[Unit]) -> list[list[Unit]]:
+def same_robot_groups(units: NamedUnits, chosen: Iterable[Unit]) -> list[list[Unit]]:
     """The chosen units in groups. In a plain folder of a repository only names join them: units of several robots may
     lie side by side there."""
     chosen = list(chosen)
-    groups: dict[object, list[Unit]] = {}
+    groups: dict[str | Unit, list[Unit]] = {}
     leaders = _leaders(units) if any(_overlay(unit) is None for unit in chosen) else {}
     for unit in chosen:
         overlay = _overlay(unit)
-        key = overlay if overlay is not None else leaders.get(id(unit), id(unit))
+        key = overlay if overlay is not None else leaders.get(unit, unit)
         groups.setdefault(key, []).append(unit)
     return list(groups.values())
 
@@ -36,22 +33,22 @@ def _overlay(unit: Unit) -> str | None:
     return overlay_of(unit.files[0].source) if unit.files else None
 
 
-def _leaders(units: Units) -> dict[int, int]:
+def _leaders(units: NamedUnits) -> dict[Unit, Unit]:
     """For every unit one that stands for all that are joined to it by names, directly or through others."""
-    parents = {id(unit): id(unit) for unit in units.all}
+    parents = {unit: unit for unit in units.all}
 
-    def leader(key: int) -> int:
-        while parents[key] != key:
-            parents[key] = parents[parents[key]]
-            key = parents[key]
-        return key
+    def leader(unit: Unit) -> Unit:
+        while parents[unit] is not unit:
+            parents[unit] = parents[parents[unit]]
+            unit = parents[unit]
+        return unit
 
     for unit in units.all:
         for name in _named(unit):
             other = units.find(name, unit)
-            if other is not None and units.robot.same_robot(unit.where.source, other.where.source):
-                parents[leader(id(unit))] = leader(id(other))
-    return {key: leader(key) for key in parents}
+            if other is not None and units.files.same_robot(unit.where.source, other.where.source):
+                parents[leader(unit)] = leader(other)
+    return {unit: leader(unit) for unit in parents}
 
 
 def _named(unit: Unit) -> Iterator[str]:

@@ -1,0 +1,70 @@
+"""Shells as programs: what they are told to read, and which files of people they read before."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from bringup_lint.graph.commands.wrappers import program_name
+from bringup_lint.graph.commands.wrappers import unwrapped
+from bringup_lint.model.shell import Command
+from bringup_lint.source import Located
+
+SHELLS = frozenset({"sh", "bash", "dash", "zsh", "ksh"})
+SHELL_SCRIPT = re.compile(r"#!\s*\S*/(?:env\s+(?:-S\s+)?)?(sh|bash|dash|zsh|ksh)\b")
+"""The first line of a shell script."""
+SCRIPT_DEPTH = 4
+"""How many scripts that call each other are followed."""
+
+_VALUED = re.compile(r"[-+][A-Za-z]*[oO]|--rcfile|--init-file")
+"""Options of shells that take a value."""
+_PROFILE = re.compile(r"(?:^|/)(?:\.bashrc|\.bash_profile|\.profile|\.zshrc|bash\.bashrc|profile)$")
+_LOGIN = re.compile(r"-[a-z]*[li][a-z]*")
+
+
+class ShellInput(NamedTuple):
+    """What a shell reads: the text after ``-c``, or a script."""
+
+    text: Located | None
+    script: Located | None
+    arguments: tuple[Located, ...]
+    """``$1`` and so on."""
+
+
+def shell_input(words: tuple[Located, ...]) -> ShellInput | None:
+    """What a shell with these words after its name reads; None when it reads its standard input."""
+    at = 0
+    while at < len(words):
+        word = words[at]
+        if _VALUED.fullmatch(word):
+            at += 2
+        elif is_command_option(word) and at + 1 < len(words):
+            return ShellInput(words[at + 1], None, words[at + 3 :])
+        elif word.startswith(("-", "+")):
+            at += 1
+        else:
+            return ShellInput(None, word, words[at + 1 :])
+    return None
+
+
+def is_command_option(word: str) -> bool:
+    """Whether it is ``-c``, alone or among other letters."""
+    return word.startswith("-") and not word.startswith("--") and "c" in word
+
+
+def profiles(command: Command) -> Iterator[Located]:
+    """The words by which a command reads what is meant for people: a sourced ``.bashrc``, ``bash -l``, ``bash -i``."""
+    words = unwrapped(command.words)
+    name = program_name(words[0]) if words else ""
+    if name in ("source", ".") and len(words) > 1 and _PROFILE.search(words[1]):
+        yield words[1]
+    if name not in SHELLS:
+        return
+    for word in words[1:]:
+        if not word.startswith("-"):
+            return
+        if word == "--login" or _LOGIN.fullmatch(word):
+            yield word
+        if is_command_option(word):
+            return

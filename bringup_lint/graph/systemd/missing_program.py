@@ -1,0 +1,50 @@
+"""Programs of Exec lines that systemd cannot start: status 203/EXEC."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from enum import Enum
+from typing import NamedTuple
+
+from bringup_lint.graph.systemd.filesystem import Filesystem
+from bringup_lint.graph.systemd.process import Process
+from bringup_lint.source import Source
+
+_OWN = re.compile(r"/(?:usr/local|opt|etc|home|root|srv|var|data)/.+")
+"""Where programs lie that no package of the distribution brings."""
+_SCRIPT = re.compile(r"\.(?:sh|bash|py|pl)$")
+
+
+class Defect(Enum):
+    MISSING = "it is not in the root file system"
+    NOT_EXECUTABLE = "its mode lets nobody execute it"
+    NO_INTERPRETER = "it is a script without a #! line"
+
+
+class Unstartable(NamedTuple):
+    defect: Defect
+    source: Source | None
+    """The file; None when it is missing."""
+
+
+def is_own_program(process: Process) -> bool:
+    """Whether a command line must start a program of one's own, by a path that is known."""
+    program, unit = process.program, process.unit
+    if "-" in process.prefixes or not _OWN.match(program) or "$" in program or "%" in program:
+        return False
+    return not unit.is_opaque(process.line) and not unit.get("RootDirectory") and not unit.get("RootImage")
+
+
+def unstartable(process: Process, filesystem: Filesystem) -> Iterator[Unstartable]:
+    """What keeps systemd from starting the program of a command line."""
+    program, tree = str(process.program), filesystem.files.tree
+    source = tree.find(program)
+    if source is None:
+        if tree.complete and filesystem.exists(program) is False:
+            yield Unstartable(Defect.MISSING, None)
+        return
+    if source.mode is not None and not source.mode & 0o111:
+        yield Unstartable(Defect.NOT_EXECUTABLE, source)
+    if source.text and not source.template and not source.text.startswith("#!") and _SCRIPT.search(program):
+        yield Unstartable(Defect.NO_INTERPRETER, source)

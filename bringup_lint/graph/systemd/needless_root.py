@@ -1,0 +1,66 @@
+"""What services run as root although it needs no root."""
+
+from __future__ import annotations
+
+import re
+from enum import Enum
+from typing import NamedTuple
+
+from bringup_lint.graph.commands.wrappers import program_name
+from bringup_lint.graph.systemd.process import Process
+from bringup_lint.graph.systemd.units import Units
+from bringup_lint.source import Located
+
+_HOME = re.compile(r"/home/([^/]+)/")
+_INTERPRETER = re.compile(r"(?:python[0-9.]*|node|nodejs|ruby|perl|bash|sh|dash)$")
+_OF_DISTRIBUTION = ("/usr/lib/", "/usr/share/", "/usr/bin/", "/lib/")
+_RELAYS = frozenset({"socat", "nc", "ncat", "netcat", "websockify", "ttyd", "gunicorn", "uvicorn", "mjpg_streamer"})
+_CONTAINERS = frozenset(
+    {"docker", "docker-compose", "podman", "podman-compose", "nerdctl", "systemd-nspawn", "machinectl", "lxc"}
+)
+_DROPPERS = frozenset({"setpriv", "runuser", "su", "sudo", "gosu", "su-exec", "chpst", "s6-setuidgid"})
+
+
+class Work(Enum):
+    ROS = "ROS"
+    PROBABLY_ROS = "a script outside the tree, in a tree for ROS"
+    IN_HOME = "a program in the home of a user, who can change it"
+    OWN_SCRIPT = "a script that the distribution does not ship"
+    RELAY = "a program that relays data"
+
+
+class NeedlessRoot(NamedTuple):
+    """What a command line runs that needs no root."""
+
+    work: Work
+    where: Located
+    owner: str = ""
+    """For ``IN_HOME``: the user."""
+
+
+def changes_user(process: Process) -> bool:
+    """Whether the command line gives root up itself, or starts a container."""
+    for step in process.steps:
+        words = step.command.words[:2] if step.command.name == "exec" else step.command.words[:1]
+        if any(program_name(word) in _DROPPERS or program_name(word) in _CONTAINERS for word in words):
+            return True
+    return False
+
+
+def needless_root(process: Process, units: Units) -> NeedlessRoot | None:
+    """What a command line runs that needs no root; None when it may need it."""
+    if process.mentions_ros:
+        return NeedlessRoot(Work.ROS, process.ros[0][1].where if process.ros else process.program)
+    script = process.script_outside_tree
+    if script is not None and process.unit in units.presumed_ros:
+        return NeedlessRoot(Work.PROBABLY_ROS, script)
+    if process.unit.get("Type") in ("oneshot", "forking"):
+        return None
+    paths = [word for word in process.argv[:2] if word.startswith("/")]
+    for path in paths:
+        home = _HOME.match(path)
+        if home:
+            return NeedlessRoot(Work.IN_HOME, path, home[1])
+    if _INTERPRETER.match(process.name) and len(paths) > 1 and not paths[1].startswith(_OF_DISTRIBUTION):
+        return NeedlessRoot(Work.OWN_SCRIPT, paths[1])
+    return NeedlessRoot(Work.RELAY, process.program) if process.name in _RELAYS else None

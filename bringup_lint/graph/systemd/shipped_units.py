@@ -1,0 +1,45 @@
+"""The units that Ubuntu and Debian ship, for trees that do not hold them (table ``systemd/units``)."""
+
+from __future__ import annotations
+
+import re
+from functools import lru_cache
+
+GENERATED = re.compile(
+    r"\.(?:device|mount|automount|swap|slice|scope)$|^(?:getty|serial-getty|user|user-runtime-dir|modprobe|systemd-fsck"
+    r"|systemd-backlight|systemd-growfs|systemd-cryptsetup|systemd-pcrphase|wpa_supplicant|dhcpcd|ifup|netplan-\w+"
+    r"|container-getty|autovt|systemd-[\w-]+)@|^(?:dbus-.*|netplan-.*|snap[.-].*|cloud-.*|nvargus-.*|nvidia-.*)\.\w+$"
+)
+"""Names that the kernel, a generator or an installed package provides, so that nothing in a tree can prove
+them missing."""
+
+
+@lru_cache
+def names() -> frozenset[str]:
+    from bringup_lint.facts import table
+
+    return frozenset(row["unit"] for row in table("systemd/units"))
+
+
+@lru_cache
+def aliases() -> dict[str, str]:
+    """Other names of units, such as ``default.target``."""
+    from bringup_lint.facts import table
+
+    return {row["unit"]: row["alias_of"] for row in table("systemd/units") if row["alias_of"] not in ("", "masked")}
+
+
+def is_shipped(name: str) -> bool:
+    """Whether Ubuntu or Debian ships the unit, templates' instances included."""
+    if name in names():
+        return True
+    stem, _, suffix = name.rpartition(".")
+    return "@" in stem and f"{stem.partition('@')[0]}@.{suffix}" in names()
+
+
+@lru_cache
+def without_default_dependencies() -> frozenset[str]:
+    """The units of the distribution that say DefaultDependencies=no."""
+    from bringup_lint.facts import table
+
+    return frozenset(row["unit"] for row in table("systemd/units") if row["default_dependencies"] == "no")
