@@ -36,7 +36,7 @@ LAYERS = (
     {"graph.systemd", "graph.launch"},
     {"graph.workspace", "graph.compose", "graph.netplan", "graph.networkmanager", "graph.udev", "graph.commands"},
     {"graph.files", "graph.file_nodes", "graph.places", "graph.layers"},
-    {"graph.graph", "graph.target", "graph.variants", "graph.yaml_edits"},
+    {"graph.components", "graph.graph", "graph.memo", "graph.target", "graph.variants", "graph.yaml_edits"},
     {"discover"},
     {"parsers"},
     {"schema"},
@@ -46,11 +46,9 @@ LAYERS = (
 )
 """From the top down. The layers of one line do not import each other; ``""`` is the version of the package."""
 LEVEL = {name: level for level, names in enumerate(LAYERS) for name in names}
-TAKE_A_ROBOT = frozenset(
-    "graph.dds graph.nodes graph.secrets graph.sros2 graph.supervision graph.systemd graph.topics".split()
-)
+TAKE_A_ROBOT = frozenset("graph.dds graph.nodes graph.secrets graph.sros2 graph.topics".split())
 """Layers that still have to be given what they ask, one by one; nothing may be added."""
-HAVE_CIRCLES = frozenset("graph.environment graph.params graph.systemd graph.topics".split())
+HAVE_CIRCLES = frozenset("graph.environment graph.params graph.topics".split())
 """Layers whose files still import each other in a circle; nothing may be added."""
 
 
