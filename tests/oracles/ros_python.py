@@ -1,7 +1,9 @@
-"""The interpreter that has ROS's own launch: BRINGUP_LINT_ROS_PYTHON names it."""
+"""The interpreter that has ROS's own launch, which BRINGUP_LINT_ROS_PYTHON names; and rclpy, where this one has it."""
 
 from __future__ import annotations
 
+import importlib.metadata
+import importlib.util
 import os
 import subprocess
 from functools import cache
@@ -18,3 +20,10 @@ def tool() -> str:
     environment = {key: value for key, value in os.environ.items() if key != "PYTHONPATH"}
     run = subprocess.run([PYTHON, "-c", _VERSION], capture_output=True, text=True, env=environment, check=False)
     return f"launch {run.stdout.strip()}".strip()
+
+
+def rclpy() -> str:
+    """Such as ``rclpy 7.1.1``; without the number where it is not installed."""
+    if importlib.util.find_spec("rclpy") is None:
+        return "rclpy"
+    return f"rclpy {importlib.metadata.version('ros-jazzy-rclpy')}"

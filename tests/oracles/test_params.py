@@ -6,8 +6,6 @@ for thousands of files; some of them are also given to real nodes with ``--param
 
 from __future__ import annotations
 
-import importlib.metadata
-import importlib.util
 import json
 import os
 import random
@@ -25,6 +23,7 @@ from bringup_lint.parsers.params import parse
 from bringup_lint.source import Source
 from bringup_lint.toml import read_toml
 from tests.oracles.answers import Oracle
+from tests.oracles.ros_python import rclpy
 
 FOLDER = Path(__file__).parent
 WORDS = read_toml((FOLDER / "params.toml").read_text("utf-8"))
@@ -38,13 +37,6 @@ STARTED = 120
 """Bred files that are also given to a real node."""
 OWN = ("use_sim_time", "start_type_description_service")
 """Parameters that every rclpy node declares for itself."""
-
-
-def tool() -> str:
-    """Such as ``rclpy 7.1.1``; without the number where it is not installed."""
-    if importlib.util.find_spec("rclpy") is None:
-        return "rclpy"
-    return f"rclpy {importlib.metadata.version('ros-jazzy-rclpy')}"
 
 
 def ask(cases: list[dict]) -> list:
@@ -165,13 +157,13 @@ def tables(texts: list[str]) -> list:
 
 def test_every_file_gives_the_same_table(answers: Oracle) -> None:
     texts = [*WORDS["files"], *scalars(), *keys(), *bred()]
-    given = answers.of("rcl/tables", tool(), texts, tables)
+    given = answers.of("rcl/tables", rclpy(), texts, tables)
     judge_tables(given.pairs)
     assert sum(answer is not None for _, answer in given.pairs) > len(given.pairs) // 5
 
 
 @pytest.mark.corpus
-@pytest.mark.skipif(tool() == "rclpy", reason="needs rclpy")
+@pytest.mark.skipif(rclpy() == "rclpy", reason="needs rclpy")
 @pytest.mark.skipif(not CORPUS, reason="BRINGUP_LINT_CORPUS names no folder")
 def test_real_files_give_the_same_table() -> None:
     texts = real_files()
@@ -188,7 +180,7 @@ def test_real_nodes_get_what_we_say(answers: Oracle) -> None:
     names = [("n", "/"), ("n", "/x"), ("m", "/x/y")]
     files = [*WORDS["files"], *keys(), *scalars(), *(text for text in bred() if table(text))][: 330 + STARTED]
     cases = [[text, *chance.choice(names)] for text in files]
-    pairs = answers.of("rcl/nodes", tool(), cases, arrived).pairs
+    pairs = answers.of("rcl/nodes", rclpy(), cases, arrived).pairs
     assert len(pairs) >= 400
     wrong = [(case, real) for case, real in pairs if case[0] not in DIFFERENCES and _own(node(*case)) != real]
     assert not wrong, (

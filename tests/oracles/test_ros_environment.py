@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib.util
 import random
 from pathlib import Path
 
@@ -13,10 +12,10 @@ from bringup_lint.parsers.ros_values import RMW_IMPLEMENTATIONS
 from bringup_lint.parsers.ros_values import domain_id
 from bringup_lint.toml import read_toml
 from tests.lint import lint
+from tests.oracles.answers import Oracle
 from tests.oracles.ros_node import Started
 from tests.oracles.ros_node import start
-
-pytestmark = pytest.mark.skipif(importlib.util.find_spec("rclpy") is None, reason="needs ros-jazzy-rclpy")
+from tests.oracles.ros_python import rclpy
 
 VALUES = read_toml((Path(__file__).parent / "ros_environment.toml").read_text("utf-8"))
 TEXTS = 300
@@ -61,25 +60,34 @@ def is_there(name: str, value: str) -> bool:
     return name != "RMW_IMPLEMENTATION" or value not in RMW_IMPLEMENTATIONS or value == "rmw_fastrtps_cpp"
 
 
+def troubles(name: str, values: list[str]) -> list[str]:
+    started = start([{name: value} for value in values], each_alone=name.startswith(READ_ONCE))
+    return [trouble(name, value, answer) for value, answer in zip(values, started, strict=True)]
+
+
 @pytest.mark.parametrize("name", VALUES)
-def test_values(name: str, tmp_path: Path) -> None:
+def test_values(name: str, answers: Oracle, tmp_path: Path) -> None:
     values = [value for value in VALUES[name] if is_there(name, value)]
-    answers = start([{name: value} for value in values], each_alone=name.startswith(READ_ONCE))
-    said = {value: verdict(tmp_path, name, value) for value in values}
-    real = {value: trouble(name, value, answer) for value, answer in zip(values, answers, strict=True)}
-    flagged = {value for value in values if said[value]}
-    assert flagged == {value for value in values if real[value]}, (said, real)
+    real = dict(answers.of(f"rcl/{name.lower()}", rclpy(), values, lambda values: troubles(name, values)).pairs)
+    said = {value: verdict(tmp_path, name, value) for value in real}
+    flagged = {value for value in real if said[value]}
+    assert flagged == {value for value in real if real[value]}, (said, real)
     assert any(real.values()) and not all(real.values())
 
 
-def test_localhost_only_means_what_the_message_says(tmp_path: Path) -> None:
+def switches(values: list[str]) -> list[str]:
+    """What the values of ROS_LOCALHOST_ONLY mean."""
+    started = start([{"ROS_LOCALHOST_ONLY": value} for value in values], node=False)
+    return ["enabled" if "'localhost_only' is enabled" in answer.output else "disabled" for answer in started]
+
+
+def test_localhost_only_means_what_the_message_says(answers: Oracle, tmp_path: Path) -> None:
     values = [value for value in VALUES["ROS_LOCALHOST_ONLY"] if value not in ("", "0", "1")]
-    answers = start([{"ROS_LOCALHOST_ONLY": value} for value in values], node=False)
-    for value, answer in zip(values, answers, strict=True):
-        means = "enabled" if "'localhost_only' is enabled" in answer.output else "disabled"
+    for value, means in answers.of("rcl/localhost", rclpy(), values, switches).pairs:
         assert f"means {means}" in verdict(tmp_path, "ROS_LOCALHOST_ONLY", value)[0]
 
 
+@pytest.mark.skipif(rclpy() == "rclpy", reason="needs ros-jazzy-rclpy")
 def test_logging_that_fails_does_not_stop_the_process() -> None:
     (answer,) = start([{"RCUTILS_COLORIZED_OUTPUT": "true"}])
     assert answer.running
@@ -87,16 +95,15 @@ def test_logging_that_fails_does_not_stop_the_process() -> None:
     assert len(answer.output) > 10_000
 
 
-def test_every_domain_id_is_read_as_rcl_reads_it() -> None:
+def domains(texts: list[str]) -> list[int | None]:
+    return [answer.domain for answer in start([{"ROS_DOMAIN_ID": text} for text in texts], node=False)]
+
+
+def test_every_domain_id_is_read_as_rcl_reads_it(answers: Oracle) -> None:
     chance = random.Random(3)
     letters = " +-0123456789xXaAfF.\t_;,'"
-    bred = ["".join(chance.choices(letters, k=chance.randint(1, 5))) for _ in range(TEXTS)]
-    texts = [*VALUES["ROS_DOMAIN_ID"], *bred]
-    answers = start([{"ROS_DOMAIN_ID": text} for text in texts], node=False)
-    wrong = {
-        text: (real.domain, domain_id(text))
-        for text, real in zip(texts, answers, strict=True)
-        if real.domain != domain_id(text).number
-    }
+    made = ["".join(chance.choices(letters, k=chance.randint(1, 5))) for _ in range(TEXTS)]
+    given = answers.of("rcl/domains", rclpy(), [*VALUES["ROS_DOMAIN_ID"], *made], domains)
+    wrong = {text: (real, domain_id(text)) for text, real in given.pairs if real != domain_id(text).number}
     assert wrong == {}
-    assert sum(answer.running for answer in answers) > TEXTS // 5
+    assert sum(real is not None for _, real in given.pairs) > TEXTS // 5
