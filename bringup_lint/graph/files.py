@@ -103,7 +103,7 @@ class Files:
         """Whether the tree has to do with ROS 2: something of it names a distribution, configures a middleware in the
         environment, or is a kind that only ROS has."""
         return (
-            self.target.ros_why != "not known"
+            self.target.ros_named
             or any(kind.startswith(_ROS_KINDS) for kind in self.kinds)
             or self.mentions(_CONFIGURES_MIDDLEWARE)
         )

@@ -44,6 +44,8 @@ class Target:
     systemd: int
     systemd_why: str
     systemd_known: bool
+    ros_named: bool
+    """Whether the configuration or the tree names a distribution, be it several."""
 
     @property
     def newest(self) -> int:
@@ -54,20 +56,20 @@ class Target:
 def find_target(sources: Iterable[Source], ros: str | None, systemd: int | None) -> Target:
     """The configured target, else what the tree says about itself, else the defaults."""
     sources = list(sources)
-    ros_why = "configured" if ros else "not known"
+    ros_why, named = ("configured", True) if ros else ("not known", False)
     if ros is None:
-        ros, ros_why = _mentioned_ros(sources)
+        ros, ros_why, named = _mentioned_ros(sources)
     if systemd is not None:
-        return Target(ros, ros_why, systemd, "configured", True)
+        return Target(ros, ros_why, systemd, "configured", True, named)
     release = _os_release(sources)
     if release:
-        return Target(ros, ros_why, *release, True)
+        return Target(ros, ros_why, *release, True, named)
     if ros:
-        return Target(ros, ros_why, distros.systemd_of(ros), f"the systemd of ROS {ros}'s Ubuntu", True)
-    return Target(None, ros_why, DEFAULT_SYSTEMD, "assumed: Ubuntu 22.04", False)
+        return Target(ros, ros_why, distros.systemd_of(ros), f"the systemd of ROS {ros}'s Ubuntu", True, named)
+    return Target(None, ros_why, DEFAULT_SYSTEMD, "assumed: Ubuntu 22.04", False, named)
 
 
-def _mentioned_ros(sources: Iterable[Source]) -> tuple[str | None, str]:
+def _mentioned_ros(sources: Iterable[Source]) -> tuple[str | None, str, bool]:
     mentions: dict[str, Source] = {}
     for source in sources:
         if not source.judged or source.kind == "python-node":
@@ -76,10 +78,10 @@ def _mentioned_ros(sources: Iterable[Source]) -> tuple[str | None, str]:
             mentions.setdefault(next(group for group in match.groups() if group), source)
     if len(mentions) == 1:
         (ros, source) = next(iter(mentions.items()))
-        return ros, f"named in {source.name}"
+        return ros, f"named in {source.name}", True
     if mentions:
-        return None, f"not known: the tree names {', '.join(sorted(mentions))}"
-    return None, "not known"
+        return None, f"not known: the tree names {', '.join(sorted(mentions))}", True
+    return None, "not known", False
 
 
 def _os_release(sources: Iterable[Source]) -> tuple[int, str] | None:

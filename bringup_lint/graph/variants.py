@@ -7,6 +7,8 @@ the folders below their common one are alike: when both hold units, launch files
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -38,6 +40,8 @@ TELLING = frozenset(
     }
 )
 """Kinds of which each robot has its own."""
+_NONE: frozenset[str] = frozenset()
+"""The kinds below a file, which is not a folder: it is for whatever the folders beside it are for."""
 
 
 def overlay_of(source: Source) -> str | None:
@@ -63,9 +67,7 @@ class Variants:
             return roots[0] == roots[1]
         ours, theirs = (os.path.abspath(source.name).split("/") for source in (one, other))
         depth = next((at for at, (our, their) in enumerate(zip(ours, theirs)) if our != their), 0)
-        if depth in (len(ours) - 1, len(theirs) - 1):
-            return True
-        one_side, other_side = (self._kinds_below.get("/".join(path[: depth + 1]), set()) for path in (ours, theirs))
+        one_side, other_side = (self._kinds_below.get("/".join(path[: depth + 1]), _NONE) for path in (ours, theirs))
         return not (one_side & other_side)
 
     def names(self, robot_path: str, asked_by: Source, found: Source) -> bool:
@@ -78,7 +80,7 @@ class Variants:
         return found.name.split("/")[-2:] == tail or self.same_robot(asked_by, found)
 
     @cached_property
-    def _kinds_below(self) -> dict[str, set[str]]:
+    def _kinds_below(self) -> Mapping[str, AbstractSet[str]]:
         """The telling kinds of the files below every folder."""
         found: dict[str, set[str]] = {}
         for source in self.tree.sources:

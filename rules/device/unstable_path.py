@@ -41,13 +41,13 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
 
-_SEVERITY = {"script": "warning", "default": "warning"}
+_SEVERITY = {"script": "warning", "default": "warning", "argument": "info"}
 
 
 @rule("error", symptoms=["could not open port /dev/ttyUSB0", "Could not open device /dev/ttyUSB0"])
 def unstable_path(robot: Robot) -> Iterator[Finding]:
     for use, links in robot.devices.unstable:
-        severity = "info" if use.user == "the launch argument" else _SEVERITY.get(use.certainty)
+        severity = _SEVERITY.get(use.certainty)
         names = " or ".join(link.path for link in links[:3])
         yield finding(
             use.path,

@@ -25,6 +25,7 @@ When you get security updates from a vendor with extended support, or the robot 
 - REP 2000
 """
 
+from collections.abc import Iterable
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -38,7 +39,7 @@ OLDER = ("eloquent", "dashing", "crystal")
 
 @rule("warning", tags=["CWE-1104"])
 def ros_distro_eol(robot: Robot) -> Iterator[Finding]:
-    for distro in [robot.target.ros] if robot.target.ros else OLDER if robot.target.ros_why == "not known" else []:
+    for distro in _distros(robot):
         end = distro_end(distro)
         where = robot.ros.first_mention(distro) if end is not None and end < robot.today else None
         if where is not None and not robot.ros.is_development(where):
@@ -48,3 +49,10 @@ def ros_distro_eol(robot: Robot) -> Iterator[Finding]:
                 advice="plan the migration to a supported distribution",
             )
             return
+
+
+def _distros(robot: Robot) -> Iterable[str]:
+    """The distribution of the tree; where it names none that is known, those before the first known one."""
+    if robot.target.ros:
+        return [robot.target.ros]
+    return [] if robot.target.ros_named else OLDER

@@ -55,3 +55,34 @@ def test_a_path_means_no_file_of_another_robot(tmp_path: Path) -> None:
     heron = next(source for source in tree.sources if source.name.endswith("heron/drive.service"))
     assert tree.find("/etc/robot/ros.env", kite) is None
     assert tree.find("/etc/robot/ros.env", heron) is not None
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [
+        ("ros.env", "heron/systemd/drive.service"),
+        ("heron/ros.env", "heron/systemd/units/drive.service"),
+        ("ros.env", "drive.service"),
+    ],
+)
+def test_a_file_beside_a_folder_is_for_what_the_folder_holds(tmp_path: Path, one: str, other: str) -> None:
+    """Also when the folder holds files of the same kind; and whichever of the two files asks."""
+    tree = robot(tmp_path, one, other, other.rpartition("/")[0] + "/spare.env")
+    assert together(tree, one, other)
+    assert together(tree, other, one)
+
+
+def test_the_relation_has_no_direction(tmp_path: Path) -> None:
+    names = [
+        "ros.env",
+        "heron/ros.env",
+        "heron/units/drive.service",
+        "kite/ros.env",
+        "kite/units/drive.service",
+        "board/etc/systemd/system/drive.service",
+        "board/etc/robot/ros.env",
+    ]
+    tree = robot(tmp_path, *names)
+    for one in tree.sources:
+        for other in tree.sources:
+            assert tree.same_robot(one, other) is tree.same_robot(other, one), (one.name, other.name)

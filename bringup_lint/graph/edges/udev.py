@@ -41,7 +41,13 @@ NO_HARDWARE = frozenset(
     }
 )
 """What the kernel and systemd always have below /dev."""
-_HOW = {"literal": "path", "host": "devices:", "script": "path in a script", "default": "default value"}
+_HOW = {
+    "literal": "path",
+    "host": "devices:",
+    "script": "path in a script",
+    "default": "default value",
+    "argument": "default value",
+}
 
 
 def device_edges(devices: Devices, params: Callable[[], Params], places: Places) -> Iterator[Edge]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
+from typing import Literal
 from typing import NamedTuple
 
 from bringup_lint.parsers.systemd_values import unescape_path
@@ -22,22 +23,28 @@ if TYPE_CHECKING:
 _PATH = re.compile(r"(?<![\w./$}])/dev/[A-Za-z][\w.+-]*(?:/[\w.:+-]+)*")
 
 
+Certainty = Literal["literal", "unit", "host", "script", "default", "argument"]
+"""``unit`` for the name of a device unit, ``host`` for a device that a container is handed; ``script``, ``default`` and
+``argument`` (the default of a launch argument) when it may be only one of several values."""
+
+
 class DeviceUse(NamedTuple):
     """One place that names a path below /dev."""
 
     path: Located
     user: str
     """Who opens it, in words."""
-    certainty: str = "literal"
-    """``literal``, ``unit`` for the name of a device unit, ``host`` for a device that a container is handed;
-    ``script`` and ``default`` when it may be only one of several values."""
+    certainty: Certainty = "literal"
 
 
-def uses_in(text: Located, user: str, certainty: str = "literal") -> Iterator[DeviceUse]:
+def uses_in(text: Located, user: str, certainty: Certainty = "literal") -> Iterator[DeviceUse]:
     """The device paths inside a text; what a shell puts in for an unset variable is a default."""
     for found in _PATH.finditer(text):
         default = text.endswith((":-", "-"), 0, found.start()) and "${" in text[: found.start()]
-        yield DeviceUse(text.part(*found.span()), user, "default" if default else certainty)
+        if default and certainty != "argument":
+            yield DeviceUse(text.part(*found.span()), user, "default")
+        else:
+            yield DeviceUse(text.part(*found.span()), user, certainty)
 
 
 def of_units(units: Units) -> Iterator[DeviceUse]:
@@ -122,7 +129,7 @@ def _of_action(action: Action) -> Iterator[DeviceUse]:
     from bringup_lint.model.launch import Node
 
     if isinstance(action, DeclareArgument):
-        yield from _of_value(action.default, "the launch argument", "default")
+        yield from _of_value(action.default, "the launch argument", "argument")
     if isinstance(action, (Node, ComposableNode)):
         values = (*action.parameters, *(action.arguments if isinstance(action, Node) else ()))
         for value in values:
@@ -131,7 +138,7 @@ def _of_action(action: Action) -> Iterator[DeviceUse]:
             yield from _of_action(component)
 
 
-def _of_value(value: Value | None, user: str, certainty: str) -> Iterator[DeviceUse]:
+def _of_value(value: Value | None, user: str, certainty: Certainty) -> Iterator[DeviceUse]:
     from bringup_lint.model.launch_values import Argument
     from bringup_lint.model.launch_values import Env
     from bringup_lint.model.launch_values import children
@@ -142,6 +149,6 @@ def _of_value(value: Value | None, user: str, certainty: str) -> Iterator[Device
     text = literal(value)
     if text is not None:
         yield from uses_in(text, user, certainty)
-    inner = "default" if isinstance(value, (Argument, Env)) else certainty
+    inner: Certainty = "default" if certainty != "argument" and isinstance(value, (Argument, Env)) else certainty
     for child in children(value):
         yield from _of_value(child, user, inner)

@@ -139,3 +139,21 @@ def test_stable_names_for_a_kernel_path() -> None:
     assert [link.path for link in found.stable_names("/dev/ttyUSB0")] == ["/dev/robot/imu"]
     assert [link.path for link in found.links_to("/dev/robot/base")] == ["/dev/robot/base"]
     assert found.stable_names("/dev/video0") == []
+
+
+@pytest.mark.parametrize(
+    ("match", "wanted", "expected"),
+    [
+        ('SUBSYSTEM=="tty"', ("tty",), True),
+        ('SUBSYSTEM=="tty"', ("tty", "video4linux"), True),
+        ('SUBSYSTEM=="tty|usb"', ("tty",), False),
+        ('SUBSYSTEM=="tty|usb"', ("tty", "usb"), True),
+        ('SUBSYSTEM=="usb"', ("tty",), False),
+        ('ATTRS{idVendor}=="0403"', ("tty",), False),
+    ],
+)
+def test_a_rule_is_for_subsystems_when_it_fires_for_no_other(
+    match: str, wanted: tuple[str, ...], expected: bool
+) -> None:
+    (rule,) = rules(f'{match}, SYMLINK+="sensor"\n')
+    assert rule.is_for(*wanted) is expected
