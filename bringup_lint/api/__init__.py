@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from bringup_lint.finding import Applicability
+from bringup_lint.finding import Codemod
 from bringup_lint.finding import Confidence
 from bringup_lint.finding import Edit
 from bringup_lint.finding import Finding
@@ -98,10 +99,10 @@ def note(where: Place, message: str) -> Related:
     return Related(span_of(where), message)
 
 
-def fix(title: str, *edits: tuple[Place, str], safe: bool = True) -> Fix:
-    """A change of one or more places; an empty replacement deletes."""
+def fix(title: str, *edits: tuple[Place, str], safe: bool = True, codemod: Codemod | None = None) -> Fix:
+    """A change of one or more places; an empty replacement deletes. A codemod changes a Python file as a whole."""
     applicability = Applicability.SAFE if safe else Applicability.UNSAFE
-    return Fix(title, tuple(Edit(span_of(where), text) for where, text in edits), applicability)
+    return Fix(title, tuple(Edit(span_of(where), text) for where, text in edits), applicability, codemod)
 
 
 def finding(

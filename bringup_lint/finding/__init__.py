@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum
 from enum import IntEnum
@@ -51,13 +52,23 @@ class Edit(NamedTuple):
     text: str
 
 
+@dataclass(frozen=True, eq=False)
+class Codemod:
+    """A change of a whole Python file that edits of places cannot express."""
+
+    source: Source
+    change: Callable[[str], str]
+    """Old text -> new text; the same text where there is nothing to do. Only the step that applies fixes calls it."""
+
+
 @dataclass(frozen=True)
 class Fix:
-    """A change that removes the finding."""
+    """A change that removes the finding: edits, or a codemod."""
 
     title: str
-    edits: tuple[Edit, ...]
+    edits: tuple[Edit, ...] = ()
     applicability: Applicability = Applicability.SAFE
+    codemod: Codemod | None = None
 
 
 class Related(NamedTuple):

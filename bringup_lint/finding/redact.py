@@ -75,7 +75,7 @@ class Mask:
     def source(self, source: Source) -> Source:
         """The same file with its secrets masked."""
         if source not in self.sources:
-            text = list(source.text) if source in self.spans else source.text
+            text = list(source.text)
             for _, start, end in self.spans.get(source, ()):
                 text[start:end] = _stars(source.text[start:end])
             masked = self.words("".join(text))
@@ -105,7 +105,7 @@ class Mask:
 
     def fix(self, fix: Fix) -> Fix:
         edits = tuple(Edit(self.span(edit.span), self.words(edit.text)) for edit in fix.edits)
-        return replace(fix, title=self.words(fix.title), edits=edits)
+        return replace(fix, title=self.words(fix.title), edits=edits, codemod=None)
 
 
 def _stars(secret: str) -> str:

@@ -36,11 +36,13 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.python import move_before
 
 
-@rule("error", symptoms=["launch configuration 'robot_name' does not exist"])
+@rule("error", fix="safe", symptoms=["launch configuration 'robot_name' does not exist"])
 def arg_used_before_declare(robot: Robot) -> Iterator[Finding]:
     for expansion in robot.launch.entries:
         declared = {each.name: each for each in expansion.declared if each.file is expansion.entry}
@@ -48,10 +50,12 @@ def arg_used_before_declare(robot: Robot) -> Iterator[Finding]:
             later = declared.get(str(used.argument.name))
             if later is None or not used.certain or used.file is not expansion.entry:
                 continue
+            move = move_before(later.action.span, used.argument.name.span)
             yield finding(
                 used.argument.name,
                 f"'{later.name}' is used before it is declared: launch aborts",
                 advice="move the declarations to the start of the description",
+                fix=fix(f"move the declaration of '{later.name}' before its use", codemod=move) if move else None,
                 related=[note(later.action.span, "declared here, later in the description")],
                 severity="warning" if used.conditions else None,
             )

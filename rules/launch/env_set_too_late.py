@@ -36,14 +36,16 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import fix
 from bringup_lint.api import launch
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.python import move_before
 
 PREFIXES = ("ROS_", "RMW_", "CYCLONEDDS_", "FASTRTPS_", "FASTDDS_", "RCUTILS_", "RCL_", "ZENOH_")
 
 
-@rule("warning")
+@rule("warning", fix="unsafe")
 def env_set_too_late(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         started = None
@@ -58,9 +60,11 @@ def env_set_too_late(robot: Robot) -> Iterator[Finding]:
                 isinstance(each, (launch.Process, launch.Include, launch.Group)) for each in launch.walk_actions(later)
             )
             what = "the nodes before it run without it" if rest else "no node gets it"
+            move = move_before(action.span, started.span)
             yield finding(
                 action.span,
                 f"{name} is set after nodes have started: {what}",
                 advice="set it first in the description",
+                fix=fix(f"set {name} before the nodes start", codemod=move, safe=False) if move else None,
                 related=[note(started.span, "already started")],
             )

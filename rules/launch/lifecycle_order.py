@@ -30,9 +30,11 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import fix
 from bringup_lint.api import launch
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.python import move_after
 
 BEFORE = {
     "amcl": (("map_server",), "it waits for a map"),
@@ -43,7 +45,7 @@ BEFORE = {
 }
 
 
-@rule("warning")
+@rule("warning", fix="unsafe")
 def lifecycle_order(robot: Robot) -> Iterator[Finding]:
     for expansion in robot.launch.expansions:
         for manager in launch.managers(expansion):
@@ -52,9 +54,11 @@ def lifecycle_order(robot: Robot) -> Iterator[Finding]:
                 needed, effect = BEFORE.get(fqn.rpartition("/")[2], ((), ""))
                 late = [later.name for later in managed[index + 1 :] if later.fqn.rpartition("/")[2] in needed]
                 if late:
+                    move = move_after(name.span, late[-1].span)
                     yield finding(
                         name,
                         f"{name} is activated before {late[0]}: {effect}",
                         advice=f"list it after {late[-1]}",
+                        fix=fix(f"list it after {late[-1]}", codemod=move, safe=False) if move else None,
                         related=[note(other, "listed later") for other in late],
                     )

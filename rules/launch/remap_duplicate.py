@@ -28,12 +28,14 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import fix
 from bringup_lint.api import launch
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.python import remove
 
 
-@rule("warning")
+@rule("warning", fix="safe")
 def remap_duplicate(robot: Robot) -> Iterator[Finding]:
     for node in robot.launch.nodes:
         first = {}
@@ -43,9 +45,11 @@ def remap_duplicate(robot: Robot) -> Iterator[Finding]:
                 continue
             before = first.setdefault(source, (source, target))
             if before[0] is not source and before[1] is not None and target is not None and before[1] != target:
+                drop = remove(source.span)
                 yield finding(
                     source,
                     f"'{source}' is remapped twice: the first rule applies and '{target}' is never used",
                     advice="keep one of them",
+                    fix=fix("remove the rule that never applies", codemod=drop) if drop else None,
                     related=[note(before[0], "the first rule")],
                 )

@@ -38,7 +38,7 @@ LAYERS = (
     {"graph.files", "graph.file_nodes", "graph.places", "graph.layers"},
     {"graph.components", "graph.graph", "graph.memo", "graph.target", "graph.variants", "graph.yaml_edits"},
     {"discover"},
-    {"parsers"},
+    {"parsers", "codemods"},
     {"schema"},
     {"model", "finding", "facts"},
     {"source", "spelling", "templates", "toml"},

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from tests.conftest import PROJECT
 
-HEAVY = ("networkx", "yaml", "pathspec", "click", "jsonschema", "lxml")
+HEAVY = ("libcst", "networkx", "yaml", "pathspec", "click", "jsonschema", "lxml")
 
 
 def loaded_after(code: str) -> set[str]:

@@ -32,7 +32,7 @@ def result(finding: Finding, index: int, places: Places, silenced: bool) -> dict
     if finding.chain:
         steps = [{"location": _said(step, places)} for step in finding.chain]
         made["codeFlows"] = [{"threadFlows": [{"locations": steps}]}]
-    if finding.fix:
+    if finding.fix and finding.fix.edits:
         made["fixes"] = [_fix(finding.fix, places)]
     if silenced:
         made["suppressions"] = list(_suppressions(finding, places))
