@@ -208,9 +208,15 @@ class Robot:
 
     @cached_property
     def dds(self) -> Dds:
-        from bringup_lint.graph.dds.dds import load_dds
+        from bringup_lint.graph.dds.dds import Dds
 
-        return load_dds(self)
+        return Dds(
+            self.files,
+            self.ros,
+            units=lambda: self.units,
+            netplan=lambda: self.netplan,
+            networkmanager=lambda: self.networkmanager,
+        )
 
     @cached_property
     def udev(self) -> Udev:

@@ -2,8 +2,94 @@
 
 from __future__ import annotations
 
+from bringup_lint.graph.dds.addresses import address_of
+from bringup_lint.graph.dds.addresses import is_address
+from bringup_lint.graph.dds.cyclonedds_discovery import bad_addresses
+from bringup_lint.graph.dds.cyclonedds_discovery import contacts_itself
+from bringup_lint.graph.dds.cyclonedds_discovery import domain_number
+from bringup_lint.graph.dds.cyclonedds_discovery import has_peers
+from bringup_lint.graph.dds.cyclonedds_discovery import least_buffers
+from bringup_lint.graph.dds.cyclonedds_discovery import multicast_off
+from bringup_lint.graph.dds.cyclonedds_discovery import on_loopback_only
+from bringup_lint.graph.dds.cyclonedds_discovery import peer_addresses
+from bringup_lint.graph.dds.cyclonedds_discovery import peers
+from bringup_lint.graph.dds.cyclonedds_discovery import size_of
+from bringup_lint.graph.dds.cyclonedds_names import accepted_by
+from bringup_lint.graph.dds.cyclonedds_names import first_of
+from bringup_lint.graph.dds.cyclonedds_names import interfaces_instead
+from bringup_lint.graph.dds.cyclonedds_names import meant_item
+from bringup_lint.graph.dds.cyclonedds_names import place_of
+from bringup_lint.graph.dds.cyclonedds_names import renamed
+from bringup_lint.graph.dds.cyclonedds_names import taken_by
+from bringup_lint.graph.dds.fastdds_names import first_named
+from bringup_lint.graph.dds.fastdds_names import initial_peers
+from bringup_lint.graph.dds.fastdds_names import meant_name
+from bringup_lint.graph.dds.fastdds_names import multicast_peers
+from bringup_lint.graph.dds.fastdds_names import number
+from bringup_lint.graph.dds.fastdds_names import overwritten_qos
+from bringup_lint.graph.dds.fastdds_names import places_of
+from bringup_lint.graph.dds.fastdds_names import seconds
+from bringup_lint.graph.dds.fastdds_names import transport_named
+from bringup_lint.graph.dds.fastdds_names import transport_type
+from bringup_lint.graph.dds.fastdds_names import used_transports
+from bringup_lint.graph.dds.fastdds_names import versions_with
+from bringup_lint.graph.dds.fastdds_names import whitelisted_addresses
+from bringup_lint.graph.dds.fastdds_names import with_blanks
+from bringup_lint.graph.dds.fastdds_names import words_taken
+from bringup_lint.graph.dds.network import interface_of_device
+from bringup_lint.graph.dds.network import interface_with
+from bringup_lint.graph.dds.network import is_routed
+from bringup_lint.graph.dds.network import may_exist
+from bringup_lint.graph.dds.network import named_interfaces
+from bringup_lint.graph.dds.network import networks
+from bringup_lint.graph.dds.network import subnets
+from bringup_lint.graph.dds.selection import user_of
 from bringup_lint.model.cyclonedds import Configuration
+from bringup_lint.parsers.cyclonedds_values import words as words_of
 
 __all__ = [
     "Configuration",
+    "accepted_by",
+    "address_of",
+    "bad_addresses",
+    "contacts_itself",
+    "domain_number",
+    "first_named",
+    "first_of",
+    "has_peers",
+    "initial_peers",
+    "interface_of_device",
+    "interface_with",
+    "interfaces_instead",
+    "is_address",
+    "is_routed",
+    "least_buffers",
+    "may_exist",
+    "meant_item",
+    "meant_name",
+    "multicast_off",
+    "multicast_peers",
+    "named_interfaces",
+    "networks",
+    "number",
+    "on_loopback_only",
+    "overwritten_qos",
+    "peer_addresses",
+    "peers",
+    "place_of",
+    "places_of",
+    "renamed",
+    "seconds",
+    "size_of",
+    "subnets",
+    "taken_by",
+    "transport_named",
+    "transport_type",
+    "used_transports",
+    "user_of",
+    "versions_with",
+    "whitelisted_addresses",
+    "with_blanks",
+    "words_of",
+    "words_taken",
 ]

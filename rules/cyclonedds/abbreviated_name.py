@@ -33,6 +33,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.dds import renamed
 from bringup_lint.api.schema import Code
 
 
@@ -48,5 +49,5 @@ def abbreviated_name(robot: Robot) -> Iterator[Finding]:
             message,
             advice=f"write {remark.detail}",
             severity=None if remark.fatal else "info",
-            fix=fix(f"write {remark.detail}", *robot.dds.renamed(remark.where, remark.detail)),
+            fix=fix(f"write {remark.detail}", *renamed(remark.where, remark.detail)),
         )

@@ -38,6 +38,8 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.dds import interfaces_instead
+from bringup_lint.api.dds import renamed
 from bringup_lint.api.schema import Code
 
 
@@ -58,7 +60,7 @@ def deprecated_element(robot: Robot) -> Iterator[Finding]:
             )
         elif remark.code == Code.ALIAS:
             message, advice = f"{remark.where} is the old name of {remark.detail}", f"write {remark.detail}"
-            change = fix(f"rename to {remark.detail}", *robot.dds.renamed(remark.where, remark.detail))
+            change = fix(f"rename to {remark.detail}", *renamed(remark.where, remark.detail))
         else:
             message, advice = (
                 f"{remark.where} is deprecated in {library}",
@@ -66,5 +68,5 @@ def deprecated_element(robot: Robot) -> Iterator[Finding]:
             )
             if remark.item.name == "NetworkInterfaceAddress":
                 advice = 'write <Interfaces><NetworkInterface name="..."/></Interfaces>'
-                change = robot.dds.interfaces_instead(configuration, remark)
+                change = interfaces_instead(configuration, remark)
         yield finding(remark.where, message, advice=advice, fix=change)

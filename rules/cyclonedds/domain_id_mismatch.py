@@ -35,13 +35,14 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.dds import domain_number
 
 
 @rule("error", fix="safe")
 def domain_id_mismatch(robot: Robot) -> Iterator[Finding]:
     for configuration in robot.dds.configurations:
         ids = [domain.id for domain in configuration.domains]
-        numbers = [robot.dds.domain_number(each) for each in ids if each is not None]
+        numbers = [domain_number(each) for each in ids if each is not None]
         if not ids or None in ids or None in numbers:
             continue
         for selection in robot.dds.readers(configuration):

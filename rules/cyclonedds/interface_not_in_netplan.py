@@ -40,6 +40,9 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.dds import interface_of_device
+from bringup_lint.api.dds import may_exist
+from bringup_lint.api.dds import named_interfaces
 
 
 @rule("error", symptoms=["does not match an available interface"])
@@ -49,12 +52,12 @@ def interface_not_in_netplan(robot: Robot) -> Iterator[Finding]:
         if plan is None:
             continue
         known = [interface for interface in plan.interfaces.values() if interface.device]
-        names = list(robot.dds.named_interfaces(domain))
+        names = list(named_interfaces(domain))
         for setting in names:
             name = setting.effective
             required = domain.of(setting.owner, "presence_required")
             optional = required is not None and (required.effective or "false").lower() == "false" and len(names) > 1
-            if not known or optional or robot.dds.device(plan, name) or robot.dds.may_exist(plan, name):
+            if not known or optional or interface_of_device(plan, name) or may_exist(plan, name):
                 continue
             if robot.networkmanager.configures(str(name)):
                 continue

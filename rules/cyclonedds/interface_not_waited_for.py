@@ -42,15 +42,17 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.dds import Configuration
+from bringup_lint.api.dds import interface_of_device
+from bringup_lint.api.dds import named_interfaces
 
 
 @rule("error", confidence="medium", symptoms=["does not match an available interface"])
 def interface_not_waited_for(robot: Robot) -> Iterator[Finding]:
     for configuration, domain in robot.dds.domains:
         plan = robot.dds.plan_of(configuration)
-        names = list(robot.dds.named_interfaces(domain)) if plan else []
+        names = list(named_interfaces(domain)) if plan else []
         for setting in names:
-            interface = robot.dds.device(plan, setting.effective)
+            interface = interface_of_device(plan, setting.effective)
             required = domain.of(setting.owner, "presence_required")
             if required is not None and (required.effective or "false").lower() == "false" and len(names) > 1:
                 continue

@@ -32,14 +32,18 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.dds import interface_of_device
+from bringup_lint.api.dds import named_interfaces
 
 
 @rule("info")
 def interface_wifi_control(robot: Robot) -> Iterator[Finding]:
     for configuration, domain in robot.dds.domains:
         plan = robot.dds.plan_of(configuration)
-        for setting in robot.dds.named_interfaces(domain) if plan else ():
-            interface = robot.dds.device(plan, setting.effective)
+        if plan is None:
+            continue
+        for setting in named_interfaces(domain):
+            interface = interface_of_device(plan, setting.effective)
             if interface is not None and interface.is_wifi:
                 yield finding(
                     setting.value,

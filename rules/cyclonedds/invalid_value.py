@@ -37,6 +37,9 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.dds import accepted_by
+from bringup_lint.api.dds import taken_by
+from bringup_lint.api.dds import words_of
 from bringup_lint.api.schema import Code
 
 
@@ -49,10 +52,10 @@ def invalid_value(robot: Robot) -> Iterator[Finding]:
     booleans = {"no": "false", "off": "false", "0": "false", "yes": "true", "on": "true", "1": "true"}
     for configuration, remark in robot.dds.remarks(Code.VALUE, Code.RANGE, Code.EXPANSION, Code.PRIORITY, Code.ADDRESS):
         name = remark.item.name
-        if name == "Id" or robot.dds.accepted_by(configuration, remark):
+        if name == "Id" or accepted_by(configuration, remark):
             continue
-        taken = robot.dds.taken_by(remark.item)
-        word = booleans.get(remark.where.lower()) if "true" in robot.dds.words_of(remark.item) else None
+        taken = taken_by(remark.item)
+        word = booleans.get(remark.where.lower()) if "true" in words_of(remark.item) else None
         if remark.code == Code.EXPANSION:
             message = f"Cyclone DDS cannot expand '{remark.where}' ({remark.detail}): no node starts"
         elif remark.code == Code.PRIORITY:

@@ -33,17 +33,19 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.dds import multicast_off
+from bringup_lint.api.dds import on_loopback_only
 
 
 @rule("info", tags=["CWE-668"])
 def multicast_enabled(robot: Robot) -> Iterator[Finding]:
     for _, domain in robot.dds.domains:
-        if domain.element is None or robot.dds.on_loopback_only(domain) or domain.found("Security"):
+        if domain.element is None or on_loopback_only(domain) or domain.found("Security"):
             continue
         setting = domain.get("General/AllowMulticast")
         words = (setting.effective or "$").lower().split(",") if setting else ["default"]
         interfaces = domain.found("General/Interfaces/NetworkInterface")
-        if not {"true", "default", "asm"} & set(words) or (interfaces and robot.dds.multicast_off(domain)):
+        if not {"true", "default", "asm"} & set(words) or (interfaces and multicast_off(domain)):
             continue
         where = setting.value if setting and setting.value else domain.element.name
         yield finding(

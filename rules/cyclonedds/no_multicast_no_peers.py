@@ -41,13 +41,15 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.dds import has_peers
+from bringup_lint.api.dds import multicast_off
 
 
 @rule("error")
 def no_multicast_no_peers(robot: Robot) -> Iterator[Finding]:
     for _configuration, domain in robot.dds.domains:
-        setting = robot.dds.multicast_off(domain)
-        if setting is None or robot.dds.has_peers(domain):
+        setting = multicast_off(domain)
+        if setting is None or has_peers(domain):
             continue
         message = "Without multicast and without peers nothing is discovered, not even on this robot"
         yield finding(

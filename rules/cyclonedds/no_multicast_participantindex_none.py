@@ -43,12 +43,13 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.dds import multicast_off
 
 
 @rule("error", fix="safe")
 def no_multicast_participantindex_none(robot: Robot) -> Iterator[Finding]:
     for _, domain in robot.dds.domains:
-        off = robot.dds.multicast_off(domain)
+        off = multicast_off(domain)
         index = domain.get("Discovery/ParticipantIndex")
         if off is None or (index is None and not robot.dds.old_discovery):
             continue

@@ -32,6 +32,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.dds import bad_addresses
 
 
 @rule("error", symptoms=["add_peer_address", "unknown address", "not a valid address"])
@@ -39,7 +40,7 @@ def peer_invalid(robot: Robot) -> Iterator[Finding]:
     aborts = robot.dds.cyclonedds.version == "11"
     for _configuration, domain in robot.dds.domains:
         for peer in domain.all("Discovery/Peers/Peer@Address"):
-            for part, why in robot.dds.bad_addresses(peer):
+            for part, why in bad_addresses(peer):
                 effect = "every process aborts" if aborts else "the peer is dropped, its nodes are not discovered"
                 yield finding(
                     part,

@@ -32,6 +32,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.dds import is_address
 
 
 @rule("error", fix="safe", symptoms=["element missing in configuration", "no data expected"])
@@ -44,7 +45,7 @@ def peer_missing_address(robot: Robot) -> Iterator[Finding]:
                 yield finding(element.name, message, advice="write the address, or delete the peer", severity="warning")
             elif address is None or element.text:
                 change = None
-                if address is None and robot.dds.is_address(element.text) and not element.children:
+                if address is None and is_address(element.text) and not element.children:
                     change = fix("make it an attribute", (element.span, f'<{element.name} Address="{element.text}"/>'))
                 yield finding(
                     element.name,

@@ -32,17 +32,23 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.dds import address_of
+from bringup_lint.api.dds import is_routed
+from bringup_lint.api.dds import networks
+from bringup_lint.api.dds import peers
 
 
 @rule("warning")
 def peer_outside_subnet(robot: Robot) -> Iterator[Finding]:
     for configuration, domain in robot.dds.domains:
         plan = robot.dds.plan_of(configuration)
-        for peer in robot.dds.peers(domain) if plan and plan.interfaces else ():
-            address = robot.dds.address_of(peer)
-            if address is None or address.is_loopback or address.is_multicast or robot.dds.routed(plan, address):
+        if plan is None or not plan.interfaces:
+            continue
+        for peer in peers(domain):
+            address = address_of(peer)
+            if address is None or address.is_loopback or address.is_multicast or is_routed(plan, address):
                 continue
-            subnets = [(each, network) for each in plan.interfaces.values() for network in robot.dds.networks(each)]
+            subnets = [(each, network) for each in plan.interfaces.values() for network in networks(each)]
             if subnets:
                 yield finding(
                     peer,

@@ -40,17 +40,20 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.dds import contacts_itself
+from bringup_lint.api.dds import multicast_off
+from bringup_lint.api.dds import peer_addresses
 
 
 @rule("warning", fix="safe", confidence="medium")
 def peer_self_missing(robot: Robot) -> Iterator[Finding]:
     for configuration, domain in robot.dds.domains:
-        off = robot.dds.multicast_off(domain)
+        off = multicast_off(domain)
         peers = domain.all("Discovery/Peers/Peer@Address")
-        if off is None or not peers or domain.all("Discovery/Peers@AddLocalhost") or robot.dds.contacts_itself(domain):
+        if off is None or not peers or domain.all("Discovery/Peers@AddLocalhost") or contacts_itself(domain):
             continue
         own = robot.dds.own_addresses(configuration)
-        if own & {str(address) for address in robot.dds.peer_addresses(domain)}:
+        if own & {str(address) for address in peer_addresses(domain)}:
             continue
         first = peers[0].owner
         inserted = Span(first.span.source, first.span.start, first.span.start)

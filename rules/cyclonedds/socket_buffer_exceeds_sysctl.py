@@ -43,6 +43,8 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.dds import Configuration
+from bringup_lint.api.dds import least_buffers
+from bringup_lint.api.dds import size_of
 from bringup_lint.api.host import KernelParameter
 
 
@@ -53,8 +55,8 @@ from bringup_lint.api.host import KernelParameter
 def socket_buffer_exceeds_sysctl(robot: Robot) -> Iterator[Finding]:
     used = ((each, domain) for each, domain in robot.dds.domains if robot.dds.in_use(each))
     for configuration, domain in used:
-        for setting, limit_name in robot.dds.least_buffers(domain):
-            wanted = robot.dds.size_of(setting)
+        for setting, limit_name in least_buffers(domain):
+            wanted = size_of(setting)
             limit = robot.sysctl.get(limit_name)
             if wanted is None or not robot.sysctl.certain or (limit is not None and not limit.value.isdigit()):
                 continue

@@ -31,15 +31,17 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.dds import accepted_by
+from bringup_lint.api.dds import meant_item
 from bringup_lint.api.schema import Code
 
 
 @rule("error", fix="unsafe", symptoms=["unknown attribute"])
 def unknown_attribute(robot: Robot) -> Iterator[Finding]:
     for configuration, remark in robot.dds.remarks(Code.UNKNOWN_ATTRIBUTE):
-        if robot.dds.accepted_by(configuration, remark):
+        if accepted_by(configuration, remark):
             continue
-        meant = robot.dds.spelling(configuration, remark)
+        meant = meant_item(configuration, remark)
         library = robot.dds.cyclonedds
         yield finding(
             remark.where,

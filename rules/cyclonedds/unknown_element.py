@@ -39,13 +39,17 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.dds import accepted_by
+from bringup_lint.api.dds import meant_item
+from bringup_lint.api.dds import place_of
+from bringup_lint.api.dds import renamed
 from bringup_lint.api.schema import Code
 
 
 @rule("error", fix="unsafe", symptoms=["unknown element"])
 def unknown_element(robot: Robot) -> Iterator[Finding]:
     for configuration, remark in robot.dds.remarks(Code.UNKNOWN, Code.AMBIGUOUS, Code.BUILD):
-        if robot.dds.accepted_by(configuration, remark) and remark.code != Code.BUILD:
+        if accepted_by(configuration, remark) and remark.code != Code.BUILD:
             continue
         library = robot.dds.cyclonedds
         message = f"{library} does not know the element '{remark.where}': no participant can be created, no node starts"
@@ -53,14 +57,12 @@ def unknown_element(robot: Robot) -> Iterator[Finding]:
             message = (
                 f"'{remark.where}' needs a build with {remark.detail}, which ROS packages do not have: no node starts"
             )
-        meant = robot.dds.spelling(configuration, remark)
-        place = robot.dds.place(configuration, remark)
+        meant = meant_item(configuration, remark)
+        place = place_of(configuration, remark)
         advice = "delete it, or look up the name in the configuration guide of this version"
         if meant is not None:
             advice = f"write {meant.name}"
         elif place:
             advice = f"move it into {place}"
-        change = (
-            fix(f"rename to {meant.name}", *robot.dds.renamed(remark.where, meant.name), safe=False) if meant else None
-        )
+        change = fix(f"rename to {meant.name}", *renamed(remark.where, meant.name), safe=False) if meant else None
         yield finding(remark.where, message, advice=advice, fix=change)

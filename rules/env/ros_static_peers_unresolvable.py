@@ -35,6 +35,7 @@ from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.addresses import hosts_in
 
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9-]*")
 
@@ -45,7 +46,7 @@ def ros_static_peers_unresolvable(robot: Robot) -> Iterator[Finding]:
     for setting in robot.ros.of("ROS_STATIC_PEERS"):
         if setting.value != setting.text or re.search(r"[\s,]", setting.text):
             continue
-        for peer in robot.dds.hosts_in(setting.value):
+        for peer in hosts_in(setting.value):
             if len(peer) > 255:
                 yield finding(
                     peer,

@@ -32,6 +32,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.dds import with_blanks
 from bringup_lint.api.schema import Code
 
 
@@ -43,7 +44,7 @@ def bool_case(robot: Robot) -> Iterator[Finding]:
         right = text.lower() if text.lower() in ("true", "false") else words.get(text.lower())
         change = None
         if right:
-            change = fix(f"write {right}", (robot.dds.with_blanks(text), right), safe=text.lower() == right)
+            change = fix(f"write {right}", (with_blanks(text), right), safe=text.lower() == right)
         yield finding(
             text,
             f"'{text}' is not a boolean for Fast DDS, which reads only true and false: the whole file is ignored",

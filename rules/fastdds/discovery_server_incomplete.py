@@ -37,7 +37,9 @@ from bringup_lint.api import rule
 def discovery_server_incomplete(robot: Robot) -> Iterator[Finding]:
     for profiles in robot.dds.profile_files:
         for profile in profiles.of_kind("participant"):
-            for element in profile.element.walk() if profile.is_default and not profiles.dropped else ():
+            if profiles.dropped or not profile.is_default:
+                continue
+            for element in profile.element.walk():
                 if element.name != "discovery_config" or element.find("discoveryServersList") is not None:
                     continue
                 protocol = element.find("discoveryProtocol")

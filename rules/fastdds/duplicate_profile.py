@@ -34,6 +34,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.dds import first_named
 from bringup_lint.api.schema import Code
 
 
@@ -41,7 +42,7 @@ from bringup_lint.api.schema import Code
 def duplicate_profile(robot: Robot) -> Iterator[Finding]:
     for profiles, remark in robot.dds.fastdds_remarks(Code.PROFILE_DUPLICATE, Code.TRANSPORT_DUPLICATE):
         kind = "transport" if remark.code == Code.TRANSPORT_DUPLICATE else remark.path.rpartition("/")[2]
-        first = robot.dds.first_named(profiles, remark)
+        first = first_named(profiles, remark)
         yield finding(
             remark.where,
             f"A second {kind} is called '{remark.where}': it is refused, only the first one applies",

@@ -32,6 +32,8 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.dds import with_blanks
+from bringup_lint.api.dds import words_taken
 from bringup_lint.api.schema import Code
 
 
@@ -39,10 +41,10 @@ from bringup_lint.api.schema import Code
 def enum_case(robot: Robot) -> Iterator[Finding]:
     for profiles, remark in robot.dds.fastdds_remarks(Code.ENUM):
         text = remark.where
-        known = robot.dds.fastdds_words(profiles, remark)
+        known = words_taken(profiles, remark)
         right = next((word for word in known if word.lower() == text.lower()), None)
-        change = fix(f"write {right}", (robot.dds.with_blanks(text), right)) if right else None
-        blanks = text != robot.dds.with_blanks(text).text
+        change = fix(f"write {right}", (with_blanks(text), right)) if right else None
+        blanks = text != with_blanks(text).text
         says = (
             f"'{text}' has spaces around it"
             if blanks and right == text

@@ -35,6 +35,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.dds import transport_type
 from bringup_lint.api.schema import Code
 
 
@@ -47,7 +48,7 @@ def ignored_setting(robot: Robot) -> Iterator[Finding]:
             advice="delete it",
         )
     for _, remark in robot.dds.fastdds_remarks(Code.PASSED_OVER):
-        kind = robot.dds.transport_type(remark.where)
+        kind = transport_type(remark.where)
         yield finding(
             remark.where,
             f"A {kind} transport does not read {remark.where}: it has no effect",

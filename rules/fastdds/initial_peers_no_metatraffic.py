@@ -34,17 +34,20 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.dds import multicast_peers
 
 
 @rule("info")
 def initial_peers_no_metatraffic(robot: Robot) -> Iterator[Finding]:
     for profiles in robot.dds.profile_files:
         for profile in profiles.of_kind("participant"):
-            for element in profile.element.walk() if profile.is_default and not profiles.dropped else ():
+            if profiles.dropped or not profile.is_default:
+                continue
+            for element in profile.element.walk():
                 peers = element.find("initialPeersList") if element.name == "builtin" else None
                 if peers is None or element.find("avoid_builtin_multicast") is not None:
                     continue
-                if element.find("metatrafficUnicastLocatorList") is None and not robot.dds.multicast_peers(peers):
+                if element.find("metatrafficUnicastLocatorList") is None and not multicast_peers(peers):
                     yield finding(
                         peers.name,
                         "The peers are added to multicast discovery, which stays on",

@@ -50,8 +50,12 @@ def initial_peers_port(robot: Robot) -> Iterator[Finding]:
             continue
         readers = robot.dds.profile_readers(profiles)
         count = sum(robot.ros.started_by(process) for process, _ in readers)
-        for profile in profiles.of_kind("participant") if count > RANGE else ():
-            for peers in profile.element.walk() if profile.is_default else ():
+        if count <= RANGE:
+            continue
+        for profile in profiles.of_kind("participant"):
+            if not profile.is_default:
+                continue
+            for peers in profile.element.walk():
                 quiet = peers.parent is not None and peers.parent.find("metatrafficUnicastLocatorList") is not None
                 here = [address for address in _without_port(peers) if address in ("127.0.0.1", "localhost")]
                 if peers.local == "initialPeersList" and quiet and here:

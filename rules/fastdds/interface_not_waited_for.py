@@ -41,19 +41,23 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.dds import interface_with
+from bringup_lint.api.dds import whitelisted_addresses
 
 
 @rule("error", confidence="medium", symptoms=["All whitelist interfaces were filtered out"])
 def interface_not_waited_for(robot: Robot) -> Iterator[Finding]:
     for profiles in robot.dds.profile_files:
         plan = robot.dds.plan_of(profiles)
-        for element in profiles.document.elements if plan else ():
-            listed = robot.dds.listed_addresses(element)
+        if plan is None:
+            continue
+        for element in profiles.document.elements:
+            listed = whitelisted_addresses(element)
             outside = [(text, address) for text, address in listed if not address.is_loopback]
             if len(outside) != 1:
                 continue
             text, address = outside[0]
-            interface = robot.dds.interface_with(plan, address)
+            interface = interface_with(plan, address)
             if interface is None or interface.optional is None or not interface.optional.value:
                 continue
             if interface.device is None or robot.dds.waits_for(profiles, str(interface.device)):

@@ -39,17 +39,20 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.dds import seconds
 
 
 @rule("error", symptoms=["LeaseDuration should be >= leaseDuration announcement period"])
 def lease_not_above_announcement(robot: Robot) -> Iterator[Finding]:
     for profiles in robot.dds.profile_files:
         for profile in profiles.of_kind("participant"):
-            for element in profile.element.walk() if profile.is_default and not profiles.dropped else ():
+            if profiles.dropped or not profile.is_default:
+                continue
+            for element in profile.element.walk():
                 if element.name != "discovery_config":
                     continue
-                lease = robot.dds.seconds(element.find("leaseDuration"), 20)
-                period = robot.dds.seconds(element.find("leaseAnnouncement"), 3)
+                lease = seconds(element.find("leaseDuration"), 20)
+                period = seconds(element.find("leaseAnnouncement"), 3)
                 if lease is None or period is None or lease > period:
                     continue
                 written = [element.find("leaseDuration"), element.find("leaseAnnouncement")]

@@ -35,6 +35,8 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.dds import number
+from bringup_lint.api.dds import used_transports
 
 
 @rule(
@@ -47,18 +49,18 @@ from bringup_lint.api import rule
 )
 def message_exceeds_buffer(robot: Robot) -> Iterator[Finding]:
     for profiles in robot.dds.profile_files:
-        used = robot.dds.used_transports(profiles) if not profiles.dropped else set()
+        used = used_transports(profiles) if not profiles.dropped else set()
         for transport in profiles.transports:
             name, kind = transport.find("transport_id"), transport.find("type")
             if name is None or kind is None or name.text not in used:
                 continue
-            size = robot.dds.number(transport.find("maxMessageSize"), 65500)
+            size = number(transport.find("maxMessageSize"), 65500)
             limits = (
                 [("segment_size", 524288)] if kind.text == "SHM" else [("sendBufferSize", 0), ("receiveBufferSize", 0)]
             )
             for limit_name, default in limits:
                 element = transport.find(limit_name)
-                limit = robot.dds.number(element, default)
+                limit = number(element, default)
                 if size is None or not limit or size <= limit:
                     continue
                 where = element if element is not None else transport.find("maxMessageSize")

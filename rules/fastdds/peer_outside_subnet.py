@@ -39,21 +39,27 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.dds import address_of
+from bringup_lint.api.dds import initial_peers
+from bringup_lint.api.dds import is_routed
+from bringup_lint.api.dds import subnets
 
 
 @rule("warning")
 def peer_outside_subnet(robot: Robot) -> Iterator[Finding]:
     for profiles in robot.dds.profile_files:
         plan = robot.dds.plan_of(profiles)
-        subnets = robot.dds.subnets(plan) if plan else []
-        for element in robot.dds.initial_peers(profiles) if subnets else ():
-            address = robot.dds.address_of(element.text)
-            if address is None or address.is_loopback or address.is_multicast or robot.dds.routed(plan, address):
+        known = subnets(plan) if plan is not None else []
+        if plan is None or not known:
+            continue
+        for element in initial_peers(profiles):
+            address = address_of(element.text)
+            if address is None or address.is_loopback or address.is_multicast or is_routed(plan, address):
                 continue
             yield finding(
                 element.text,
                 f"Peer {address} is in no subnet of this robot and no route covers it: it is not discovered",
                 advice="correct the address, or add a route",
                 chain=robot.provenance.chain_to(element.text, f"DDS contacts {address}"),
-                related=[note(each.name, f"has {network}") for each, network in subnets[:3]],
+                related=[note(each.name, f"has {network}") for each, network in known[:3]],
             )

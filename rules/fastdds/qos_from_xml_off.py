@@ -39,13 +39,14 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.dds import overwritten_qos
 
 
 @rule("warning")
 def qos_from_xml_off(robot: Robot) -> Iterator[Finding]:
     for profiles in robot.dds.profile_files:
         endpoints = [profile for kind in ("data_writer", "data_reader") for profile in profiles.of_kind(kind)]
-        overwritten = [element for profile in endpoints for element in robot.dds.overwritten_qos(profile)]
+        overwritten = [element for profile in endpoints for element in overwritten_qos(profile)]
         if not overwritten or profiles.dropped:
             continue
         for process, variable in robot.dds.profile_readers(profiles):

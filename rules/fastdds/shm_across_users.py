@@ -38,6 +38,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.dds import user_of
 
 
 @rule("error", confidence="medium", symptoms=["Failed init_port fastrtps_port", "open_and_lock_file failed"])
@@ -46,7 +47,7 @@ def shm_across_users(robot: Robot) -> Iterator[Finding]:
         domains: dict[str | None, dict[str, tuple]] = {}
         for process in robot.dds.sharing_memory:
             if process.unit in units:
-                user, where = robot.dds.user_of(process.unit)
+                user, where = user_of(process.unit)
                 users = domains.setdefault(process.environment.text("ROS_DOMAIN_ID"), {})
                 users.setdefault(user, (process.unit, where))
         for users in domains.values():

@@ -37,6 +37,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.compose import Service
 from bringup_lint.api.environment import RosProcess
 
 FASTDDS = ("rmw_fastrtps_cpp", "rmw_fastrtps_dynamic_cpp")
@@ -50,8 +51,10 @@ OTHERWISE = (
 
 @rule("warning", confidence="medium", symptoms=["topics are listed but no data arrives"])
 def shm_docker(robot: Robot) -> Iterator[Finding]:
-    files: dict[str, dict[tuple, list]] = {}
-    for process in robot.ros.processes if robot.of_kind("compose") else ():
+    if not robot.of_kind("compose"):
+        return
+    files: dict[str, dict[tuple[str, bool], list[Service]]] = {}
+    for process in robot.ros.processes:
         if process.service is not None and process.launcher is None and _shares_by_default(process):
             key = (process.environment.text("ROS_DOMAIN_ID") or "0", "ROS_DOMAIN_ID" in process.environment)
             files.setdefault(process.source.name, {}).setdefault(key, []).append(process.service)
@@ -79,7 +82,7 @@ def _shares_by_default(process: RosProcess) -> bool:
     return environment.text("RMW_IMPLEMENTATION") in FASTDDS
 
 
-def _space(service):
+def _space(service: Service) -> str:
     """The IPC namespace: one name for all that share it."""
     ipc = service.scalar("ipc")
     if ipc is None or ipc == "private":

@@ -44,7 +44,9 @@ def socket_buffer_exceeds_sysctl(robot: Robot) -> Iterator[Finding]:
         "receiveBufferSize": "net.core.rmem_max",
     }
     for profiles in robot.dds.profile_files:
-        for element in profiles.document.elements if robot.dds.in_use(profiles) else ():
+        if not robot.dds.in_use(profiles):
+            continue
+        for element in profiles.document.elements:
             name = limits.get(str(element.name))
             limit = robot.sysctl.number(name) if name and robot.sysctl.certain else None
             if limit is not None and element.text.isdigit() and int(element.text[:12]) > limit:

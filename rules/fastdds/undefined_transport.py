@@ -36,13 +36,14 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.dds import transport_named
 from bringup_lint.api.schema import Code
 
 
 @rule("error", symptoms=["Transport Node not found"])
 def undefined_transport(robot: Robot) -> Iterator[Finding]:
     for profiles, remark in robot.dds.fastdds_remarks(Code.TRANSPORT_UNDEFINED):
-        later = robot.dds.transport_named(profiles, remark.where)
+        later = transport_named(profiles, remark.where)
         message = f"Transport '{remark.where}' is not defined"
         advice = "define it in transport_descriptors"
         if later is not None:

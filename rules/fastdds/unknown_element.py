@@ -40,6 +40,10 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.dds import meant_name
+from bringup_lint.api.dds import places_of
+from bringup_lint.api.dds import renamed
+from bringup_lint.api.dds import versions_with
 from bringup_lint.api.schema import Code
 
 
@@ -48,9 +52,9 @@ def unknown_element(robot: Robot) -> Iterator[Finding]:
     for profiles, remark in robot.dds.fastdds_remarks(Code.UNKNOWN, Code.UNKNOWN_ATTRIBUTE):
         library = robot.dds.fastdds
         name = remark.where
-        near = robot.dds.fastdds_spelling(profiles, remark)
-        others = robot.dds.fastdds_versions(profiles, remark)
-        places = robot.dds.fastdds_places(profiles, remark)
+        near = meant_name(profiles, remark)
+        others = versions_with(profiles, remark)
+        places = places_of(profiles, remark)
         parent = remark.path.rpartition("/")[2]
         message = f"'{name}' is not allowed in {parent}: the whole file is ignored, the robot runs with defaults"
         advice = "delete it"
@@ -67,5 +71,5 @@ def unknown_element(robot: Robot) -> Iterator[Finding]:
         elif places:
             advice = f"move it into {places[0]}"
         safe = bool(near) and near.lower() == name.lower()
-        change = fix(f"rename to {near}", *robot.dds.renamed(name, near), safe=safe) if near and not others else None
+        change = fix(f"rename to {near}", *renamed(name, near), safe=safe) if near and not others else None
         yield finding(name, message, advice=advice, severity=severity, fix=change)

@@ -35,16 +35,19 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.dds import address_of
 
 
 @rule("error", symptoms=["All whitelist interfaces were filtered out"])
 def whitelist_interface_missing(robot: Robot) -> Iterator[Finding]:
     for profiles in robot.dds.profile_files:
         own = robot.dds.own_addresses(profiles)
-        for element in profiles.document.elements if own else ():
+        if not own:
+            continue
+        for element in profiles.document.elements:
             if element.name != "address" or element.parent is None or element.parent.name != "interfaceWhiteList":
                 continue
-            address = robot.dds.address_of(element.text)
+            address = address_of(element.text)
             if address is not None and not address.is_loopback and str(address) not in own:
                 yield finding(
                     element.text,

@@ -36,6 +36,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.dds import renamed
 from bringup_lint.api.schema import Code
 
 
@@ -48,5 +49,5 @@ def wrong_root(robot: Robot) -> Iterator[Finding]:
             root.name,
             f"Fast DDS does not know the root element '{root.name}': the whole file is ignored",
             advice=f"write {right}" if right else "make dds the outermost element, with profiles inside",
-            fix=fix(f"rename to {right}", *robot.dds.renamed(root.name, right)) if right else None,
+            fix=fix(f"rename to {right}", *renamed(root.name, right)) if right else None,
         )

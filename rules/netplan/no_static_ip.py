@@ -31,6 +31,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.addresses import is_address
 
 
 @rule("info")
@@ -38,7 +39,7 @@ def no_static_ip(robot: Robot) -> Iterator[Finding]:
     for configuration, domain in robot.dds.domains:
         plan = robot.dds.plan_of(configuration)
         peers = domain.all("Discovery/Peers/Peer@Address")
-        fixed = [peer for peer in peers if peer.effective and robot.dds.is_address(peer.effective)]
+        fixed = [peer for peer in peers if peer.effective and is_address(peer.effective)]
         if plan is None or not fixed or any(i.addresses for i in plan.interfaces.values()):
             continue
         wired = [i for i in plan.interfaces.values() if i.kind == "ethernets" and i.dhcp4]

@@ -46,7 +46,9 @@ from bringup_lint.api import topics
 def cmd_vel_multiple_publishers(robot: Robot) -> Iterator[Finding]:
     seen = set()
     for running in robot.topics.runs:
-        for rivals in topics.rivals(running) if not running.simulated else ():
+        if running.simulated:
+            continue
+        for rivals in topics.rivals(running):
             places = frozenset((id(use.where.source), use.where.start) for use in rivals)
             if places in seen:
                 continue

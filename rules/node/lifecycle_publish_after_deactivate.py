@@ -44,7 +44,9 @@ from bringup_lint.api import rule
 @rule("warning", fix="safe")
 def lifecycle_publish_after_deactivate(robot: Robot) -> Iterator[Finding]:
     for file, node in robot.nodes.with_callbacks:
-        for found in nodes.silenced(robot.nodes.syntax(file), node) if node.is_lifecycle else ():
+        if not node.is_lifecycle:
+            continue
+        for found in nodes.silenced(robot.nodes.syntax(file), node):
             place = file.span_of(found.publish)
             moving = nodes.moves(found.endpoint)
             yield finding(

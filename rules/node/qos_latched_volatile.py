@@ -49,7 +49,9 @@ LATCHED = {
 @rule("warning", symptoms=["Waiting for map", "Waiting for robot_description"])
 def qos_latched_volatile(robot: Robot) -> Iterator[Finding]:
     for node in robot.nodes.classes:
-        for endpoint in node.endpoints if not robot.nodes.purpose(node.source) else ():
+        if robot.nodes.purpose(node.source):
+            continue
+        for endpoint in node.endpoints:
             name = topics.tail(endpoint.name or "")
             volatile = endpoint.qos is not None and endpoint.qos.durability == "VOLATILE"
             if endpoint.role != "publisher" or LATCHED.get(name) != endpoint.type or not volatile:

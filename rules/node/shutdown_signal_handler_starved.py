@@ -47,7 +47,9 @@ from bringup_lint.api import rule
 def shutdown_signal_handler_starved(robot: Robot) -> Iterator[Finding]:
     for file in robot.nodes.programs:
         waiting = robot.nodes.without_timer(file)
-        for found in nodes.starved(robot.nodes.ending(file), waiting) if waiting else ():
+        if not waiting:
+            continue
+        for found in nodes.starved(robot.nodes.ending(file), waiting):
             signals = " and ".join(sorted(found.signals))
             message = (
                 f"The node ignores {signals} until it is killed: nothing wakes the spin, so the handler never runs"

@@ -40,7 +40,9 @@ from bringup_lint.api import topics
 def topic_unconnected(robot: Robot) -> Iterator[Finding]:
     for running in robot.topics.runs:
         near = {each.use.topic for each in topics.misspelt(running)}
-        for use in topics.unserved(running) if running.whole else ():
+        if not running.whole:
+            continue
+        for use in topics.unserved(running):
             if use.topic not in near and topics.tail(use.topic) not in robot.topics.published_anywhere:
                 yield finding(
                     use.name_place or use.where,

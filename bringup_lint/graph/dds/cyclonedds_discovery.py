@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-import ipaddress
 import re
 from collections.abc import Iterator
 
+from bringup_lint.graph.dds.addresses import WITH_PORT
+from bringup_lint.graph.dds.addresses import Address
+from bringup_lint.graph.dds.addresses import address_of
+from bringup_lint.graph.dds.addresses import host_of
 from bringup_lint.model.cyclonedds import Domain
 from bringup_lint.model.cyclonedds import Setting
 from bringup_lint.parsers.cyclonedds_values import size
@@ -15,10 +18,7 @@ PEER = "Discovery/Peers/Peer@Address"
 INTERFACE = "General/Interfaces/NetworkInterface"
 LOOPBACK = {"lo", "localhost", "127.0.0.1", "::1"}
 
-Address = ipaddress.IPv4Address | ipaddress.IPv6Address
-
 _DOTTED = re.compile(r"[0-9]+(?:\.[0-9]+){3}$")
-_WITH_PORT = re.compile(r"(?P<host>\[[^\]]*\]|[^:\[\]]+)(?::(?P<port>[^:]*))?$")
 
 
 def multicast_off(domain: Domain) -> Setting | None:
@@ -61,12 +61,6 @@ def has_peers(domain: Domain) -> bool:
     return any(setting.effective != "" for setting in listed)
 
 
-def host_of(text: str) -> str:
-    """A peer's host without its port."""
-    match = _WITH_PORT.match(text)
-    return match["host"].strip("[]") if match else text
-
-
 def peer_addresses(domain: Domain) -> set[Address]:
     """The peers that are plain addresses."""
     return {address for address in map(address_of, peers(domain)) if address is not None}
@@ -82,11 +76,11 @@ def contacts_itself(domain: Domain) -> bool:
 
 
 def bad_addresses(setting: Setting) -> Iterator[tuple[Located, str]]:
-    """The parts of a peer's address that are surely none, with the reason."""
+    """The parts of a peer's address that are surely not an address, with the reason."""
     if setting.effective is None or setting.effective != setting.value:
         return
     for part in _parts(setting.value):
-        match = _WITH_PORT.match(part)
+        match = WITH_PORT.match(part)
         host = match["host"] if match else part
         if "/" in part:
             yield part, "is a network, not one host"
@@ -105,22 +99,6 @@ def _parts(value: Located) -> Iterator[Located]:
     for part in value.split(","):
         yield value.part(start, start + len(part))
         start += len(part) + 1
-
-
-def is_address(text: str) -> bool:
-    try:
-        ipaddress.ip_address(text)
-    except ValueError:
-        return False
-    return True
-
-
-def address_of(peer: str) -> Address | None:
-    """A peer that is a plain address, without its port."""
-    try:
-        return ipaddress.ip_address(host_of(peer))
-    except ValueError:
-        return None
 
 
 BUFFERS = (
@@ -144,5 +122,5 @@ def size_of(setting: Setting) -> int | None:
 
 
 def domain_number(text: str) -> int | None:
-    """The number of a Domain's Id; None for ``any``, a variable, or what is no number."""
+    """The number of a Domain's Id; None for ``any``, a variable, or what is not a number."""
     return int(text) if text.isascii() and text.isdigit() else None

@@ -38,7 +38,7 @@ def _takes(version: str, item: Item, text: str) -> bool:
     return other is not None and not other.moved_to and fault_of(other, text, version) is None
 
 
-def spelling(configuration: Configuration, remark: Remark) -> Item | None:
+def meant_item(configuration: Configuration, remark: Remark) -> Item | None:
     """The one item of the same place that a misspelt name means."""
     if remark.item is None:
         return None
@@ -49,8 +49,8 @@ def spelling(configuration: Configuration, remark: Remark) -> Item | None:
     return items[found[0]] if len(found) == 1 else None
 
 
-def place(configuration: Configuration, remark: Remark) -> str:
-    """Where an item of this name may stand, such as ``General``; empty when nowhere or in several places."""
+def place_of(configuration: Configuration, remark: Remark) -> str:
+    """Where an item of this name may appear, such as ``General``; empty when nowhere or in several places."""
     known = [item for item in schema(configuration.version).named(remark.detail) if not item.moved_to]
     wanted = [item for item in known if item.is_attribute == (remark.code == Code.UNKNOWN_ATTRIBUTE)]
     if len(wanted) != 1:
@@ -66,8 +66,9 @@ def renamed(name: Located, new: str) -> list[tuple[Span, str]]:
     before = text[name.span.start - 1 : name.span.start]
     if before == "<":
         element = next((each for each in parse(name.span.source).elements if each.name.span == name.span), None)
-        closing = None if element is None else element.span.end - len(name) - 1
-        if closing is not None and text[closing - 2 : element.span.end] == f"</{name}>":
+        end = element.span.end if element is not None else 0
+        closing = end - len(name) - 1
+        if end and text[closing - 2 : end] == f"</{name}>":
             edits.append((Span(name.span.source, closing, closing + len(name)), new))
     return edits
 

@@ -1,12 +1,12 @@
-"""What a remark about a Fast DDS file could mean, and where the named things stand."""
+"""What a remark about a Fast DDS file could mean, and where they are."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator
 
-from bringup_lint.graph.dds.cyclonedds_discovery import Address
-from bringup_lint.graph.dds.cyclonedds_discovery import address_of
+from bringup_lint.graph.dds.addresses import Address
+from bringup_lint.graph.dds.addresses import address_of
 from bringup_lint.model.fastdds import VERSIONS
 from bringup_lint.model.fastdds import Profile
 from bringup_lint.model.fastdds import Profiles
@@ -26,13 +26,13 @@ LOCATOR_LISTS = re.compile(r"LocatorList$|^initialPeersList$|external_unicast_lo
 
 
 def shape(path: str, version: str) -> Item | None:
-    """The item that lists what may stand inside a path."""
+    """The item that lists what may appear inside a path."""
     known = schema(version)
     item = known.items.get(path)
     return None if item is None else known.inside(item)
 
 
-def spelling(profiles: Profiles, remark: Remark) -> str | None:
+def meant_name(profiles: Profiles, remark: Remark) -> str | None:
     """The one name of the same place that a misspelt one means."""
     item = shape(remark.path, profiles.version)
     known = {} if item is None else item.children if remark.code == Code.UNKNOWN else item.attributes
@@ -40,7 +40,7 @@ def spelling(profiles: Profiles, remark: Remark) -> str | None:
     return found[0] if len(found) == 1 else None
 
 
-def versions(profiles: Profiles, remark: Remark) -> list[str]:
+def versions_with(profiles: Profiles, remark: Remark) -> list[str]:
     """The other versions that take the name at this place."""
     found = []
     for version in VERSIONS:
@@ -51,14 +51,14 @@ def versions(profiles: Profiles, remark: Remark) -> list[str]:
     return found
 
 
-def places(profiles: Profiles, remark: Remark) -> list[str]:
-    """Where an element of this name may stand, as short paths; at most one parent is of use as advice."""
+def places_of(profiles: Profiles, remark: Remark) -> list[str]:
+    """Where an element of this name may appear, as short paths; at most one parent is of use as advice."""
     found = {path.rpartition("/")[0] for path in elsewhere(remark.detail, profiles.version)}
     near = [path for path in found if path.startswith(remark.path) or remark.path.startswith(path)]
     return [path.rpartition("/")[2] for path in near] if len(near) == 1 else []
 
 
-def allowed(profiles: Profiles, remark: Remark) -> tuple[str, ...]:
+def words_taken(profiles: Profiles, remark: Remark) -> tuple[str, ...]:
     """The words that the element of a remark takes."""
     item = schema(profiles.version).items.get(remark.path)
     return item.words if item else ()
@@ -115,7 +115,7 @@ def initial_peers(profiles: Profiles) -> Iterator[Element]:
             yield from (each for each in addresses if each is not None)
 
 
-def listed_addresses(element: Element) -> list[tuple[Located, Address]]:
+def whitelisted_addresses(element: Element) -> list[tuple[Located, Address]]:
     """The addresses of an ``interfaceWhiteList`` element; empty for others, and for one that lists names too."""
     if element.name != "interfaceWhiteList":
         return []
@@ -154,7 +154,7 @@ def used_transports(profiles: Profiles) -> set[str]:
 
 
 def transport_type(name: Located) -> str:
-    """The type of the transport that an element, given by its name, stands in."""
+    """The type of the transport that an element, given by its name, is in."""
     before = name.span.source.text[: name.span.start]
     inside = before[before.rfind("<transport_descriptor>") :] + name.span.source.text[name.span.start :]
     match = re.search(r"<type>\s*(\w+)", inside)

@@ -1,9 +1,10 @@
-"""DDS configuration held against the network that the same robot's netplan makes."""
+"""DDS configuration, compared with the network that netplan makes on the same robot."""
 
 from __future__ import annotations
 
 import ipaddress
 import re
+from collections.abc import Iterable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -14,18 +15,20 @@ from bringup_lint.model.cyclonedds import Setting
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.runners.runner import Runner
     from bringup_lint.graph.systemd.unit import Unit
+    from bringup_lint.graph.systemd.units import Units
     from bringup_lint.model.netplan import Interface
+    from bringup_lint.model.netplan import Netplan
     from bringup_lint.model.netplan import Plan
-    from bringup_lint.robot import Robot
 
 KERNEL_MADE = ("docker", "br-", "veth", "tun", "tap", "wg", "can", "vcan", "tailscale", "zt", "usb", "l4tbr")
 """Beginnings of names that other programs or the kernel give to interfaces without netplan."""
 
 
-def plan_of(robot: Robot, source: Source) -> Plan | None:
-    """The netplan of the robot that a file lies on: the only plan of the tree, below the same root."""
-    plan = robot.netplan.only_plan
+def plan_of(netplan: Netplan, source: Source) -> Plan | None:
+    """The netplan of the robot that a file belongs to: the only plan of the tree, below the same root."""
+    plan = netplan.only_plan
     if plan is None or not plan.whole or source.robot_path is None:
         return None
     if any(file.source.template for file in plan.files):
@@ -46,13 +49,16 @@ def named_interfaces(domain: Domain) -> Iterator[Setting]:
         if name is not None and name.effective and name.effective not in LOOPBACK:
             yield name
     old = domain.get("General/NetworkInterfaceAddress")
-    if (
-        old is not None and old.effective and old.effective[0].isalpha() and old.effective.lower() not in ("auto", "lo")
-    ) and "," not in old.effective:
+    if old is not None and _is_one_name(old.effective or ""):
         yield old
 
 
-def device(plan: Plan, name: str) -> Interface | None:
+def _is_one_name(text: str) -> bool:
+    """Whether NetworkInterfaceAddress names one interface other than loopback."""
+    return text[:1].isalpha() and "," not in text and text.lower() not in ("auto", "lo")
+
+
+def interface_of_device(plan: Plan, name: str) -> Interface | None:
     """The netplan interface whose device has this name."""
     return next((each for each in plan.interfaces.values() if each.device == name), None)
 
@@ -96,7 +102,7 @@ def own_addresses(plan: Plan) -> set[str]:
     return {str(each.ip.ip) for one in plan.interfaces.values() for each in one.addresses if each.ip is not None}
 
 
-def routed(plan: Plan, address: ipaddress.IPv4Address | ipaddress.IPv6Address) -> bool:
+def is_routed(plan: Plan, address: ipaddress.IPv4Address | ipaddress.IPv6Address) -> bool:
     """Whether a route or a subnet of any interface covers an address."""
     for interface in plan.interfaces.values():
         if interface.dhcp4 or interface.dhcp6 or any(address in network for network in networks(interface)):
@@ -113,15 +119,20 @@ def routed(plan: Plan, address: ipaddress.IPv4Address | ipaddress.IPv6Address) -
     return False
 
 
-def waits_for(robot: Robot, units: list[Unit], name: str) -> bool:
-    """Whether one of the units, or the waiter of networkd, waits for the interface of this name."""
-    device = f"sys-subsystem-net-devices-{name}.device"
+def waits_for(units: Units, runners: Iterable[Runner], name: str) -> bool:
+    """Whether one of the runners, or the waiter of networkd, waits for the interface of this name."""
     own = re.compile(rf"(?<![\w.-]){re.escape(name)}(?![\w-])")
-    for unit in units:
-        ordered = [word for key in ("After", "BindsTo", "Requires") for word in unit.words(key)]
-        if any(word == device or f"wait-online@{name}." in word for word in ordered):
+    for runner in runners:
+        if runner.unit is not None and _is_ordered_after(runner.unit, name):
             return True
-        if any(own.search(text) for process in robot.units.processes(unit) for text in process.texts):
+        if any(own.search(text) for line in runner.lines for text in line.texts):
             return True
-    waiters = [unit for unit in robot.units.judged if "wait-online" in unit.name]
+    waiters = (unit for unit in units.judged if "wait-online" in unit.name)
     return any(own.search(value) for unit in waiters for value in unit.values("ExecStart", "Service"))
+
+
+def _is_ordered_after(unit: Unit, name: str) -> bool:
+    """Whether a unit waits for the device unit of an interface, or for its instance of the waiter."""
+    device = f"sys-subsystem-net-devices-{name}.device"
+    ordered = (word for key in ("After", "BindsTo", "Requires") for word in unit.words(key))
+    return any(word == device or f"wait-online@{name}." in word for word in ordered)
