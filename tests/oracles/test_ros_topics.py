@@ -19,13 +19,17 @@ from bringup_lint.graph.topics.resolved.names import complaint
 from bringup_lint.graph.topics.resolved.names import expand
 from bringup_lint.graph.topics.resolved.names import full_complaint
 from bringup_lint.graph.topics.resolved.names import unknown_substitution
+from bringup_lint.graph.topics.resolved.remapping import node_name
+from bringup_lint.graph.topics.resolved.remapping import node_namespace
 from bringup_lint.graph.topics.resolved.remapping import remap
 from bringup_lint.graph.topics.resolved.remapping import remapping
 from bringup_lint.model.node_source import INFINITE
 from bringup_lint.model.node_source import Qos
 from bringup_lint.source import Source
+from tests.oracles.answers import Oracle
+from tests.oracles.ros_python import rclpy
 
-pytest.importorskip("rclpy")
+needs_rclpy = pytest.mark.skipif(rclpy() == "rclpy", reason="needs ros-jazzy-rclpy")
 
 NOWHERE = Source("nowhere").whole
 NAMES = st.lists(
@@ -45,6 +49,7 @@ def refusal(check, *arguments) -> str | None:
     return None
 
 
+@needs_rclpy
 @given(NAMES)
 def test_names_are_valid_as_for_rcl(name: str) -> None:
     from rclpy.validate_topic_name import validate_topic_name
@@ -52,6 +57,7 @@ def test_names_are_valid_as_for_rcl(name: str) -> None:
     assert (complaint(name) is None) == (refusal(validate_topic_name, name) is None), name
 
 
+@needs_rclpy
 @given(NAMES, NAMESPACES)
 def test_names_are_expanded_as_by_rcl(name: str, namespace: str) -> None:
     from rclpy.expand_topic_name import expand_topic_name
@@ -69,6 +75,7 @@ def test_names_are_expanded_as_by_rcl(name: str, namespace: str) -> None:
         assert (full_complaint(found) is None) == (refusal(validate_full_topic_name, found) is None), found
 
 
+@needs_rclpy
 @pytest.mark.parametrize("length", [246, 247, 248])
 def test_the_longest_name(length: int) -> None:
     from rclpy.validate_full_topic_name import validate_full_topic_name
@@ -111,6 +118,7 @@ def profiles():
             )
 
 
+@needs_rclpy
 def test_profiles_match_as_for_rmw() -> None:
     """All combinations: a conflict exactly where the middleware reports an error."""
     from rclpy.qos import QoSCompatibility
@@ -157,19 +165,24 @@ PROGRAM = """
 """
 
 
-@pytest.mark.parametrize("rules", RULES, ids=" ".join)
-def test_remappings_of_a_real_node(rules: list[str], tmp_path: Path) -> None:
-    from bringup_lint.graph.topics.resolved.remapping import node_name
-    from bringup_lint.graph.topics.resolved.remapping import node_namespace
+def topics_of(cases: list[list[str]], folder: Path) -> list[list[str]]:
+    """The name and namespace of a real node under remappings, and the topics that it gets."""
+    found = []
+    for rules in cases:
+        words = [word for rule in rules for word in ("-r", rule)]
+        arguments = ["--ros-args", *words, "--", "--names", *TOPICS] if rules else ["--names", *TOPICS]
+        found.append(run(PROGRAM, arguments, folder).splitlines())
+    return found
 
-    words = [word for rule in rules for word in ("-r", rule)]
-    arguments = ["--ros-args", *words, "--", "--names", *TOPICS] if rules else ["--names", *TOPICS]
-    lines = run(PROGRAM, arguments, tmp_path).splitlines()
-    read = [remapping(rule) for rule in rules]
-    name = node_name(read, "driver")
-    namespace = node_namespace(read, "/r1", "driver")
-    assert lines[0] == f"{name} {namespace}"
-    assert [remap(read, expand(topic, name, namespace), name, namespace).name for topic in TOPICS] == lines[1:]
+
+def test_remappings_of_a_real_node(answers: Oracle, tmp_path: Path) -> None:
+    cases = list(map(list, RULES))
+    for rules, lines in answers.of("rcl/topics", rclpy(), cases, lambda cases: topics_of(cases, tmp_path)).pairs:
+        read = [remapping(rule) for rule in rules]
+        name = node_name(read, "driver")
+        namespace = node_namespace(read, "/r1", "driver")
+        topics = [remap(read, expand(topic, name, namespace), name, namespace).name for topic in TOPICS]
+        assert [f"{name} {namespace}", *topics] == lines, rules
 
 
 SIDES = (
@@ -192,12 +205,13 @@ REMAPPED = """
 """
 
 
-@pytest.mark.parametrize("pattern", ["scan:={}", "{}:=other"])
-def test_remappings_are_refused_as_by_rcl(pattern: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize(("pattern", "record"), [("scan:={}", "targets"), ("{}:=other", "sources")])
+def test_remappings_are_refused_as_by_rcl(pattern: str, record: str, answers: Oracle, tmp_path: Path) -> None:
     texts = [pattern.replace("{}", side) for side in SIDES]
-    rules = [remapping(text) for text in texts]
-    found = [remap([rule], "/r1/scan", "driver", "/r1").name if rule else "refused" for rule in rules]
-    assert dict(zip(texts, found)) == dict(zip(texts, run(REMAPPED, texts, tmp_path).splitlines()))
+    given = answers.of(f"rcl/{record}", rclpy(), texts, lambda texts: run(REMAPPED, texts, tmp_path).splitlines())
+    for text, real in given.pairs:
+        rule = remapping(text)
+        assert (remap([rule], "/r1/scan", "driver", "/r1").name if rule else "refused") == real, text
 
 
 def run(program: str, arguments: list[str], folder: Path) -> str:
@@ -238,6 +252,7 @@ DELIVERY = """
 """
 
 
+@needs_rclpy
 @pytest.mark.parametrize(
     ("offered", "asked"),
     [
