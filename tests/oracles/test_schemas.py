@@ -112,8 +112,8 @@ def test_recorded_paths_are_those_of_the_schema(name: str, update_expected: bool
     assert RECORDED.joinpath(f"{name}.txt").read_text("utf-8") == text
 
 
-GOVERNANCE = """<dds><domain_access_rules><domain_rule><domains><id>0</id><id_range><min>10</min><max>20</max></id_range>
-</domains><allow_unauthenticated_participants>false</allow_unauthenticated_participants>
+GOVERNANCE = """<dds><domain_access_rules><domain_rule><domains><id>0</id>
+<id_range><min>10</min><max>20</max></id_range></domains><allow_unauthenticated_participants>false</allow_unauthenticated_participants>
 <enable_join_access_control>true</enable_join_access_control><discovery_protection_kind>SIGN</discovery_protection_kind>
 <liveliness_protection_kind>ENCRYPT</liveliness_protection_kind><rtps_protection_kind>SIGN</rtps_protection_kind>
 <topic_access_rules><topic_rule><topic_expression>*</topic_expression>
@@ -129,7 +129,8 @@ PERMISSIONS = """<dds><permissions><grant name="/a"><subject_name>CN=/a</subject
 <subscribe><topics><topic>rt/b</topic></topics></subscribe></allow_rule><default>DENY</default>
 </grant></permissions></dds>"""
 POLICY = """<policy version="0.2.0"><enclaves><enclave path="/a"><profiles><profile ns="/" node="a">
-<topics publish="ALLOW" subscribe="DENY"><topic>a</topic></topics><services reply="ALLOW"><service>s</service></services>
+<topics publish="ALLOW" subscribe="DENY"><topic>a</topic></topics>
+<services reply="ALLOW"><service>s</service></services>
 <actions call="ALLOW"><action>x</action></actions></profile></profiles></enclave></enclaves></policy>"""
 
 
