@@ -15,6 +15,7 @@ from tests.architecture.imports import import_graph
 from tests.architecture.imports import name_of
 from tests.architecture.imports import paths
 from tests.architecture.imports import uses_of_robot
+from tests.conftest import PROJECT
 
 LAYERS = (
     {"__main__"},
@@ -90,3 +91,9 @@ def test_only_the_top_knows_the_robot() -> None:
     found = {layer_of(name_of(path)) for path in below if any(uses_of_robot(path))}
     assert not found - TAKE_A_ROBOT, [use for path in below for use in uses_of_robot(path)]
     assert found == TAKE_A_ROBOT, f"done: delete {sorted(TAKE_A_ROBOT - found)} from TAKE_A_ROBOT"
+
+
+def test_the_documentation_lists_the_layers() -> None:
+    page = (PROJECT / "docs/architecture.md").read_text("utf-8")
+    drawn = page.partition("```text\n")[2].partition("```")[0]
+    assert drawn.splitlines() == [" ".join(sorted(names)) for names in LAYERS if names != {""}]
