@@ -41,7 +41,7 @@ def dropin_orphan(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     for file in units.orphans:
         (near,) = [unit for unit in units.all if file in unit.dropins][:1] or [None]
-        if near is None or units.is_made(file.name):
+        if near is None or units.is_made_by_script(file.name):
             continue
         meant = units.meant(file.name, near)
         if not meant and not robot.tree.complete:

@@ -43,6 +43,6 @@ def forking_no_pidfile(robot: Robot) -> Iterator[Finding]:
         kind = unit.get("Type")
         if kind != "forking" or unit.fragment is None or unit.uncertain:
             continue
-        if not unit.has("PIDFile") and not unit.has("GuessMainPID"):
+        if not unit.has("PIDFile") and unit.flag("GuessMainPID").at is None:
             message = f"systemd has to guess the main process of {unit.name}"
             yield finding(kind, message, advice="add PIDFile=, or run the program in the foreground with Type=exec")

@@ -101,7 +101,7 @@ class NamedUnits:
         provides it, no script makes it, and it looks like one of the robot's own."""
         if self.exists(name, near) is not False or self.is_distribution_unit(name):
             return False
-        return self.files.tree.complete or (self.is_own(name, near) and not self.is_made(name))
+        return self.files.tree.complete or (self.is_own(name, near) and not self.is_made_by_script(name))
 
     def is_own(self, name: str, near: Unit) -> bool:
         """Whether a name looks like the robot's own units: the same first word, or nearly the name of one."""
@@ -132,7 +132,7 @@ class NamedUnits:
         """Whether the unit of an [Install] setting is not there. Only few own units are targets, so that a target that
         nothing in the tree makes is missing whatever its name."""
         if name.endswith(".target") and not self.files.tree.complete:
-            return self.exists(name, unit) is False and not self.is_made(name)
+            return self.exists(name, unit) is False and not self.is_made_by_script(name)
         return self.is_missing(name, unit)
 
     def install_targets(self, unit: Unit) -> list[str]:
@@ -145,7 +145,7 @@ class NamedUnits:
         """Whether systemd takes the text as the name of a unit."""
         return is_unit_name(text)
 
-    def is_made(self, name: str) -> bool:
+    def is_made_by_script(self, name: str) -> bool:
         """Whether a script of the tree makes a file of that name."""
         return makes(self.files.tree, name)
 

@@ -98,8 +98,8 @@ class Sandbox:
             yield from (View(prefix, mode, home.at, "ProtectHome", why) for prefix in HOMES)
 
     def _private_tmp(self) -> Iterator[View]:
-        private = self.unit.flag("PrivateTmp")
-        if private or self.dynamic:
+        private = _word(self.unit, "PrivateTmp", "disconnected")
+        if private.value in ("yes", "disconnected") or self.dynamic:
             yield from (View(prefix, "rw", private.at, "PrivateTmp", "PrivateTmp=") for prefix in ("/tmp", "/var/tmp"))
 
     def _listed(self) -> Iterator[View]:

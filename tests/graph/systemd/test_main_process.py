@@ -26,6 +26,8 @@ def main_of(folder: Path, line: str) -> str:
         (f"/bin/bash -c '{SETUP}; {LAUNCH}'", "launch"),
         (f"/bin/bash -c '{SETUP} && {LAUNCH} map:=\"a b\"'", "launch"),
         (f"/bin/bash -lc '{SETUP} && {LAUNCH}'", "launch"),
+        (f"/bin/bash -o pipefail -c '{SETUP} && {LAUNCH}'", "launch"),
+        (f"/bin/bash -c 'exec \"$@\"' rover {LAUNCH}", "launch"),
         (f"/bin/sh -c '. /opt/ros/jazzy/setup.sh && {LAUNCH}'", "shell"),
         (f"/bin/sh -c '. /opt/ros/jazzy/setup.sh && exec {LAUNCH}'", "launch"),
         (f"/bin/bash -c '{SETUP} && {LAUNCH}; echo done'", "shell"),

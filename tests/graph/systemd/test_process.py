@@ -55,7 +55,7 @@ def test_script_that_is_not_there_is_said(tmp_path, monkeypatch):
     assert found.script_outside_tree == "/opt/robot/none.sh"
 
 
-def test_program_of_the_system_is_no_lost_script(tmp_path, monkeypatch):
+def test_program_of_the_system_is_not_a_script_outside_the_tree(tmp_path, monkeypatch):
     found = process(tmp_path, monkeypatch, "/usr/bin/socat TCP-LISTEN:1 TCP:x:2")
     assert found.opaque
     assert found.script_outside_tree is None

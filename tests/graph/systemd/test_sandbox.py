@@ -39,6 +39,8 @@ def log_of(folder: Path, *lines: str) -> LogDirectory | None:
         (["ProtectSystem=strict"], "/dev/shm/x", "rw"),
         (["ProtectSystem=strict"], "/tmp/x", "ro"),
         (["ProtectSystem=strict", "PrivateTmp=yes"], "/tmp/x", "rw"),
+        (["ProtectSystem=strict", "PrivateTmp=disconnected"], "/tmp/x", "rw"),
+        (["ProtectSystem=strict", "PrivateTmp=no"], "/tmp/x", "ro"),
         (["ProtectSystem=strict", "LogsDirectory=rover"], "/var/log/rover/a", "rw"),
         (["ProtectSystem=strict", "ReadWritePaths=-/var/lib/rover"], "/var/lib/rover/a", "rw"),
         (["ProtectSystem=strict", "ReadWritePaths=/srv", "ReadWritePaths="], "/srv/a", "ro"),
