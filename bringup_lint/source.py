@@ -123,7 +123,7 @@ class Located(str):
         self.pieces = pieces
         return self
 
-    def __reduce__(self):
+    def __reduce__(self) -> tuple[type[Located], tuple[str, Span, tuple[tuple[int, int], ...] | None]]:
         return (Located, (str(self), self.span, self.pieces))
 
     def origin(self, index: int) -> int:

@@ -60,9 +60,6 @@ class Fstab:
 
     def mount_of(self, path: str) -> Mount | None:
         """The mount that holds a path: the one with the longest mount point."""
-        holding = [
-            mount
-            for mount in self.mounts
-            if mount.target is not None and f"{path}/".startswith(mount.target.rstrip("/") + "/")
-        ]
-        return max(holding, key=lambda mount: len(mount.target.rstrip("/")), default=None)
+        targets = [(mount.target.rstrip("/"), mount) for mount in self.mounts if mount.target is not None]
+        holding = [(len(target), mount) for target, mount in targets if f"{path}/".startswith(f"{target}/")]
+        return max(holding, key=lambda each: each[0])[1] if holding else None

@@ -272,13 +272,13 @@ def same(first: Value | None, second: Value | None) -> bool:
         return True
     if first is None or second is None or type(first) is not type(second):
         return False
-    if isinstance(first, Literal):
+    if isinstance(first, Literal) and isinstance(second, Literal):
         return first.value == second.value and type(first.value) is type(second.value)
     if isinstance(first, Unknown):
         return False
-    if isinstance(first, (Argument, Env)):
+    if isinstance(first, (Argument, Env)) and isinstance(second, (Argument, Env)):
         return str(first.name) == str(second.name)
-    if isinstance(first, Operation) and first.name != second.name:
+    if isinstance(first, Operation) and isinstance(second, Operation) and first.name != second.name:
         return False
     if isinstance(first, Choice) or (isinstance(first, FileDir) and first.span.source is not second.span.source):
         return False

@@ -355,13 +355,13 @@ class Plan:
     def default_routes(self) -> Iterator[DefaultRoute]:
         """The static default routes; those whose family cannot be told are left out."""
         for interface in self.interfaces.values():
-            for family in (4, 6):
-                if (gateway := interface.value(f"gateway{family}")) is not None:
-                    yield DefaultRoute(interface, family, "main", None, gateway)
+            for version in (4, 6):
+                if (gateway := interface.value(f"gateway{version}")) is not None:
+                    yield DefaultRoute(interface, version, "main", None, gateway)
             for route in interface.routes:
                 if route.is_default and (family := route.family) is not None:
-                    table = route.value("table")
-                    table = "main" if table in (None, "254") else str(table)
+                    written = route.value("table")
+                    table = "main" if written in (None, "254") else str(written)
                     yield DefaultRoute(interface, family, table, route.number("metric"), route.where)
 
 

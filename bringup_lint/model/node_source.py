@@ -7,6 +7,7 @@ from collections.abc import Callable
 from collections.abc import Iterator
 from dataclasses import dataclass
 from dataclasses import field
+from typing import Any
 from typing import NamedTuple
 
 from bringup_lint.source import Located
@@ -16,6 +17,11 @@ from bringup_lint.source import Span
 
 INFINITE = float("inf")
 """A deadline or lease duration that is not set."""
+
+
+def _unread(*_: object) -> Any:
+    """Stands for the questions about a file whose syntax was not read."""
+    return None
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,7 +122,7 @@ class Parameter:
     """``declare_parameter``. ``default`` is the literal value; ``known`` tells a literal None from one that is not."""
 
     name: Located
-    default: str | int | float | bool | list | None
+    default: str | int | float | bool | list[object] | None
     known: bool
     span: Span
 
@@ -192,12 +198,12 @@ class NodeSource:
     """The function that ``if __name__ == "__main__"`` calls; ``main`` when there is one and no such block."""
     problems: list[Problem] = field(default_factory=list)
     tree: ast.Module | None = None
-    span_of: Callable[[ast.AST], Span] = None
-    qualified: Callable[[ast.AST], str | None] = None
+    span_of: Callable[[ast.AST], Span] = field(default=_unread)
+    qualified: Callable[[ast.AST], str | None] = field(default=_unread)
     """The dotted name of a name or attribute, through the imports: ``rclpy.spin``."""
-    constant: Callable[..., object] = None
+    constant: Callable[..., object] = field(default=_unread)
     """``constant(expression, function)``: the literal value of an expression that stands in a function, or None."""
-    named: Callable[..., str | None] = None
+    named: Callable[..., str | None] = field(default=_unread)
     """``named(expression, function)``: the dotted name of what was imported, or called to make the value, or None."""
 
     def class_named(self, name: str) -> NodeClass | None:

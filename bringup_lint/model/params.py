@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 from dataclasses import field
+from typing import Any
 from typing import NamedTuple
 from typing import Union
 
@@ -15,7 +16,7 @@ from bringup_lint.source import Source
 from bringup_lint.source import Span
 
 Plain = Union[bool, int, float, str]
-Data = Union[Plain, list, None]
+Data = Union[Plain, list[Any], None]
 
 TYPES = ("bool", "integer", "double", "string", "bool_array", "integer_array", "double_array", "string_array")
 """The types of rcl, in the order in which one wins when a parameter was given several."""
@@ -135,7 +136,7 @@ def matches(key: str, fqn: str) -> bool:
     names = fqn.lstrip("/").split("/")
     reachable = {0}
     for token in tokens:
-        following = set()
+        following: set[int] = set()
         for at in reachable:
             if token == "**":
                 following.update(range(at, len(names) + 1))
