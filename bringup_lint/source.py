@@ -180,3 +180,8 @@ class Problem:
     @property
     def span(self) -> Span:
         return self.where.span if isinstance(self.where, Located) else self.where
+
+    @property
+    def word(self) -> Located:
+        """The place with its text."""
+        return self.where if isinstance(self.where, Located) else Located(self.where.text, self.where)

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from bringup_lint.graph.observed.observed import Observed
+from bringup_lint.model.observed import RunningNode
 
 __all__ = [
     "Observed",
+    "RunningNode",
 ]

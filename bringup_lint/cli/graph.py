@@ -72,7 +72,8 @@ def _draw(paths: tuple[str, ...], options: dict[str, Any]) -> str:
     outcome = run(robot, Registry.of(rule_folders), config)
     for failure in (*outcome.failures, *(f"the picture is not whole: {error!r}" for error in robot.graph.failures)):
         click.echo(f"bringup-lint: {failure}", err=True)
-    document = report_of(outcome, robot, config, time.time(), drawn=True).picture or {}
+    document = report_of(outcome, robot, config, time.time(), drawn=True).picture
+    assert document is not None, "it was asked for"
     if options["focus"]:
         document = focused(document, options["focus"], options["depth"])
     if options["layers"]:

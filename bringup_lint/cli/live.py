@@ -32,6 +32,7 @@ from bringup_lint.cli.outputs import write
 from bringup_lint.config import ConfigError
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.observed.observed import Observed
     from bringup_lint.robot import Robot
     from bringup_lint.source import Located
     from bringup_lint.source import Source
@@ -98,9 +99,11 @@ def _compare(outputs: list[Output], paths: tuple[str, ...], options: dict[str, A
     robot.launch_commands = options["launched"]
     _known(robot)
     robot.join(loaded(options["load"]) if options["load"] else seen(robot, options))
-    if robot.observed.graph.problems:
+    observed = robot.observed
+    assert observed is not None, "the graph has joined the robot"
+    if observed.graph.problems:
         raise ConfigError(f"{options['load']}: not a graph that bringup-lint live --save wrote")
-    _tell(robot)
+    _tell(robot, observed)
     outcome = run(robot, Registry.of(), config, ignores=not options["no_ignores"])
     return deliver(outcome, robot, config, started, outputs, options)
 
@@ -189,12 +192,10 @@ def _at(where: Located) -> str:
     return f"{where.path}:{where.line}"
 
 
-def _tell(robot: Robot) -> None:
+def _tell(robot: Robot, observed: Observed) -> None:
     """What the files leave open, so that a rule stays silent; on standard error."""
-    expected, nodes = robot.expected, len(robot.observed.nodes)
-    click.echo(
-        f"Domain {robot.observed.graph.domain} shows {nodes} node{'s' * (nodes != 1)}, tools left out.", err=True
-    )
+    expected, nodes = robot.expected, len(observed.nodes)
+    click.echo(f"Domain {observed.graph.domain} shows {nodes} node{'s' * (nodes != 1)}, tools left out.", err=True)
     if expected.ambiguous:
         said = "Several launch files, and nothing says which one runs: name it with --launch to hear of missing nodes."
         click.echo(said, err=True)

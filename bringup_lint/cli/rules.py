@@ -38,8 +38,8 @@ def command(ctx: click.Context, families: tuple[str, ...], output_format: str, r
     titles = {family.name: family.title for family in registry.families}
     colour = wants_colour(None)
     paint = painter(colour)
-    for family, members in groupby(rules, key=lambda rule: rule.family):
-        members = list(members)
+    for family, group in groupby(rules, key=lambda rule: rule.family):
+        members = list(group)
         width = max(len(rule.id) for rule in members)
         click.echo(paint("strong", f"{titles[family]} ({len(members)})"), color=colour)
         for rule in members:

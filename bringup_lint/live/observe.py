@@ -11,6 +11,7 @@ import json
 import signal
 import sys
 import time
+from typing import Any
 
 NAME = "_bringup_lint"
 NO_RCLPY = 3
@@ -166,7 +167,7 @@ def lifecycle_states(node, executor) -> dict[str, str]:
         return {}
     services = [name for name, types in node.get_service_names_and_types() if GET_STATE in types]
     clients = {name: node.create_client(GetState, name) for name in services}
-    asked: dict[str, object] = {}
+    asked: dict[str, Any] = {}
     until = time.monotonic() + ANSWER
     while time.monotonic() < until and not all(name in asked and asked[name].done() for name in clients):
         for name, client in clients.items():

@@ -106,7 +106,7 @@ def _set(body: str, width: int, paint: Paint) -> Iterator[str]:
 def _prose(paragraph: list[str], width: int, paint: Paint) -> Iterator[str]:
     if not paragraph:
         return
-    indent = re.match(" *", paragraph[0])[0]
+    indent = " " * (len(paragraph[0]) - len(paragraph[0].lstrip(" ")))
     text = indent + _without_links(" ".join(line.strip() for line in paragraph))
     lines = "\n".join(wrap(text, width - 2))
     lines = re.sub(r"\*\*(.+?)\*\*", lambda bold: _each(bold[1], "strong", paint), lines, flags=re.DOTALL)

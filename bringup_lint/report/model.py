@@ -90,7 +90,7 @@ class Report:
     """How many findings of each severity were left out by ``--min-severity``."""
     known: tuple[Finding, ...] = ()
     """Findings that were left out because the baseline holds them."""
-    picture: Mapping[str, Any] | None = None
+    picture: dict[str, Any] | None = None
     """The robot as ``report.picture`` draws it, with these findings; only ``html`` shows it."""
     colour: bool = False
     width: int = 80

@@ -15,5 +15,6 @@ def _broken(paragraph: str, width: int) -> list[str]:
     from re import match
     from textwrap import wrap as wrapped
 
-    indent = " " * match(r"\s*(?:(?:\d+\.|[-*])\s+)?", paragraph).end()
+    mark = match(r"\s*(?:(?:\d+\.|[-*])\s+)?", paragraph)
+    indent = " " * (mark.end() if mark else 0)
     return wrapped(paragraph, width, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)

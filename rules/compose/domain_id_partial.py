@@ -62,7 +62,7 @@ def domain_id_partial(robot: Robot) -> Iterator[Finding]:
                 )
 
 
-def _comparable(one: Service, other) -> bool:
+def _comparable(one: Service, other: Service) -> bool:
     """The image of the second adds no setting: it is the image of the first, or an official one."""
     image = other.image or ""
     return one is not other and (image == one.image or image.partition(":")[0] in ("ros", "osrf/ros"))

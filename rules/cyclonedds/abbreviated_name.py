@@ -41,13 +41,13 @@ from bringup_lint.api.schema import Code
 def abbreviated_name(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.dds.remarks(Code.ABBREVIATED):
         if remark.fatal:
-            message = f"'{remark.where}' is not a full name, and a file must not shorten names: no node starts"
+            message = f"'{remark.word}' is not a full name, and a file must not shorten names: no node starts"
         else:
-            message = f"'{remark.where}' works only as long as no other name starts with it"
+            message = f"'{remark.word}' works only as long as no other name starts with it"
         yield finding(
-            remark.where,
+            remark.word,
             message,
             advice=f"write {remark.detail}",
             severity=None if remark.fatal else "info",
-            fix=fix(f"write {remark.detail}", *renamed(remark.where, remark.detail)),
+            fix=fix(f"write {remark.detail}", *renamed(remark.word, remark.detail)),
         )

@@ -53,7 +53,7 @@ def bad_unit(robot: Robot) -> Iterator[Finding]:
     }
     for _, remark in robot.dds.remarks(Code.UNIT):
         units = sizes if remark.item.type == "memsize" else durations
-        value, unit = remark.where, remark.detail
+        value, unit = remark.word, remark.detail
         right = next((known for known in units if known.lower() == unit.lower()), None)
         guess = right or (spelled.get(unit.lower()) if spelled.get(unit.lower()) in units else None)
         end = len(value.rstrip())

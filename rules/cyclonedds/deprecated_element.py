@@ -55,18 +55,18 @@ def deprecated_element(robot: Robot) -> Iterator[Finding]:
         if remark.code == Code.MOVED:
             place = remark.detail.removeprefix("CycloneDDS/")
             message, advice = (
-                f"{remark.where} has moved in {library}: it still works, with a warning",
+                f"{remark.word} has moved in {library}: it still works, with a warning",
                 f"write it as {place}",
             )
         elif remark.code == Code.ALIAS:
-            message, advice = f"{remark.where} is the old name of {remark.detail}", f"write {remark.detail}"
-            change = fix(f"rename to {remark.detail}", *renamed(remark.where, remark.detail))
+            message, advice = f"{remark.word} is the old name of {remark.detail}", f"write {remark.detail}"
+            change = fix(f"rename to {remark.detail}", *renamed(remark.word, remark.detail))
         else:
             message, advice = (
-                f"{remark.where} is deprecated in {library}",
+                f"{remark.word} is deprecated in {library}",
                 "remove it, or use its replacement",
             )
             if remark.item.name == "NetworkInterfaceAddress":
                 advice = 'write <Interfaces><NetworkInterface name="..."/></Interfaces>'
                 change = interfaces_instead(configuration, remark)
-        yield finding(remark.where, message, advice=advice, fix=change)
+        yield finding(remark.word, message, advice=advice, fix=change)

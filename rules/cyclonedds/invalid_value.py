@@ -55,22 +55,22 @@ def invalid_value(robot: Robot) -> Iterator[Finding]:
         if name == "Id" or accepted_by(configuration, remark):
             continue
         taken = taken_by(remark.item)
-        word = booleans.get(remark.where.lower()) if "true" in words_of(remark.item) else None
+        word = booleans.get(remark.word.lower()) if "true" in words_of(remark.item) else None
         if remark.code == Code.EXPANSION:
-            message = f"Cyclone DDS cannot expand '{remark.where}' ({remark.detail}): no node starts"
+            message = f"Cyclone DDS cannot expand '{remark.word}' ({remark.detail}): no node starts"
         elif remark.code == Code.PRIORITY:
-            message = f"Priority {remark.where} without a Class aborts the process: no node starts"
+            message = f"Priority {remark.word} without a Class aborts the process: no node starts"
             taken = "add <Class>realtime</Class>, or delete the priority"
         elif remark.code == Code.ADDRESS:
-            message = f"{name} '{remark.where}' is not a multicast address: no node starts"
+            message = f"{name} '{remark.word}' is not a multicast address: no node starts"
             taken = "write an address of 224.0.0.0/4"
         elif remark.code == Code.RANGE:
-            message = f"{name} '{remark.where}' is out of range: no node starts"
+            message = f"{name} '{remark.word}' is out of range: no node starts"
         else:
-            message = f"{name} '{remark.where}' is not a value that Cyclone DDS accepts: no node starts"
+            message = f"{name} '{remark.word}' is not a value that Cyclone DDS accepts: no node starts"
         yield finding(
-            remark.where,
+            remark.word,
             message,
             advice=f"write {word}" if word else taken,
-            fix=fix(f"write {word}", (remark.where, word), safe=False) if word else None,
+            fix=fix(f"write {word}", (remark.word, word), safe=False) if word else None,
         )

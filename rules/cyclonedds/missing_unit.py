@@ -43,7 +43,7 @@ from bringup_lint.api.schema import Code
 def missing_unit(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.dds.remarks(Code.BARE_NUMBER):
         unit = remark.detail
-        value = remark.where
+        value = remark.word
         plain = value.strip().isdigit()
         if unit == "B":
             message = f"{remark.item.name} {value} is read as {value} bytes, with a warning at every start"

@@ -52,10 +52,10 @@ def unknown_element(robot: Robot) -> Iterator[Finding]:
         if accepted_by(configuration, remark) and remark.code != Code.BUILD:
             continue
         library = robot.dds.cyclonedds
-        message = f"{library} does not know the element '{remark.where}': no participant can be created, no node starts"
+        message = f"{library} does not know the element '{remark.word}': no participant can be created, no node starts"
         if remark.code == Code.BUILD:
             message = (
-                f"'{remark.where}' needs a build with {remark.detail}, which ROS packages do not have: no node starts"
+                f"'{remark.word}' needs a build with {remark.detail}, which ROS packages do not have: no node starts"
             )
         meant = meant_item(configuration, remark)
         place = place_of(configuration, remark)
@@ -64,5 +64,5 @@ def unknown_element(robot: Robot) -> Iterator[Finding]:
             advice = f"write {meant.name}"
         elif place:
             advice = f"move it into {place}"
-        change = fix(f"rename to {meant.name}", *renamed(remark.where, meant.name), safe=False) if meant else None
-        yield finding(remark.where, message, advice=advice, fix=change)
+        change = fix(f"rename to {meant.name}", *renamed(remark.word, meant.name), safe=False) if meant else None
+        yield finding(remark.word, message, advice=advice, fix=change)

@@ -33,6 +33,7 @@ When the parts are separated on purpose and a bridge that the linter does not re
 """
 
 import re
+from collections.abc import Iterable
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -40,6 +41,8 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.environment import RosProcess
+from bringup_lint.api.systemd import Variable
 
 BRIDGE = re.compile(r"bridge|domain", re.I)
 
@@ -76,7 +79,7 @@ def conflict_between_sources(robot: Robot) -> Iterator[Finding]:
                 )
 
 
-def _overruled(name: str, found):
+def _overruled(name: str, found: Iterable[tuple[RosProcess, Variable]]) -> Iterator[Finding]:
     """Launch files that give a whole robot another value than its unit or service says."""
     seen = set()
     for process, variable in found:
@@ -95,16 +98,16 @@ def _overruled(name: str, found):
             )
 
 
-def _known(process, name: str):
+def _known(process: RosProcess, name: str) -> Variable | None:
     variable = process.environment.get(name)
     if variable is None or not variable.text or BRIDGE.search(process.name):
         return None
     return variable
 
 
-def _together(robot: Robot):
+def _together(robot: Robot) -> Iterable[list[RosProcess]]:
     """Processes that certainly belong to one robot: units that do, services of one compose file, their nodes."""
-    groups: dict[object, list] = {}
+    groups: dict[object, list[RosProcess]] = {}
     units = {id(process.unit): process.unit for process in robot.ros.processes if process.unit}
     crews = robot.units.same_robot_groups(units.values()) if units else []
     crew_of = {id(unit): number for number, crew in enumerate(crews) for unit in crew}

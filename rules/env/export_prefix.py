@@ -43,7 +43,7 @@ def export_prefix(robot: Robot) -> Iterator[Finding]:
             if problem.code != "export-prefix":
                 continue
             name = problem.detail
-            start = problem.where.span.start
+            start = problem.span.start
             end = file.source.text.index(name, start)
             advice = f"write {name}=... without export"
             if sourced is not None:

@@ -45,6 +45,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.systemd import Process
+from bringup_lint.api.systemd import Ros
 from bringup_lint.api.systemd import Step
 
 ENOUGH = ("AMENT_PREFIX_PATH", "PYTHONPATH", "LD_LIBRARY_PATH", "BASH_ENV")
@@ -107,7 +108,7 @@ def sources_only(process: Process) -> bool:
     return bool(process.setup_files) and last in ("source", ".")
 
 
-def hidden(process: Process, step, ros):
+def hidden(process: Process, step: Step, ros: Ros) -> bool:
     """Whether something that runs before the program and is not in the tree may source a setup file."""
     return process.opaque and (process.steps.index(step) > 0 or ros.command is not step.command)
 

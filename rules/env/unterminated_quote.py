@@ -30,6 +30,7 @@ When the value really has several lines that look like assignments, for example 
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -42,15 +43,15 @@ def unterminated_quote(robot: Robot) -> Iterator[Finding]:
     for file in robot.env_files:
         for problem in file.model.problems:
             if problem.code == "unterminated-quote":
-                yield _finding(file, problem.where.part(0, 1), file.swallowed_lines(problem.where))
-        open_ended = {problem.where.span.end for problem in file.model.problems if problem.code == "unterminated-quote"}
+                yield _finding(file, problem.word.part(0, 1), file.swallowed_lines(problem.word))
+        open_ended = {problem.word.span.end for problem in file.model.problems if problem.code == "unterminated-quote"}
         for entry in file.model.entries:
             count = file.swallowed_lines(entry.span) if entry.quoted and entry.span.end not in open_ended else 0
             if count:
                 yield _finding(file, entry.name, count)
 
 
-def _finding(file: UsedEnvFile, where, count: int):
+def _finding(file: UsedEnvFile, where: Located, count: int) -> Finding:
     rest = f"swallows the next {count} lines" if count > 1 else "swallows the next line" if count else "is never closed"
     return finding(
         where,

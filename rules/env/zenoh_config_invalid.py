@@ -32,7 +32,9 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.environment import RosProcess
 from bringup_lint.api.ros import json5
+from bringup_lint.api.systemd import Variable
 
 FILES = ("ZENOH_ROUTER_CONFIG_URI", "ZENOH_SESSION_CONFIG_URI")
 
@@ -55,7 +57,7 @@ def zenoh_config_invalid(robot: Robot) -> Iterator[Finding]:
         yield from check(robot, variable, process)
 
 
-def _file(robot, variable, process):
+def _file(robot: Robot, variable: Variable, process: RosProcess) -> Iterator[Finding]:
     source = robot.tree.find(variable.text)
     if source is None and robot.tree.has(variable.text) is False:
         yield finding(
@@ -74,7 +76,7 @@ def _file(robot, variable, process):
         )
 
 
-def _override(robot, variable, process):
+def _override(robot: Robot, variable: Variable, process: RosProcess) -> Iterator[Finding]:
     value = variable.value
     if any(bracket in value for bracket in ("{", "%")):
         return

@@ -40,7 +40,7 @@ from bringup_lint.api.schema import Code
 def bool_case(robot: Robot) -> Iterator[Finding]:
     words = {"no": "false", "off": "false", "yes": "true", "on": "true"}
     for _, remark in robot.dds.fastdds_remarks(Code.BOOL):
-        text = remark.where
+        text = remark.word
         right = text.lower() if text.lower() in ("true", "false") else words.get(text.lower())
         change = None
         if right:

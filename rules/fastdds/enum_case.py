@@ -40,7 +40,7 @@ from bringup_lint.api.schema import Code
 @rule("error", fix="safe", symptoms=["bad content", "Invalid transport type"])
 def enum_case(robot: Robot) -> Iterator[Finding]:
     for profiles, remark in robot.dds.fastdds_remarks(Code.ENUM):
-        text = remark.where
+        text = remark.word
         known = words_taken(profiles, remark)
         right = next((word for word in known if word.lower() == text.lower()), None)
         change = fix(f"write {right}", (with_blanks(text), right)) if right else None

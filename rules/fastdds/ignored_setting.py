@@ -43,14 +43,14 @@ from bringup_lint.api.schema import Code
 def ignored_setting(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.dds.fastdds_remarks(Code.IGNORED):
         yield finding(
-            remark.where,
-            f"{remark.where} is not supported in XML: it has no effect, and every start logs an error",
+            remark.word,
+            f"{remark.word} is not supported in XML: it has no effect, and every start logs an error",
             advice="delete it",
         )
     for _, remark in robot.dds.fastdds_remarks(Code.PASSED_OVER):
-        kind = transport_type(remark.where)
+        kind = transport_type(remark.word)
         yield finding(
-            remark.where,
-            f"A {kind} transport does not read {remark.where}: it has no effect",
+            remark.word,
+            f"A {kind} transport does not read {remark.word}: it has no effect",
             advice="delete it, or choose another type",
         )

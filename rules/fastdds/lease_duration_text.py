@@ -40,7 +40,7 @@ from bringup_lint.api.schema import Code
 @rule("error", fix="safe", symptoms=["elements cannot be empty"])
 def lease_duration_text(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.dds.fastdds_remarks(Code.DURATION):
-        text = remark.where
+        text = remark.word
         change = fix("write sec", (text, f"<sec>{text}</sec>")) if text.isdigit() else None
         yield finding(
             text,

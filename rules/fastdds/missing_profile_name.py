@@ -38,7 +38,7 @@ from bringup_lint.api.schema import Code
 @rule("error", fix="unsafe", symptoms=["no name found"])
 def missing_profile_name(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.dds.fastdds_remarks(Code.PROFILE_NAME):
-        name = remark.where
+        name = remark.word
         behind = Span(name.span.source, name.span.end, name.span.end)
         yield finding(
             name,

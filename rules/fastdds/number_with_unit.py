@@ -47,7 +47,7 @@ from bringup_lint.api.schema import Code
 def number_with_unit(robot: Robot) -> Iterator[Finding]:
     sizes = {"k": 1 << 10, "kb": 1 << 10, "kib": 1 << 10, "m": 1 << 20, "mb": 1 << 20, "mib": 1 << 20, "b": 1}
     for _, remark in robot.dds.fastdds_remarks(Code.NUMBER):
-        text = remark.where
+        text = remark.word
         name = remark.path.rpartition("/")[2]
         if remark.fatal:
             why = f" ({remark.detail})" if remark.detail else ""

@@ -43,16 +43,16 @@ from bringup_lint.api.schema import Code
 @rule("error", symptoms=["Transport Node not found"])
 def undefined_transport(robot: Robot) -> Iterator[Finding]:
     for profiles, remark in robot.dds.fastdds_remarks(Code.TRANSPORT_UNDEFINED):
-        later = transport_named(profiles, remark.where)
-        message = f"Transport '{remark.where}' is not defined"
+        later = transport_named(profiles, remark.word)
+        message = f"Transport '{remark.word}' is not defined"
         advice = "define it in transport_descriptors"
         if later is not None:
             message, advice = (
-                f"Transport '{remark.where}' is defined after its use",
+                f"Transport '{remark.word}' is defined after its use",
                 "move transport_descriptors before the participant",
             )
         yield finding(
-            remark.where,
+            remark.word,
             f"{message}: the whole file is ignored, the robot runs with defaults",
             advice=advice,
             related=[note(later, "defined here")] if later is not None else (),

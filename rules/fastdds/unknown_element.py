@@ -51,7 +51,7 @@ from bringup_lint.api.schema import Code
 def unknown_element(robot: Robot) -> Iterator[Finding]:
     for profiles, remark in robot.dds.fastdds_remarks(Code.UNKNOWN, Code.UNKNOWN_ATTRIBUTE):
         library = robot.dds.fastdds
-        name = remark.where
+        name = remark.word
         near = meant_name(profiles, remark)
         others = versions_with(profiles, remark)
         places = places_of(profiles, remark)

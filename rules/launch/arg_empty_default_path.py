@@ -62,7 +62,7 @@ def arg_empty_default_path(robot: Robot) -> Iterator[Finding]:
                 )
 
 
-def paths(action: launch.Action):
+def paths(action: launch.Action) -> Iterator[tuple[launch.Value, str]]:
     """The values of an action that are used as a path, with what happens when they are empty."""
     for source in getattr(action, "parameters", ()):
         if isinstance(source, launch.ParameterFile):

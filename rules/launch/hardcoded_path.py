@@ -55,7 +55,7 @@ def hardcoded_path(robot: Robot) -> Iterator[Finding]:
                         )
 
 
-def values(action: launch.Action):
+def values(action: launch.Action) -> Iterator[launch.Value]:
     if isinstance(action, launch.DeclareArgument):
         yield from filter(None, [action.default])
     elif isinstance(action, launch.Include):

@@ -64,7 +64,7 @@ def lifecycle_unknown_node(robot: Robot) -> Iterator[Finding]:
                 yield from described(robot, manager, managed, bare)
 
 
-def alone(robot: Robot, managers: list[launch.Manager]):
+def alone(robot: Robot, managers: list[launch.Manager]) -> Iterator[Finding]:
     """A manager in a separate launch file: its nodes are in other files, if at least one of them is."""
     if any(launch.outside(expansion) for expansion in robot.launch.expansions):
         return
@@ -78,7 +78,9 @@ def alone(robot: Robot, managers: list[launch.Manager]):
                 yield from described(robot, manager, managed, {})
 
 
-def described(robot: Robot, manager: launch.Manager, managed: launch.Managed, bare):
+def described(
+    robot: Robot, manager: launch.Manager, managed: launch.Managed, bare: dict[str, launch.Started]
+) -> Iterator[Finding]:
     last = managed.fqn.rpartition("/")[2]
     near = [last] if last in bare else nearest(last, bare, 3)
     if last in bare:

@@ -63,6 +63,6 @@ def use_sim_time_not_propagated(robot: Robot) -> Iterator[Finding]:
             )
 
 
-def reads(source):
+def reads(source: object) -> bool:
     value = source.get("use_sim_time") if isinstance(source, launch.DictValue) else None
     return value is not None and any(isinstance(each, launch.Argument) for each in launch.walk(value))

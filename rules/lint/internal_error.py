@@ -33,4 +33,4 @@ from bringup_lint.api import rule
 @rule("error")
 def internal_error(robot: Robot) -> Iterator[Finding]:
     """Reported by the engine."""
-    return ()
+    return iter(())

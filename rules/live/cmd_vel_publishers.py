@@ -61,7 +61,7 @@ def cmd_vel_publishers(robot: Robot) -> Iterator[Finding]:
         )
 
 
-def source(name):
+def source(name: str) -> str | tuple[str, str]:
     """The node, or nav2 for those that take turns."""
     namespace, _, bare = name.rpartition("/")
     return (namespace, "nav2") if bare in BY_TURNS else name

@@ -36,6 +36,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.live import Observed
+from bringup_lint.api.live import RunningNode
 
 
 @rule("error")
@@ -70,10 +71,10 @@ def domain_mismatch(robot: Robot) -> Iterator[Finding]:
             )
 
 
-def count(nodes):
+def count(nodes: list[RunningNode]) -> str:
     return f"{nodes[0].name} runs" if len(nodes) == 1 else f"{len(nodes)} nodes run"
 
 
-def belongs(observed: Observed | None, node):
+def belongs(observed: Observed, node: RunningNode) -> bool:
     """Whether a node is the robot's, as far as the files name their nodes."""
     return observed.expected.named(node.name) is not None or not observed.expected.nodes

@@ -60,5 +60,5 @@ def qos_incompatible(robot: Robot) -> Iterator[Finding]:
             )
 
 
-def words(policy, value):
+def words(policy: str, value: str) -> str:
     return value if policy in ("reliability", "durability") else f"{policy} {value}"

@@ -38,7 +38,6 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
-from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
@@ -81,14 +80,14 @@ def bad_value(robot: Robot) -> Iterator[Finding]:
             )
 
 
-def meant(value: Located | Span) -> str | None:
+def meant(value: Located) -> str | None:
     found = SIZE.fullmatch(value)
     return f"{found[1]}{found[2].lower() if found[2] in 'kK' else found[2].upper()}" if found else None
 
 
-def cost(file: LogrotateFile, value: Located | Span) -> str:
+def cost(file: LogrotateFile, value: Located) -> str:
     if file.unread_from is not None and file.unread_from >= value.span.start:
-        after = [problem for problem in file.problems if problem.where.span.start > value.span.start]
+        after = [problem for problem in file.problems if problem.span.start > value.span.start]
         if not after:
             return "logrotate reads nothing of the file from here on"
     return "logrotate skips the whole stanza"

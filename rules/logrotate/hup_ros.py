@@ -33,6 +33,7 @@ When every process that receives the signal installs its own handler for SIGHUP.
 
 import re
 from collections.abc import Iterator
+from collections.abc import Set
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Fix
@@ -75,7 +76,7 @@ def hup_ros(robot: Robot) -> Iterator[Finding]:
                 )
 
 
-def named(command: Command) -> set[str]:
+def named(command: Command) -> Set[str]:
     words = {str(word) for word in command.words[1:]}
     return words | {f"{word}.service" for word in words} if command.name == "systemctl" else frozenset()
 

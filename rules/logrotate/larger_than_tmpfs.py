@@ -80,6 +80,6 @@ def kept(stanza: Stanza) -> int:
     return number
 
 
-def amount(text):
+def amount(text: str) -> int | None:
     match = re.fullmatch(r"(\d+)([kmg]?)", text.strip().lower())
     return int(match[1]) * UNITS[match[2]] if match else None

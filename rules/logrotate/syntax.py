@@ -64,7 +64,7 @@ def syntax(robot: Robot) -> Iterator[Finding]:
                     advice="save the file with LF line endings",
                 )
                 break
-            inside = any(s.header.start < problem.where.span.start and s.skipped for s in file.stanzas)
+            inside = any(s.header.start < problem.span.start and s.skipped for s in file.stanzas)
             cost = "logrotate skips the stanza" if inside else "logrotate skips the rest of the file"
             what = WHAT[problem.code].format(text=problem.where[:40])
             alone = problem.code == "text-after-brace"

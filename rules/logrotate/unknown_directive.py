@@ -45,7 +45,7 @@ def unknown_directive(robot: Robot) -> Iterator[Finding]:
         for problem in file.problems:
             if problem.code != "unknown-directive":
                 continue
-            word = problem.where
+            word = problem.word
             meant = nearest(word, robot.logs.directives)
             yield finding(
                 word,

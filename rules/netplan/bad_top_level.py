@@ -40,7 +40,7 @@ from bringup_lint.api.spelling import nearest
 @rule("error", fix="safe", symptoms=["Error in network definition: unknown key"])
 def bad_top_level(robot: Robot) -> Iterator[Finding]:
     for problem in robot.netplan.problems(Code.UNKNOWN):
-        key = problem.where
+        key = problem.word
         if problem.item.name != "{root}":
             continue
         change = fix("rename to network", (key, "network")) if nearest(key, ["network"]) else None

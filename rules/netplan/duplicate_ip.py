@@ -56,7 +56,7 @@ def duplicate_ip(robot: Robot) -> Iterator[Finding]:
                     )
 
 
-def apart(plan: Plan, one, other: Interface) -> bool:
+def apart(plan: Plan, one: Interface, other: Interface) -> bool:
     """Whether two interfaces live in routing domains of their own."""
     masters = plan.masters
     domains = [masters.get(str(interface.name)) for interface in (one, other)]

@@ -38,7 +38,7 @@ from bringup_lint.api.spelling import nearest
 @rule("error", fix="safe", symptoms=["unknown renderer"])
 def renderer_unknown(robot: Robot) -> Iterator[Finding]:
     for problem in robot.netplan.problems(Code.RENDERER):
-        word = problem.where
+        word = problem.word
         near = nearest(str(word), ["networkd", "NetworkManager"]) or (["networkd"] if "systemd" in word.lower() else [])
         change = fix(f"write {near[0]}", (word, near[0])) if near else None
         advice = f"write {near[0]}" if near else "write networkd or NetworkManager"

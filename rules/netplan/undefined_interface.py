@@ -41,7 +41,7 @@ from bringup_lint.api import rule
 @rule("error", symptoms=["is not defined"])
 def undefined_interface(robot: Robot) -> Iterator[Finding]:
     for problem in robot.netplan.problems("undefined"):
-        name, later = problem.where, problem.detail
+        name, later = problem.word, problem.detail
         related = [note(place, "defined here") for place in robot.netplan.declarations(name) if place.path == later]
         if later:
             message, advice = (

@@ -59,7 +59,7 @@ FOREIGN = {
 @rule("error", fix="safe", symptoms=["Error in network definition: unknown key"])
 def unknown_key(robot: Robot) -> Iterator[Finding]:
     for problem in robot.netplan.problems(Code.UNKNOWN):
-        key, table = problem.where, problem.item.name.strip("{}")
+        key, table = problem.word, problem.item.name.strip("{}")
         if table == "root":
             continue
         near = [] if key in FOREIGN else nearest(key, problem.item.children)

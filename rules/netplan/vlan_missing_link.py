@@ -41,7 +41,7 @@ from bringup_lint.api import rule
 @rule("error", symptoms=["is not defined"])
 def vlan_missing_link(robot: Robot) -> Iterator[Finding]:
     for problem in robot.netplan.problems("vlan-link"):
-        link, later = problem.where, problem.detail
+        link, later = problem.word, problem.detail
         related = [note(place, "defined here") for place in robot.netplan.declarations(link) if place.path == later]
         if later:
             message, advice = (

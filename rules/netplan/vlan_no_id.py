@@ -34,7 +34,7 @@ from bringup_lint.api import rule
 @rule("error", symptoms=["missing 'id' property"])
 def vlan_no_id(robot: Robot) -> Iterator[Finding]:
     for problem in robot.netplan.problems("vlan-no-id"):
-        number = "".join(char for char in problem.where if char.isdigit())
+        number = "".join(char for char in problem.word if char.isdigit())
         yield finding(
             problem.where,
             f"{problem.where} has no id: netplan generates nothing",

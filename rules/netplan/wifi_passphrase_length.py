@@ -45,7 +45,7 @@ from bringup_lint.api.templates import is_stand_in
 )
 def wifi_passphrase_length(robot: Robot) -> Iterator[Finding]:
     for problem in robot.netplan.problems("passphrase"):
-        where = problem.where
+        where = problem.word
         if is_stand_in(where):
             continue
         yield finding(

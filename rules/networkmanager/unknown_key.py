@@ -42,7 +42,7 @@ from bringup_lint.api.schema import suggestions
 @rule("warning", fix="unsafe")
 def unknown_key(robot: Robot) -> Iterator[Finding]:
     for _, problem in robot.networkmanager.problems(Code.UNKNOWN):
-        section, key = problem.item, problem.where
+        section, key = problem.item, problem.word
         near = suggestions(section.children, str(key))
         if near:
             yield finding(

@@ -42,7 +42,7 @@ def empty_node_or_block(robot: Robot) -> Iterator[Finding]:
     for file, problem in robot.params.problems("empty-block"):
         if robot.params.reader(file) == "pyyaml":
             continue
-        key = problem.where
+        key = problem.word
         inner = "{}" if key.startswith("ros__parameters") else "{ros__parameters: {}}"
         colon = file.source.text.find(":", key.span.end)
         place = file.source.span(colon + 1, colon + 1)

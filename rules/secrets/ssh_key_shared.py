@@ -31,6 +31,7 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -57,7 +58,7 @@ def ssh_key_shared(robot: Robot) -> Iterator[Finding]:
                 )
 
 
-def machine(place):
+def machine(place: Located) -> str:
     """The part of the name before the path on the robot, or else the folder."""
     source = place.span.source
     path = source.robot_path

@@ -41,7 +41,7 @@ def governance_kind_invalid(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.sros2.remarks(Code.ENUM):
         if remark.detail == "default":
             continue
-        right = remark.where.upper() if remark.element.text else ""
+        right = remark.word.upper() if remark.element.text else ""
         kinds = ("NONE", "SIGN", "ENCRYPT")
         if remark.detail != "data_protection_kind":
             kinds += ("SIGN_WITH_ORIGIN_AUTHENTICATION", "ENCRYPT_WITH_ORIGIN_AUTHENTICATION")

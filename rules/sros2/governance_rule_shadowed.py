@@ -59,7 +59,7 @@ def governance_rule_shadowed(robot: Robot) -> Iterator[Finding]:
                     )
 
 
-def _covers(robot: Robot, wide, narrow: Located):
+def _covers(robot: Robot, wide: Located, narrow: Located) -> bool:
     if wide == "*" or wide == narrow:
         return True
     return not re.search(r"[*?\[]", narrow) and robot.sros2.matches(narrow, wide)

@@ -50,6 +50,6 @@ def permissions_unsigned_newer(robot: Robot) -> Iterator[Finding]:
         )
 
 
-def _squeezed(text):
+def _squeezed(text: str) -> str:
     start = text.find("<dds")
     return "".join(text[max(start, 0) : text.rfind(">") + 1].split())

@@ -48,7 +48,7 @@ def not_in_match(robot: Robot) -> Iterator[Finding]:
             places = {option.keyword.span: option.match for option in file.options}
             for problem in file.problems:
                 if problem.code == "not-in-match":
-                    match = places.get(problem.where.span)
+                    match = places.get(problem.span)
                     yield finding(
                         problem.where,
                         f"{problem.where} is not allowed in a Match block: sshd refuses to start",

@@ -43,7 +43,7 @@ def unknown_option(robot: Robot) -> Iterator[Finding]:
             for problem in file.problems:
                 if problem.code != "unknown-option":
                     continue
-                word = problem.where
+                word = problem.word
                 meant = nearest(word, sshd.keywords)
                 yield finding(
                     word,

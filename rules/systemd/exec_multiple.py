@@ -38,6 +38,8 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Command
+from bringup_lint.api.systemd import Line
 from bringup_lint.api.systemd import Unit
 
 
@@ -53,7 +55,7 @@ def exec_multiple(robot: Robot) -> Iterator[Finding]:
             yield _finding(unit, *commands[0], *commands[1])
 
 
-def _finding(unit: Unit, first_line, first, line, second):
+def _finding(unit: Unit, first_line: Line, first: Command, line: Line, second: Command) -> Finding:
     message = f"More than one ExecStart= command in {unit.name}: systemd refuses the unit"
     change = None
     advice = "use Type=oneshot for a sequence, ExecStartPre= for preparation, or a unit for each process"

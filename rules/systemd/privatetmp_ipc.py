@@ -33,6 +33,7 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -58,7 +59,7 @@ def privatetmp_ipc(robot: Robot) -> Iterator[Finding]:
             break
 
 
-def _uses(unit: Unit, robot: Robot):
+def _uses(unit: Unit, robot: Robot) -> Iterator[tuple[Located, str]]:
     for process in robot.units.started(unit):
         for step in process.steps:
             for word in step.command.words:

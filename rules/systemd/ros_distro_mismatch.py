@@ -62,7 +62,7 @@ def ros_distro_mismatch(robot: Robot) -> Iterator[Finding]:
                 if chosen is None:
                     chosen = (word, distro)
                 elif distro != chosen[1]:
-                    yield _finding(unit, process, step, word, distro, chosen, chosen[0] != word and named)
+                    yield _finding(unit, process, step, word, distro, chosen, named if chosen[0] != word else None)
                     break
 
 
@@ -71,10 +71,10 @@ def _finding(
     process: Process,
     step: Step,
     word: Located,
-    distro,
+    distro: str,
     chosen: tuple[Located, str],
-    named: bool | Variable | None,
-):
+    named: Variable | None,
+) -> Finding:
     there = note(chosen[0], f"names {chosen[1]}")
     start = [note(process.program, f"{unit.name} starts it here")] if step.script else []
     if named and named.text == chosen[1] and step.script:

@@ -77,7 +77,7 @@ def _shell_text(command: Command) -> Located | None:
     return None
 
 
-def _swallowed(robot: Robot, line: Line, text):
+def _swallowed(robot: Robot, line: Line, text: Located) -> Iterator[Finding]:
     for found in _USE.finditer(text):
         name = found[1]
         start = found.end() - len(name) - 3
@@ -94,7 +94,7 @@ def _swallowed(robot: Robot, line: Line, text):
         )
 
 
-def _provided(robot: Robot, line: Line, name):
+def _provided(robot: Robot, line: Line, name: str) -> bool:
     """Whether systemd may know the variable: the unit, an environment file or systemd itself may set it."""
     for assignment in line.file.assignments:
         if assignment.key in ("Environment", "PassEnvironment") and name in assignment.value:

@@ -61,7 +61,7 @@ def stdout_file_no_rotation(robot: Robot) -> Iterator[Finding]:
             )
 
 
-def _rotated(robot: Robot):
+def _rotated(robot: Robot) -> Iterator[str]:
     """The patterns of all logrotate files."""
     for path in robot.tree.paths:
         if "/logrotate.d/" in path or path.endswith("/logrotate.conf"):

@@ -57,7 +57,7 @@ def unknown_key(robot: Robot) -> Iterator[Finding]:
                     yield _unknown(key, section.name)
 
 
-def _unknown(key: Located, section):
+def _unknown(key: Located, section: str) -> Finding:
     message = f"Unknown key '{key}' in [{section}]: systemd ignores the line"
     homes = directives.sections_with(key)
     meant = nearest(key, directives.sections()[section])

@@ -90,7 +90,7 @@ def _advice(interface: Token | None) -> str:
     return "keep the parent keys of one device, and match the others with ENV{ID_...}, ATTR or KERNEL"
 
 
-def _device(found) -> str:
+def _device(found: re.Match[str]) -> str:
     return found[1]
 
 

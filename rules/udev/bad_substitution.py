@@ -42,7 +42,7 @@ _COMMANDS = ("RUN", "PROGRAM", "IMPORT")
 @rule("error", symptoms=["invalid substitution type", "attribute value missing"])
 def bad_substitution(robot: Robot) -> Iterator[Finding]:
     for problem, line in robot.udev.problems("bad-substitution"):
-        token = next(token for token in line.tokens if token.span.start <= problem.where.span.start < token.span.end)
+        token = next(token for token in line.tokens if token.span.start <= problem.span.start < token.span.end)
         what = "has no {...}" if problem.detail == "argument missing" else "is unknown to udev"
         yield finding(
             problem.where,

@@ -51,7 +51,7 @@ def _why(condition: Condition) -> str:
     return f"only devices with {condition.text} get past this jump" if condition.inherited else "the other match"
 
 
-def _advice(first: Condition, second) -> str:
+def _advice(first: Condition, second: Condition) -> str:
     if not first.inherited and first.equal and second.equal:
         return f'write {second.token.name}=="{first.token.value}|{second.token.value}" for either of them'
     return "delete the match that is wrong"

@@ -116,6 +116,6 @@ def _on_lines(findings: tuple[Finding, ...]) -> dict[tuple[str, int], set[int]]:
     """Findings by the lines that they show."""
     found: dict[tuple[str, int], set[int]] = defaultdict(set)
     for index, finding in enumerate(findings):
-        for part in (finding, *finding.related, *finding.chain):
-            found[part.span.path, place_of(part.span).line].add(index)
+        for span in (finding.span, *(part.span for part in (*finding.related, *finding.chain))):
+            found[span.path, place_of(span).line].add(index)
     return found

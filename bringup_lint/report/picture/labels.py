@@ -37,7 +37,7 @@ def _tell_apart(found: dict[Node, str]) -> None:
 
 def shortest_tails(paths: Iterable[str]) -> dict[str, str]:
     """Each path's last components, as few as tell it from the others."""
-    found = {}
+    found: dict[str, str] = {}
     pending, count = set(paths), 1
     while pending:
         by_tail: dict[str, list[str]] = defaultdict(list)
