@@ -6,14 +6,17 @@ import ast
 from typing import Any
 
 from bringup_lint.model.launch import Import
+from bringup_lint.model.launch_values import VALUE_TYPES
 from bringup_lint.model.launch_values import Argument
 from bringup_lint.model.launch_values import Condition
+from bringup_lint.model.launch_values import Literal
 from bringup_lint.model.launch_values import Unknown
 from bringup_lint.parsers.launch_python import budget
 from bringup_lint.parsers.launch_python.containers import extend
 from bringup_lint.parsers.launch_python.containers import iterate
 from bringup_lint.parsers.launch_python.expressions import located_name
 from bringup_lint.parsers.launch_python.objects import Function
+from bringup_lint.parsers.launch_python.objects import Mapping
 from bringup_lint.parsers.launch_python.objects import Options
 from bringup_lint.parsers.launch_python.objects import Sequence
 from bringup_lint.parsers.launch_python.objects import Symbol
@@ -159,9 +162,19 @@ def _while(state: State, node: ast.While) -> str | None:
     loop = Condition(Unknown("loop", span), True, "loop", span)
     outer = state.guards
     state.guards = (*outer, loop)
+    _forget_assigned(state, node)
     run(state, node.body)
     state.guards = outer
+    _forget_assigned(state, node)
     return None
+
+
+def _forget_assigned(state: State, node: ast.While) -> None:
+    """How often the loop runs is not known, nor what the plain values are that it assigns."""
+    for target in ast.walk(node):
+        if isinstance(target, ast.Name) and isinstance(target.ctx, ast.Store):
+            if isinstance(state.frame.names.get(target.id), VALUE_TYPES):
+                state.frame.names[target.id] = Unknown("loop", state.positions.span(target))
 
 
 def _try(state: State, node: Any) -> str | None:
@@ -233,6 +246,18 @@ def _delete(state: State, node: ast.Delete) -> None:
     for target in node.targets:
         if isinstance(target, ast.Name):
             state.frame.names[target.id] = Unknown("deleted", state.positions.span(target))
+        elif isinstance(target, ast.Subscript):
+            _delete_item(state.evaluate(target.value), state.evaluate(target.slice), bool(state.guards))
+
+
+def _delete_item(owner: Any, key: Any, perhaps: bool) -> None:
+    """What may be deleted, or is not known, leaves the container open."""
+    if not isinstance(owner, (Mapping, Sequence)):
+        return
+    if isinstance(owner, Mapping) and isinstance(key, Literal) and not perhaps:
+        owner.entries.pop(key.value, None)
+    else:
+        owner.open = True
 
 
 def _match(state: State, node: Any) -> None:
