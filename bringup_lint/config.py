@@ -19,6 +19,7 @@ from bringup_lint.toml import read_toml
 FILE_NAME = "bringup-lint.toml"
 SEVERITIES = ("info", "warning", "error")
 ROS_DISTROS = distros.supported()
+PURPOSES = ("robot", "development", "simulation", "test", "ci", "example", "archive")
 
 
 class ConfigError(Exception):
@@ -29,7 +30,8 @@ class Option(NamedTuple):
     """One key of the configuration file."""
 
     type: str
-    """``string``, ``integer``, ``strings`` (a list), ``severity``, ``ros``, ``paths`` or ``severities`` (a table)."""
+    """``string``, ``integer``, ``strings`` (a list), ``severity``, ``ros``, or a table: ``paths``, ``purposes``,
+    ``severities``."""
     help: str
 
 
@@ -45,6 +47,9 @@ OPTIONS = {
     "target-ros": Option("ros", "The ROS distribution that the robot runs."),
     "target-systemd": Option("integer", "The systemd version that the robot runs, 245 to 257."),
     "deploy": Option("paths", "Where files of the repository go: a table of path or folder to the path on the robot."),
+    "purpose": Option(
+        "purposes", "What files are for, where their paths do not say it: a table of path or folder to a purpose."
+    ),
     "baseline": Option("string", "A baseline file; the findings it holds are not reported again."),
     "rules": Option("strings", "Folders of further rules; only read when the command line names this file."),
 }
@@ -63,6 +68,7 @@ class Config:
     target_ros: str | None = None
     target_systemd: int | None = None
     deploy: dict[str, str] = field(default_factory=dict)
+    purpose: dict[str, str] = field(default_factory=dict)
     baseline: str | None = None
     rules: tuple[str, ...] = ()
     path: Path | None = None
@@ -119,11 +125,13 @@ def _checked(kind: str, value: Any) -> Any:
         if not isinstance(value, list) or not all(isinstance(item, str) for item in value):
             raise ValueError("must be a list of strings")
         return tuple(value)
-    if kind in ("paths", "severities"):
+    if kind in ("paths", "severities", "purposes"):
         if not isinstance(value, dict) or not all(isinstance(item, str) for item in value.values()):
             raise ValueError("must be a table of strings")
         if kind == "severities":
             value = {key: _checked("severity", item) for key, item in value.items()}
+        if kind == "purposes":
+            value = {key: _checked("purpose", item) for key, item in value.items()}
         return value
     if kind == "integer":
         if not isinstance(value, int) or isinstance(value, bool):
@@ -131,7 +139,7 @@ def _checked(kind: str, value: Any) -> Any:
         return value
     if not isinstance(value, str):
         raise ValueError("must be a string")
-    choices = {"severity": SEVERITIES, "ros": ROS_DISTROS}.get(kind)
+    choices = {"severity": SEVERITIES, "ros": ROS_DISTROS, "purpose": PURPOSES}.get(kind)
     if choices and value not in choices:
         raise ValueError(f"must be one of {', '.join(choices)}, not '{value}'")
     return value
@@ -149,6 +157,7 @@ def schema() -> dict[str, Any]:
         "severities": {"type": "object", "additionalProperties": severity},
         "ros": {"enum": list(ROS_DISTROS)},
         "paths": {"type": "object", "additionalProperties": string},
+        "purposes": {"type": "object", "additionalProperties": {"enum": list(PURPOSES)}},
     }
     defaults = {item.name.replace("_", "-"): item.default for item in fields(Config) if isinstance(item.default, str)}
     properties = {}

@@ -15,6 +15,7 @@ from bringup_lint.config import ConfigError
 from bringup_lint.finding import Confidence
 from bringup_lint.finding import Finding
 from bringup_lint.finding import Severity
+from bringup_lint.graph.purpose import Purpose
 from bringup_lint.registry import Registry
 from bringup_lint.registry import Rule
 from bringup_lint.robot import Robot
@@ -75,7 +76,9 @@ def run(robot: Robot, registry: Registry, config: Config, *, ignores: bool = Tru
     severities = {selection.known(name): Severity[value.upper()] for name, value in config.severity.items()}
     rules = {rule_id: registry[rule_id] for rule_id in registry.ids_for(robot) if selection.runs(rule_id)}
     failures: list[Finding] = []
-    findings = [found for rule in rules.values() for found in _run_rule(rule, robot, failures)]
+    findings = [
+        found for rule in rules.values() for found in _run_rule(rule, robot, registry.purposes(rule.id), failures)
+    ]
     failures += [_internal(source, f"reading {source.name}", error) for source, error in robot.failures]
     findings += failures
     if ignores:
@@ -91,13 +94,26 @@ def run(robot: Robot, registry: Registry, config: Config, *, ignores: bool = Tru
     return Outcome(tuple(shown), rules, tuple(failure.message for failure in failures), hidden)
 
 
-def _run_rule(rule: Rule, robot: Robot, failures: list[Finding]) -> Iterator[Finding]:
+def _run_rule(
+    rule: Rule, robot: Robot, purposes: Mapping[Purpose, Severity | None], failures: list[Finding]
+) -> Iterator[Finding]:
     try:
         for found in rule.check(robot) or ():
             if found.source.judged:
-                yield replace(found, rule=rule.id)
+                yield from _for_purpose(replace(found, rule=rule.id), robot, purposes)
     except Exception as error:
         failures.append(_internal(Source(rule.path.name), f"rule {rule.id}", error))
+
+
+def _for_purpose(found: Finding, robot: Robot, purposes: Mapping[Purpose, Severity | None]) -> Iterator[Finding]:
+    """The finding, lowered or left out when its place is not for the robot itself."""
+    purpose = robot.purpose(found.span) if purposes else Purpose.ROBOT
+    if purpose not in purposes:
+        yield found
+        return
+    lowered = purposes[purpose]
+    if lowered is not None:
+        yield replace(found, own_severity=min(found.own_severity or lowered, lowered))
 
 
 def _internal(source: Source, what: str, error: Exception) -> Finding:

@@ -12,15 +12,19 @@ import importlib.util
 import re
 from collections.abc import Iterable
 from collections.abc import Iterator
+from collections.abc import Mapping
 from dataclasses import dataclass
 from dataclasses import field
 from functools import cache
 from functools import cached_property
 from pathlib import Path
+from typing import Any
 
 from bringup_lint.api import Check
 from bringup_lint.api import Metadata
+from bringup_lint.discover.starters import STARTING
 from bringup_lint.finding import Severity
+from bringup_lint.graph.purpose import Purpose
 from bringup_lint.report.docs import HEADINGS
 from bringup_lint.robot import Robot
 from bringup_lint.toml import read_toml
@@ -72,6 +76,11 @@ class Family:
     path: Path
     mentions: re.Pattern[str] | None = None
     """What a file of any kind says when it concerns the family."""
+    purposes: dict[Purpose, Severity | None] = field(default_factory=dict)
+    """What a purpose other than the robot makes of findings on deployment: the severity to which it lowers them, or
+    None when it silences them."""
+    deployment: frozenset[str] = frozenset()
+    """The rule files that judge how a robot is deployed; the others hold for every file, whatever it is for."""
     joins: dict[str, frozenset[str]] = field(default_factory=dict)
     """Rule file -> kinds of other families that give this rule something to say."""
 
@@ -121,11 +130,24 @@ def _family(path: Path) -> Family:
         path.name.replace("_", "-"),
         data.get("title", path.name),
         data.get("description", ""),
-        frozenset(data.get("reads", ())),
+        _kinds(data.get("reads", ())),
         path,
         re.compile(data["mentions"]) if "mentions" in data else None,
-        {stem: frozenset(kinds) for stem, kinds in data.get("joins", {}).items()},
+        _purposes(data.get("purpose", {})),
+        frozenset(data.get("purpose", {}).get("rules", ())),
+        {stem: _kinds(kinds) for stem, kinds in data.get("joins", {}).items()},
     )
+
+
+def _kinds(names: Iterable[str]) -> frozenset[str]:
+    """Kinds of file; ``runners`` stands for all that start processes."""
+    return frozenset(kind for name in names for kind in (STARTING if name == "runners" else (name,)))
+
+
+def _purposes(table: Mapping[str, Any]) -> dict[Purpose, Severity | None]:
+    """``silent = ["ci"]`` and ``info = ["example"]`` of a family's ``[purpose]``."""
+    lowered: dict[Purpose, Severity | None] = {Purpose(name): Severity.INFO for name in table.get("info", ())}
+    return lowered | {Purpose(name): None for name in table.get("silent", ())}
 
 
 def load(path: Path, rule_id: str) -> Rule:
@@ -173,6 +195,12 @@ class Registry:
 
     def __getitem__(self, rule_id: str) -> Rule:
         return load(self.paths[rule_id], rule_id)
+
+    def purposes(self, rule_id: str) -> Mapping[Purpose, Severity | None]:
+        """What a purpose makes of the findings of a rule (``family.toml``: purpose)."""
+        family, _, name = rule_id.partition("/")
+        found = next((each for each in self.families if each.name == family), None)
+        return found.purposes if found is not None and name.replace("-", "_") in found.deployment else {}
 
     def get(self, rule_id: str) -> Rule | None:
         return self[rule_id] if rule_id in self.paths else None

@@ -20,12 +20,16 @@ import re
 from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
+from collections.abc import Mapping
 from datetime import date
 from functools import cached_property
 from typing import TYPE_CHECKING
 from typing import TypeVar
 
+from bringup_lint.discover.kinds.launch import LAUNCH
+from bringup_lint.finding import span_of
 from bringup_lint.graph.files import Files
+from bringup_lint.graph.purpose import Purpose
 
 if TYPE_CHECKING:
     from bringup_lint.discover.tree import Tree
@@ -72,6 +76,7 @@ if TYPE_CHECKING:
     from bringup_lint.source import Located
     from bringup_lint.source import Problem
     from bringup_lint.source import Source
+    from bringup_lint.source import Span
 
 Model = TypeVar("Model")
 
@@ -85,8 +90,9 @@ class Robot:
         configured_ros: str | None = None,
         configured_systemd: int | None = None,
         today: date | None = None,
+        purposes: Mapping[str, str] | None = None,
     ) -> None:
-        self.files = Files(tree, configured_ros, configured_systemd, today or date.today())
+        self.files = Files(tree, configured_ros, configured_systemd, purposes or {}, today or date.today())
         self.launch_commands: tuple[str, ...] = ()
         """For a comparison with the running graph: what was launched, as after ``ros2 launch``."""
 
@@ -154,6 +160,17 @@ class Robot:
     def environment_file(self, robot_path: str) -> EnvFile | None:
         """The environment file at a path on the robot, when the tree holds it."""
         return self.files.environment_file(robot_path)
+
+    def purpose(self, place: Source | Located | Span) -> Purpose:
+        """What a place of a file is for: by its path, by the service around it, by who builds or starts it."""
+        own = self.files.purpose(place)
+        span = span_of(place)
+        if own is not Purpose.ROBOT:
+            return own
+        if span.source.kind in LAUNCH:
+            file = self.launch.of_source(span.source)
+            return Purpose.SIMULATION if file is not None and self.launch.simulated(file) else own
+        return self.runners.purpose(span)
 
     @cached_property
     def secrets(self) -> list[Secret]:

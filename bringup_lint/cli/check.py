@@ -148,6 +148,7 @@ def _start(paths: tuple[str, ...], root: str | None) -> Path:
 def read_robot(paths: tuple[str, ...], config: Config, options: dict[str, Any]) -> Robot:
     """Read the paths, or standard input, into a robot."""
     from bringup_lint.discover.exclude import exclusion
+    from bringup_lint.discover.tree import display_name
     from bringup_lint.discover.walk import discover
     from bringup_lint.discover.walk import discover_text
     from bringup_lint.robot import Robot
@@ -159,4 +160,6 @@ def read_robot(paths: tuple[str, ...], config: Config, options: dict[str, Any]) 
         excluded = exclusion(config.folder, config.exclude)
         tree = discover(paths, root=options["root"], deploy=deploy, excluded=excluded)
     now = options.get("now")
-    return Robot(tree, config.target_ros, config.target_systemd, now.date() if now else date.today())
+    purposes = {display_name(str(config.folder / path)): name for path, name in config.purpose.items()}
+    today = now.date() if now else date.today()
+    return Robot(tree, config.target_ros, config.target_systemd, today, purposes)

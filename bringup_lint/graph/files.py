@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from collections.abc import Iterable
+from collections.abc import Mapping
 from dataclasses import dataclass
 from dataclasses import field
 from datetime import date
@@ -12,12 +13,16 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 from typing import TypeVar
 
+from bringup_lint.graph.purpose import Purpose
+from bringup_lint.graph.purpose import Purposes
+from bringup_lint.graph.purpose import by_names
 from bringup_lint.graph.target import Target
 from bringup_lint.graph.target import find_target
 from bringup_lint.graph.variants import Variants
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
+from bringup_lint.source import Span
 
 if TYPE_CHECKING:
     from bringup_lint.discover.tree import Tree
@@ -46,6 +51,7 @@ class Files:
     tree: Tree
     configured_ros: str | None = None
     configured_systemd: int | None = None
+    configured_purposes: Mapping[str, str] = field(default_factory=dict)
     today: date = field(default_factory=date.today)
     """The day for which validity dates are judged."""
     failures: list[tuple[Source, Exception]] = field(default_factory=list)
@@ -109,6 +115,15 @@ class Files:
         )
 
     @cached_property
+    def _purposes(self) -> Purposes:
+        return Purposes(self.tree, self.configured_purposes)
+
+    def purpose(self, place: Source | Located | Span, *names: str) -> Purpose:
+        """What a file is for, by the configuration and its path; or something in it, by its names."""
+        own = self._purposes.of(_source_of(place))
+        return by_names(names) if own is Purpose.ROBOT and self.tree.root is None else own
+
+    @cached_property
     def variants(self) -> Variants:
         """The robots and variants that the tree holds."""
         return Variants(self.tree)
@@ -130,5 +145,7 @@ class Files:
         return next(iter(self.parsed(parse, [source])), None) if source else None
 
 
-def _source_of(place: Source | Located) -> Source:
-    return place.span.source if isinstance(place, Located) else place
+def _source_of(place: Source | Located | Span) -> Source:
+    if isinstance(place, Located):
+        return place.span.source
+    return place if isinstance(place, Source) else place.source

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from bringup_lint.discover.starters import STARTERS
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
@@ -20,7 +21,6 @@ if TYPE_CHECKING:
 
 TELLING = frozenset(
     {
-        "compose",
         "cyclonedds",
         "env-file",
         "fastdds",
@@ -34,9 +34,8 @@ TELLING = frozenset(
         "sros2-governance",
         "sros2-permissions",
         "sysctl",
-        "systemd-dropin",
-        "systemd-unit",
         "udev-rules",
+        *(kind for starter in STARTERS.values() if starter.own for kind in starter.kinds),
     }
 )
 """Kinds of which each robot has its own."""

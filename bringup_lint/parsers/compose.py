@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from bringup_lint.model.compose import ComposeFile
 from bringup_lint.model.compose import Service
 from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.model.yaml_node import Scalar
 from bringup_lint.parsers import yaml_nodes
-from bringup_lint.parsers.shell import commands
-from bringup_lint.source import Located
+from bringup_lint.parsers.shell import words
 from bringup_lint.source import Source
 
 
@@ -24,17 +21,10 @@ def parse(source: Source) -> ComposeFile:
         return file
     for name, body in services.merged:
         if isinstance(body, Mapping):
-            file.services.append(Service(name.value, body, words_of))
+            file.services.append(Service(name.value, body, words))
     for service in file.services:
         _extend(service, file)
     return file
-
-
-def words_of(text: Located) -> Iterator[Located]:
-    """The words of a command line; operators, which only a shell would read, are left out."""
-    for command in commands(text):
-        yield from command.assignments
-        yield from command.words
 
 
 def _extend(service: Service, file: ComposeFile) -> None:

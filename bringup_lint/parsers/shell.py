@@ -69,6 +69,13 @@ def shell_commands(source: Source) -> list[Command]:
     return commands(source.located(0, len(source.text)))
 
 
+def words(line: Located) -> Iterator[Located]:
+    """The words of a command line; operators, which only a shell would read, are left out."""
+    for command in commands(line):
+        yield from command.assignments
+        yield from command.words
+
+
 def tokens(script: Located) -> Iterator[Token]:
     text = str(script)
     at, size = 0, len(text)

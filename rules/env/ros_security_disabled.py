@@ -45,7 +45,7 @@ NO = ("false", "0", "no", "off")
 def ros_security_disabled(robot: Robot) -> Iterator[Finding]:
     stores = robot.ros.of("ROS_SECURITY_KEYSTORE")
     for setting in robot.ros.of("ROS_SECURITY_ENABLE"):
-        if setting.text.lower() not in NO or setting.development:
+        if setting.text.lower() not in NO or robot.ros.is_development(setting.value):
             continue
         for store in stores:
             if store.value.span.source is setting.value.span.source:

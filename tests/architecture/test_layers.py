@@ -37,7 +37,7 @@ LAYERS = (
     {"graph.systemd", "graph.launch"},
     {"graph.workspace", "graph.compose", "graph.netplan", "graph.networkmanager", "graph.udev", "graph.commands"},
     {"graph.files", "graph.file_nodes", "graph.places", "graph.layers"},
-    {"graph.components", "graph.graph", "graph.memo", "graph.target", "graph.variants", "graph.yaml_edits"},
+    {"graph.components", "graph.graph", "graph.memo", "graph.purpose", "graph.target", "graph.variants", "graph.yaml_edits"},
     {"discover"},
     {"parsers", "codemods"},
     {"schema"},

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from bringup_lint.discover.kinds.launch import LAUNCH
+from bringup_lint.discover.starters import STARTING
 from bringup_lint.graph.graph import Graph
 from bringup_lint.graph.places import Places
 
@@ -50,7 +51,7 @@ class Layers:
 def joined_graph(layers: Layers) -> Graph:
     """Everything that the files of the tree name. What they only share a repository with is not joined."""
     graph = Graph()
-    for add in (_add_units, _add_services, _add_launch, _add_files):
+    for add in (_add_units, _add_services, _add_runners, _add_launch, _add_files):
         _try(add, graph, layers)
     places = Places(graph)
     for join in (_add_network, _add_dds, _add_security, _add_devices):
@@ -103,6 +104,16 @@ def _add_services(graph: Graph, layers: Layers) -> None:
     graph.define(compose_places(layers.compose()))
     if layers.files.of_kind(*UNITS):
         graph.add(starting_units(layers.files.tree, layers.compose(), layers.units()))
+
+
+def _add_runners(graph: Graph, layers: Layers) -> None:
+    if not layers.files.of_kind(*STARTING):
+        return
+    from bringup_lint.graph.edges.runners import runner_edges
+    from bringup_lint.graph.edges.runners import runner_places
+
+    graph.add(runner_edges(layers.runners(), layers.launch))
+    graph.define(runner_places(layers.runners()))
 
 
 def _add_launch(graph: Graph, layers: Layers) -> None:

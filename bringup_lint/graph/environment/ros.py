@@ -22,6 +22,7 @@ from bringup_lint.graph.environment.launched import launch_variables
 from bringup_lint.graph.environment.launched import launched
 from bringup_lint.graph.environment.launched import view
 from bringup_lint.graph.files import Files
+from bringup_lint.graph.purpose import Purpose
 from bringup_lint.graph.runners.runner import Runner
 from bringup_lint.graph.runners.runner import Start
 from bringup_lint.graph.target import mentions_of
@@ -47,10 +48,6 @@ OF_ROS = re.compile(r"(?:ROS|RMW|CYCLONEDDS|FASTRTPS|FASTDDS|RCUTILS|ZENOH)_\w+"
 
 _LOGIN_NAMES = (".bashrc", ".bash_profile", ".profile", ".zshrc", "bash.bashrc")
 _LOGIN = re.compile(r"/(?:\.bashrc|\.(?:bash_)?profile|\.zshrc|bash\.bashrc)$|/profile\.d/[^/]+$|/etc/environment$")
-_SIMULATION = re.compile(
-    r"(?:^|[/_.-])(?:sim|simulation|gazebo|gz|test|tests|ci|dev|devel|develop|development|example|examples)(?:[/_.-]|$)",
-    re.I,
-)
 
 
 class Setting(NamedTuple):
@@ -65,11 +62,6 @@ class Setting(NamedTuple):
     """``Environment=``, ``EnvironmentFile=``, ``environment:``, ``env file``, ``ENV``, ``export``, ``launch``."""
     expands: bool
     """Whether whoever reads it puts in ``$NAME`` and ``~``, as a shell does."""
-
-    @property
-    def development(self) -> bool:
-        """Whether the path of the file says that it is for tests, simulation or development."""
-        return bool(_SIMULATION.search(self.value.span.path))
 
 
 @dataclass(frozen=True, eq=False)
@@ -121,10 +113,9 @@ class RosEnvironment:
     compose: Callable[[], Compose]
     launch: Callable[[], Launch]
 
-    @staticmethod
-    def is_development(place: Located | Span) -> bool:
-        """Whether the path of the file says that it is for tests, simulation or development."""
-        return bool(_SIMULATION.search(place.path))
+    def is_development(self, place: Located | Span) -> bool:
+        """Whether a file is not for the robot itself, but for tests, simulation, development or the like."""
+        return self.files.purpose(place) is not Purpose.ROBOT
 
     @cached_property
     def login_files(self) -> list[Source]:

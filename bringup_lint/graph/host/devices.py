@@ -17,6 +17,7 @@ from bringup_lint.graph.host.device_uses import of_env_files
 from bringup_lint.graph.host.device_uses import of_launch
 from bringup_lint.graph.host.device_uses import of_params
 from bringup_lint.graph.host.device_uses import of_units
+from bringup_lint.graph.purpose import Purpose
 from bringup_lint.parsers.systemd_values import escape_path
 from bringup_lint.source import Source
 from bringup_lint.spelling import nearest
@@ -31,7 +32,6 @@ if TYPE_CHECKING:
     from bringup_lint.graph.udev.udev import Udev
 
 _BY_DISCOVERY = re.compile(r"/dev/(?:ttyUSB\d+|ttyACM\d+|video\d)")
-_SIMULATION = re.compile(r"(?:^|[/_.-])(?:sim|simulation|gazebo|gz|ignition|webots|isaac)(?:[/_.-]|$)", re.I)
 _OF_KERNEL = frozenset(
     [
         "block",
@@ -85,7 +85,7 @@ class Devices:
     def uses(self) -> tuple[DeviceUse, ...]:
         found: dict[tuple[Source, int], DeviceUse] = {}
         for use in self._all_uses():
-            simulated = _SIMULATION.search(use.path.span.path)
+            simulated = self.files.purpose(use.path) is Purpose.SIMULATION
             if not simulated and (use.certainty == "host" or use.path not in self._inside_containers):
                 found.setdefault((use.path.span.source, use.path.span.start), use)
         return tuple(found.values())

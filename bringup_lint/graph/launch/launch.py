@@ -30,6 +30,7 @@ from bringup_lint.graph.launch.scope import Scope
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.launch.visits import VISITS
+from bringup_lint.graph.purpose import Purpose
 from bringup_lint.graph.workspace import Found
 from bringup_lint.graph.workspace import Package
 from bringup_lint.graph.workspace import Place
@@ -49,11 +50,8 @@ from bringup_lint.source import Source
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
 
-SIMULATION = re.compile(
-    r"(?:^|[/_.-])(?:sim|simulation|simulator|simulated|gazebo|gz|ign|ignition|webots|isaac\w*|mujoco|loopback|tests?|demos?"
-    r"|examples?|tutorials?|display|view\w*|rviz\w*|rosbag\w*|replay|mock|fake)(?:$|[/_.-])"
-)
-"""Paths of launch files that are not for a robot."""
+_VIEW = re.compile(r"(?:^|[/_.-])(?:display|view\w*|rviz\w*)(?:$|[/_.-])")
+"""Paths of launch files that only show something."""
 SIMULATORS = re.compile(
     r"(?:^|_)(?:sim|simulation|simulator|gazebo|gz|ign|ignition|webots|isaac\w*|mujoco|airsim|carla|awsim|stage)(?:$|_)"
 )
@@ -86,6 +84,14 @@ class Launch:
     @cached_property
     def _by_path(self) -> dict[str, LaunchFile]:
         return {os.path.abspath(file.source.name): file for file in self.files}
+
+    def of_source(self, source: Source) -> LaunchFile | None:
+        """The launch file that a source is."""
+        return self._by_source.get(source)
+
+    @cached_property
+    def _by_source(self) -> dict[Source, LaunchFile]:
+        return {file.source: file for file in self.files}
 
     @cached_property
     def workspace(self) -> Workspace:
@@ -291,7 +297,7 @@ class Launch:
 
     def simulated(self, file: LaunchFile) -> bool:
         """Whether a launch file is for a simulator, a test or a look at a model: by its path, or by what it starts."""
-        if SIMULATION.search(file.source.name):
+        if self._tree_files.purpose(file.source) is not Purpose.ROBOT or _VIEW.search(file.source.name):
             return True
         expansion = self.expansion(file)
         packages = {str(literal_text(node.package)) for node in expansion.nodes if node.by_default is not False}

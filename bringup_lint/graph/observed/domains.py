@@ -30,7 +30,7 @@ def configured(ros: RosEnvironment) -> Domain | None:
     """The one domain of all processes that set one; without processes, of all files that set one."""
     found = [domain for process in ros.processes if (domain := of_environment(process.environment))]
     if not found:
-        settings = [each for each in ros.of("ROS_DOMAIN_ID") if not each.development]
+        settings = [each for each in ros.of("ROS_DOMAIN_ID") if not ros.is_development(each.value)]
         found = [domain for each in settings if (domain := _domain(each.value, each.text))]
     return found[0] if len({domain.number for domain in found}) == 1 else None
 
@@ -48,5 +48,5 @@ def _domain(value: Located, text: str | None) -> Domain | None:
 
 def middleware(ros: RosEnvironment) -> Located | None:
     """The middleware that all files agree on, when it is one that is known."""
-    values = {each.text: each.value for each in ros.of("RMW_IMPLEMENTATION") if not each.development}
+    values = {each.text: each.value for each in ros.of("RMW_IMPLEMENTATION") if not ros.is_development(each.value)}
     return next(iter(values.values())) if len(values) == 1 and next(iter(values)) in RMW_IMPLEMENTATIONS else None

@@ -16,13 +16,14 @@ from bringup_lint.finding import Related
 from bringup_lint.graph.commands.environment import Environment
 from bringup_lint.graph.commands.ros_command import Ros
 from bringup_lint.graph.launch.expansion import Expansion
-from bringup_lint.graph.launch.launch import SIMULATION
 from bringup_lint.graph.launch.lifecycle import full_name
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.observed.tools import OPEN_ENDED
 from bringup_lint.graph.observed.tools import PASSING
 from bringup_lint.graph.observed.tools import is_on_screen
+from bringup_lint.graph.purpose import Purpose
+from bringup_lint.graph.purpose import by_names
 from bringup_lint.graph.runners.launching import expansion_of
 from bringup_lint.graph.topics.resolved.process_arguments import ros_arguments
 from bringup_lint.model.launch import LaunchFile
@@ -84,7 +85,7 @@ class Entry:
     @property
     def simulates(self) -> bool:
         """Whether its name says that it stands in for the robot, or for hardware."""
-        return bool(SIMULATION.search(self.who.replace("'", "/").lower()) or SIMULATION.search(self.where.path.lower()))
+        return by_names([self.who.replace("'", "/"), self.where.path]) is not Purpose.ROBOT
 
 
 @dataclass(eq=False)

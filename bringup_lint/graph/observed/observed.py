@@ -170,7 +170,7 @@ class Observed:
         if self.ros.processes:
             found += (each.environment.get("ROS_SECURITY_ENABLE") for each in self.ros.processes)
         else:
-            found += (each for each in self.ros.of("ROS_SECURITY_ENABLE") if not each.development)
+            found += (each for each in self.ros.of("ROS_SECURITY_ENABLE") if not self.ros.is_development(each.value))
         return next((each.value for each in found if each is not None and each.text == "true"), None)
 
     def place(self, name: str) -> Span:

@@ -42,6 +42,7 @@ def _of(files: Files, source: Source) -> Iterator[Runner]:
             user=match["user"],
             restarts=False,
             reads=files.tree.find,
+            purpose=files.purpose(source),
         )
 
 

@@ -46,6 +46,7 @@ def _of(files: Files, file: Dockerfile, stage: Stage) -> Runner:
         system=file.source.name,
         user=str(user.value.partition(":")[0]) if user else "root" if runs_as_root(stage.origin) else None,
         stop=Stop(str(signal.value) if signal else "SIGTERM", None, signal.value if signal else None),
+        purpose=files.purpose(file.source),
         stage=stage,
         reads=reads,
     )

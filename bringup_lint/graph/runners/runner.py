@@ -22,6 +22,7 @@ from bringup_lint.graph.commands.environment import Environment
 from bringup_lint.graph.commands.environment import after_commands
 from bringup_lint.graph.commands.environment import assign_before
 from bringup_lint.graph.commands.ros_command import Ros
+from bringup_lint.graph.purpose import Purpose
 from bringup_lint.model.shell import Command
 from bringup_lint.source import Located
 from bringup_lint.source import Source
@@ -92,6 +93,9 @@ class Runner:
     stop: Stop = DEFAULT_STOP
     restarts: bool | None = None
     """Whether it is started again after its end; None when it is not known."""
+    purpose: Purpose = Purpose.ROBOT
+    extent: Span | None = None
+    """All that the file says of it, where a file holds several."""
     environment_files: tuple[tuple[Located, Source], ...] = ()
     """The environment files of the tree that it reads, each with the word that names it."""
     unit: Unit | None = None

@@ -8,9 +8,11 @@ from functools import cached_property
 from importlib import import_module
 from typing import TYPE_CHECKING
 
+from bringup_lint.discover.starters import STARTERS
 from bringup_lint.graph.commands.ros_command import Ros
 from bringup_lint.graph.files import Files
 from bringup_lint.graph.launch.expansion import Expansion
+from bringup_lint.graph.purpose import Purpose
 from bringup_lint.graph.runners.launching import Launching
 from bringup_lint.graph.runners.launching import expansion_of
 from bringup_lint.graph.runners.layers import Layers
@@ -18,18 +20,10 @@ from bringup_lint.graph.runners.runner import Runner
 from bringup_lint.graph.runners.runner import RunnerKind
 from bringup_lint.graph.runners.runner import Start
 from bringup_lint.model.launch import LaunchFile
+from bringup_lint.source import Span
 
 if TYPE_CHECKING:
     from bringup_lint.graph.launch.launch import Launch
-
-MAKERS = {
-    "units": ("systemd-unit", "systemd-dropin"),
-    "services": ("compose",),
-    "images": ("dockerfile",),
-    "cron": ("cron",),
-    "scripts": ("shell-script",),
-}
-"""Module of this package -> the kinds of file that it makes runners of. What others may start comes last."""
 
 
 @dataclass(eq=False)
@@ -42,8 +36,8 @@ class Runners:
     def all(self) -> list[Runner]:
         """Every runner of the judged files; scripts only where no other runner starts them."""
         found: list[Runner] = []
-        for module, kinds in MAKERS.items():
-            if self.files.of_kind(*kinds):
+        for module, starter in STARTERS.items():
+            if self.files.of_kind(*starter.kinds):
                 make = import_module(f"bringup_lint.graph.runners.{module}").runners
                 found += [runner for runner in make(self.files, self.layers) if not _is_started(runner, found)]
         return found
@@ -73,6 +67,12 @@ class Runners:
                 found.setdefault(each.file, []).append(each)
         return found
 
+    def purpose(self, place: Span) -> Purpose:
+        """What the runner at a place is for; for a Dockerfile, all those that build it."""
+        around = [runner for runner in self.all if _holds(runner, place)]
+        purposes = {runner.purpose for runner in around}
+        return Purpose.ROBOT if Purpose.ROBOT in purposes or not around else around[0].purpose
+
     def expansion(self, start: Start) -> Expansion | None:
         """What a command leads to with its arguments, always the same object; None when its launch file is not in
         the tree."""
@@ -83,6 +83,16 @@ class Runners:
     @cached_property
     def _expansions(self) -> dict[Ros, Expansion | None]:
         return {}
+
+
+def _holds(runner: Runner, place: Span) -> bool:
+    """Whether a place is in what a file says of a runner, or in the Dockerfile of its image."""
+    if runner.stage is not None and runner.stage.start.keyword.span.source is place.source:
+        return True
+    extent = runner.extent
+    if extent is None or extent.source is not place.source:
+        return False
+    return extent.start <= place.start < extent.end or runner.where == place
 
 
 def _is_started(runner: Runner, others: list[Runner]) -> bool:

@@ -20,10 +20,10 @@ _ROS2 = re.compile(r"\bros2[ \t]+(?:launch|run)\b")
 def runners(files: Files, layers: Layers) -> Iterator[Runner]:
     for source in files.of_kind("shell-script"):
         if source.judged and not source.template and _ROS2.search(source.text):
-            yield _of(source)
+            yield _of(files, source)
 
 
-def _of(source: Source) -> Runner:
+def _of(files: Files, source: Source) -> Runner:
     text = source.located(0, len(source.text))
     line = CommandLine(text, ())
     follow_text(line, text, lambda path: None)
@@ -31,5 +31,13 @@ def _of(source: Source) -> Runner:
     where = line.ros[0][1].program.span if starts_ros else source.whole
     lines = [line]
     return Runner(
-        RunnerKind.SCRIPT, source.basename, where, UNKNOWN, lines, lines, runs_ros=starts_ros, system=source.name
+        RunnerKind.SCRIPT,
+        source.basename,
+        where,
+        UNKNOWN,
+        lines,
+        lines,
+        runs_ros=starts_ros,
+        system=source.name,
+        purpose=files.purpose(source),
     )

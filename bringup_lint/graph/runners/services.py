@@ -58,6 +58,8 @@ def _of(files: Files, compose: Compose, service: Service) -> Runner:
         stop=_stop(service, stage),
         restarts=service.restarts,
         environment_files=tuple(_environment_files(files, service)),
+        purpose=files.purpose(service.name, str(service.name), *map(str, service.items("profiles"))),
+        extent=service.body.span,
         service=service,
         stage=stage,
         reads=reads,

@@ -35,6 +35,7 @@ def _of(files: Files, units: Units, unit: Unit) -> Runner:
         stop=Stop(signal.value, supervision.stop_timeout.value, signal.at),
         restarts=units.restart(unit).restarts,
         environment_files=tuple((each.value, each.source) for each in units.environment_files(unit) if each.source),
+        purpose=files.purpose(unit.where, unit.name),
         unit=unit,
         reads=files.tree.find,
     )

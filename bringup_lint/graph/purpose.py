@@ -1,0 +1,124 @@
+"""What a file is for: the robot itself, or development, simulation, tests, CI, examples, an archive.
+
+The configuration decides first (``[purpose]``), then the path. A whole root file system is a robot. What a purpose
+silences or lowers is said in the ``family.toml`` of each family of rules.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterable
+from collections.abc import Mapping
+from dataclasses import dataclass
+from dataclasses import field
+from enum import Enum
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from bringup_lint.source import Source
+
+if TYPE_CHECKING:
+    from bringup_lint.discover.tree import Tree
+
+
+class Purpose(Enum):
+    ROBOT = "robot"
+    DEVELOPMENT = "development"
+    SIMULATION = "simulation"
+    TEST = "test"
+    CI = "ci"
+    EXAMPLE = "example"
+    ARCHIVE = "archive"
+
+
+def _word(words: str) -> re.Pattern[str]:
+    """One of the words as a part of a path, between slashes, dots, dashes or underscores."""
+    return re.compile(rf"(?:^|[/_.-])(?:{words})(?=[/_.-]|$)", re.I)
+
+
+def _folder(words: str) -> re.Pattern[str]:
+    return re.compile(rf"(?:^|/)(?:{words})/", re.I)
+
+
+SIMULATION = _word(
+    "sim|sims|simulation|simulations|simulator|simulated|gazebo|gz|ign|ignition|webots|isaac_?sim|mujoco|airsim|carla"
+    "|awsim|loopback|mock|fake|replay|playback|rosbag2?"
+)
+"""Words for simulators and for recorded or made-up data."""
+
+PATHS: tuple[tuple[Purpose, re.Pattern[str]], ...] = (
+    (Purpose.CI, _folder(r"\.github|\.gitlab|\.circleci|\.ci|ci|jenkins")),
+    (Purpose.CI, re.compile(r"[._-]ci(?=\.[a-z]+$|$)", re.I)),
+    (Purpose.ARCHIVE, _folder(r"(?:[^/]+[_-])?(?:old|archived?|deprecated|obsolete|unused|attic|backups?)|legacy")),
+    (Purpose.ARCHIVE, re.compile(r"[_-](?:old|deprecated|archived)(?=\.[a-z]+$|$)|\.(?:old|bak|orig)$", re.I)),
+    (Purpose.TEST, _folder(r"tests?|testing|test_[^/]*|[^/]*[_-]tests?|attack[^/]*")),
+    (Purpose.TEST, re.compile(r"(?:^|/)(?:test_[^/]*|attack[^/]*|[^/]*[_.-]tests?)\.[a-z.]+$", re.I)),
+    (Purpose.DEVELOPMENT, _folder(r"\.?devcontainer|\.vscode")),
+    (Purpose.DEVELOPMENT, _word("dev|devel|develop|development|devcontainer|laptop|workstation|docker[_-]pc")),
+    (Purpose.DEVELOPMENT, re.compile(r"(?:^|/)docker/(?:[^/]*[_-])?pc(?:[_-][^/]*)?/", re.I)),
+    (Purpose.SIMULATION, SIMULATION),
+    (Purpose.EXAMPLE, _word("examples?|demos?|tutorials?|samples?")),
+)
+"""The first pattern that a path matches decides."""
+
+
+def by_path(path: str) -> Purpose:
+    """What the words of a path, relative to the top of the tree, say."""
+    return next((purpose for purpose, pattern in PATHS if pattern.search(path)), Purpose.ROBOT)
+
+
+def by_names(names: Iterable[str]) -> Purpose:
+    """What names of a service, a profile or a program say."""
+    found = (by_path(name) for name in names)
+    return next((purpose for purpose in found if purpose is not Purpose.ROBOT), Purpose.ROBOT)
+
+
+@dataclass(eq=False)
+class Purposes:
+    """The purposes of the files of one tree. ``configured`` maps files and folders, relative to where the command
+    runs, to the name of a purpose."""
+
+    tree: Tree
+    configured: Mapping[str, str] = field(default_factory=dict)
+
+    def of(self, source: Source) -> Purpose:
+        if source not in self._known:
+            self._known[source] = self._find(source)
+        return self._known[source]
+
+    @cached_property
+    def _known(self) -> dict[Source, Purpose]:
+        return {}
+
+    def _find(self, source: Source) -> Purpose:
+        own = self._configured(source)
+        if own is not None:
+            return own
+        if self.tree.root is not None:
+            return Purpose.ROBOT
+        return by_path(self._path(source))
+
+    def _configured(self, source: Source) -> Purpose | None:
+        """What the configuration says of the file, or of the nearest of its folders."""
+        path = os.path.normpath(source.name)
+        while self.configured and path not in ("", "/", "."):
+            if path in self._by_path:
+                return self._by_path[path]
+            path = os.path.dirname(path)
+        return None
+
+    @cached_property
+    def _by_path(self) -> dict[str, Purpose]:
+        return {os.path.normpath(path): Purpose(name) for path, name in self.configured.items()}
+
+    def _path(self, source: Source) -> str:
+        """The path below the folder that holds the whole tree: where a checkout lies says nothing about its files."""
+        if not os.path.isabs(source.name):
+            return source.name
+        return os.path.relpath(source.name, self._top)
+
+    @cached_property
+    def _top(self) -> str:
+        folders = {os.path.dirname(os.path.abspath(source.name)) for source in self.tree.sources}
+        return os.path.commonpath(folders) if folders else "/"

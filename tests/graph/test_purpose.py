@@ -1,0 +1,115 @@
+"""What a file is for, by the configuration, its path, and the names of what is in it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from bringup_lint.config import PURPOSES
+from bringup_lint.discover.walk import discover
+from bringup_lint.graph.purpose import Purpose
+from bringup_lint.graph.purpose import by_path
+from bringup_lint.registry import Registry
+from bringup_lint.robot import Robot
+from tests.conftest import PROJECT
+from tests.lint import lint
+
+COMPOSE = """\
+services:
+  drive:
+    image: lab/drive:1.0
+    privileged: true
+"""
+
+
+@pytest.mark.parametrize(
+    ("path", "expected"),
+    [
+        ("deploy/robot.service", Purpose.ROBOT),
+        (".devcontainer/docker-compose.yml", Purpose.DEVELOPMENT),
+        ("docker/pc/compose.yaml", Purpose.DEVELOPMENT),
+        ("onboard/pc/compose.yaml", Purpose.ROBOT),
+        ("docker-compose.dev.yml", Purpose.DEVELOPMENT),
+        ("device/robot.service", Purpose.ROBOT),
+        ("compose.simulation.yaml", Purpose.SIMULATION),
+        ("launch/sim_time.launch.py", Purpose.SIMULATION),
+        ("launch/simple.launch.py", Purpose.ROBOT),
+        ("isaac_ros_visual_slam/launch/slam.launch.py", Purpose.ROBOT),
+        ("test/Dockerfile", Purpose.TEST),
+        ("launch/test_motors.launch.py", Purpose.TEST),
+        ("launch/latest.launch.py", Purpose.ROBOT),
+        (".github/docker/Dockerfile", Purpose.CI),
+        ("docker/Dockerfile.ci", Purpose.CI),
+        ("examples/compose.yaml", Purpose.EXAMPLE),
+        ("docker_old/compose.yaml", Purpose.ARCHIVE),
+        ("deploy/robot.service.bak", Purpose.ARCHIVE),
+        ("backup.service", Purpose.ROBOT),
+    ],
+)
+def test_paths_tell_the_purpose(path: str, expected: Purpose) -> None:
+    assert by_path(path) is expected
+
+
+def test_where_a_checkout_is_says_nothing(tmp_path: Path) -> None:
+    unit = tmp_path / "test" / "old" / "deploy" / "robot.service"
+    unit.parent.mkdir(parents=True)
+    unit.write_text("[Service]\nExecStart=/bin/true\n")
+    robot = Robot(discover([str(tmp_path / "test" / "old")]))
+    assert robot.purpose(robot.sources[0]) is Purpose.ROBOT
+
+
+def test_the_configuration_decides_first(tmp_path: Path) -> None:
+    (tmp_path / "docker" / "lab").mkdir(parents=True)
+    (tmp_path / "docker" / "lab" / "compose.yaml").write_text(COMPOSE)
+    shown = lint("--select", "compose/privileged", "--output-format", "concise", ".", cwd=tmp_path).stdout
+    assert "compose/privileged" in shown
+    (tmp_path / "bringup-lint.toml").write_text('[purpose]\n"docker/lab" = "ci"\n')
+    assert lint("--select", "compose/privileged", "--output-format", "concise", ".", cwd=tmp_path).stdout == ""
+
+
+def test_a_purpose_that_does_not_exist_is_a_usage_error(tmp_path: Path) -> None:
+    (tmp_path / "bringup-lint.toml").write_text('[purpose]\n"docker" = "lab"\n')
+    run = lint(".", cwd=tmp_path)
+    assert run.code == 2
+    assert "must be one of robot, development, simulation, test, ci, example, archive, not 'lab'" in run.stderr
+
+
+def test_a_service_says_by_its_name_that_it_simulates(tmp_path: Path) -> None:
+    (tmp_path / "compose.yaml").write_text(COMPOSE.replace("drive:\n", "gazebo:\n", 1))
+    run = lint("--output-format", "concise", ".", cwd=tmp_path)
+    assert "compose/privileged" not in run.stdout
+
+
+def test_a_dockerfile_is_for_what_builds_it(tmp_path: Path) -> None:
+    (tmp_path / "Dockerfile").write_text('FROM ros:jazzy\nCMD ["ros2", "run", "a", "b"]\n')
+    assert "docker/root-user" in lint("--output-format", "concise", ".", cwd=tmp_path).stdout
+    (tmp_path / ".devcontainer").mkdir()
+    (tmp_path / ".devcontainer" / "compose.yaml").write_text("services:\n  shell:\n    build: ..\n    user: '1000'\n")
+    assert "docker/root-user" not in lint("--output-format", "concise", ".", cwd=tmp_path).stdout
+
+
+def test_the_configuration_knows_every_purpose() -> None:
+    assert tuple(purpose.value for purpose in Purpose) == PURPOSES
+
+
+def test_families_name_rules_that_exist() -> None:
+    for family in Registry.of().families:
+        assert family.deployment <= {path.stem for path in family.rule_paths}
+        assert bool(family.purposes) == bool(family.deployment)
+
+
+def test_the_page_lists_what_each_family_does(update_expected: bool) -> None:
+    page = PROJECT / "docs" / "purposes.md"
+    head, mark, _ = page.read_text("utf-8").partition("<!-- table -->\n")
+    rows = ["| family | silent | information only | rules that judge deployment |", "|---|---|---|---|"]
+    for family in Registry.of().families:
+        if family.purposes:
+            silent = [purpose.value for purpose, severity in family.purposes.items() if severity is None]
+            lowered = [purpose.value for purpose, severity in family.purposes.items() if severity is not None]
+            rules = ", ".join(sorted(stem.replace("_", "-") for stem in family.deployment))
+            rows.append(f"| {family.name} | {', '.join(silent)} | {', '.join(lowered)} | {rules} |")
+    expected = head + mark + "\n" + "\n".join(rows) + "\n"
+    if update_expected:
+        page.write_text(expected, "utf-8")
+    assert page.read_text("utf-8") == expected
