@@ -16,6 +16,7 @@ STARTERS = {
     "services": Starter(("compose",)),
     "images": Starter(("dockerfile",), own=False),
     "cron": Starter(("cron",), own=False),
+    "supervised_programs": Starter(("supervisord",)),
     "scripts": Starter(("shell-script",), own=False),
 }
 """Module of ``graph/runners`` -> the kinds of which it makes runners. What others may start comes last."""

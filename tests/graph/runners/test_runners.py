@@ -74,6 +74,17 @@ RUNNERS = {
         {"scripts/start.sh": "#!/bin/bash\nros2 launch r a.launch.py\n"},
         (RunnerKind.SCRIPT, "start.sh", None, "SIGTERM"),
     ),
+    "supervised program": (
+        {
+            "etc/supervisor/conf.d/rover.conf": """\
+                [program:drive]
+                command=bash -c "source /opt/ros/jazzy/setup.bash && exec ros2 launch r a.launch.py"
+                user=rover
+                stopsignal=INT
+                """
+        },
+        (RunnerKind.PROGRAM, "program 'drive'", "rover", "SIGINT"),
+    ),
 }
 
 
