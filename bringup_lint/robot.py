@@ -56,6 +56,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.provenance import Provenance
     from bringup_lint.graph.runners.runners import Runners
     from bringup_lint.graph.secrets.in_clear import Secret
+    from bringup_lint.graph.secrets.in_clear import Secrets
     from bringup_lint.graph.secrets.ros import Indirect
     from bringup_lint.graph.sros2.sros2 import Sros2
     from bringup_lint.graph.supervision.notify import Notify
@@ -174,17 +175,26 @@ class Robot:
 
     @cached_property
     def secrets(self) -> list[Secret]:
-        """Secrets that stand in clear text in units, environment files, compose files and Dockerfiles."""
-        from bringup_lint.graph.secrets.in_clear import secrets
-
-        return list(secrets(self))
+        """Secrets in clear text: in units, compose files, images, environment, parameter and launch files, programs."""
+        return list(self._secrets.in_clear())
 
     @cached_property
     def exposed_secrets(self) -> list[Indirect]:
         """Parameters that hand a secret to a node."""
-        from bringup_lint.graph.secrets.in_clear import exposed
+        return list(self._secrets.exposed())
 
-        return list(exposed(self))
+    @cached_property
+    def _secrets(self) -> Secrets:
+        from bringup_lint.graph.secrets.in_clear import Secrets
+
+        return Secrets(
+            self.files,
+            self.runners,
+            units=lambda: self.units,
+            dockerfiles=lambda: self.dockerfiles,
+            launch=lambda: self.launch,
+            params=lambda: self.params,
+        )
 
     @cached_property
     def units(self) -> Units:
@@ -471,9 +481,16 @@ class Robot:
     @cached_property
     def sros2(self) -> Sros2:
         """Keystores, enclaves, governance and permissions documents, and the processes that use them."""
-        from bringup_lint.graph.sros2.sros2 import load_sros2
+        from bringup_lint.graph.sros2.sros2 import Sros2
 
-        return load_sros2(self)
+        return Sros2(
+            self.files,
+            self.ros,
+            runners=lambda: self.runners,
+            launch=lambda: self.launch,
+            topics=lambda: self.topics,
+            domain=lambda: self.dds_domain,
+        )
 
     @cached_property
     def provenance(self) -> Provenance:

@@ -37,6 +37,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.sros2 import enclave_of
 
 
 @rule("error", tags=["CWE-306"])
@@ -55,7 +56,7 @@ def enclave_unsecured(robot: Robot) -> Iterator[Finding]:
         )
     for node in {str(node.name): node for node in observed.nodes}.values():
         known = observed.expected.named(node.name)
-        selected = robot.sros2.enclave_of(known.started)[1] if known and known.started else None
+        selected = enclave_of(known.started)[1] if known and known.started else None
         if selected is None or node.enclave is None or selected == node.enclave or "$" in selected:
             continue
         yield finding(

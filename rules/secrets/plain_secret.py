@@ -43,9 +43,11 @@ from bringup_lint.api import rule
 WHO = {
     "unit": "every local user can read it with systemctl show",
     "command": "every local user can read it in the process list and with systemctl show",
+    "process": "every local user can read it in the process list",
     "env-file": "everybody with a copy of this file can read it",
     "compose": "everybody who has a copy of this file, or can inspect the container, can read it",
     "image": "it stays in the layers of the image, and everybody who can pull the image can read it",
+    "file": "everybody with a copy of this file can read it",
     "params": "everybody with a copy of this file can read it, and every participant can ask the node for it",
     "launch": "everybody with a copy of this file can read it",
     "program": "everybody with a copy of this file can read it",
@@ -53,9 +55,11 @@ WHO = {
 INSTEAD = {
     "unit": "use LoadCredential=, or an EnvironmentFile= with mode 0600",
     "command": "let the program read it from a file with LoadCredential=, or from an EnvironmentFile= with mode 0600",
+    "process": "let the program read it from a file with mode 0600, and change the secret",
     "env-file": "keep the file out of the repository, with mode 0600 on the robot, and change the secret",
     "compose": "use secrets: or a file outside the repository, and change the secret",
     "image": "use a build secret or a run-time secret, and change this one",
+    "file": "let the program read it from a file with mode 0600, and change the secret",
     "params": "let the node read it from a file with mode 0600, and change the secret",
     "launch": "let the node read it from a file with mode 0600, and change the secret",
     "program": "read it from the environment or from a file with mode 0600, and change the secret",

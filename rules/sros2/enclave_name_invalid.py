@@ -37,17 +37,17 @@ from bringup_lint.api import rule
 
 @rule("error", fix="safe", symptoms=["Enclave name is not valid"])
 def enclave_name_invalid(robot: Robot) -> Iterator[Finding]:
-    overrides = {id(setting.value) for setting in robot.ros.of("ROS_SECURITY_ENCLAVE_OVERRIDE")}
+    overrides = {setting.value.span for setting in robot.ros.of("ROS_SECURITY_ENCLAVE_OVERRIDE")}
     paths = [enclave.path for policy in robot.sros2.policies for enclave in policy.enclaves if enclave.path]
-    described = {id(path) for path in paths}
+    described = {path.span for path in paths}
     for name in (*robot.sros2.selected, *paths):
-        override = id(name) in overrides
+        override = name.span in overrides
         if not name or re.fullmatch(r"/|(?:/[A-Za-z_][A-Za-z0-9_]*)+", name) or (override and name.startswith("/")):
             continue
         right = f"/{name.strip('/')}"
         valid = re.fullmatch(r"(?:/[A-Za-z_][A-Za-z0-9_]*)+", right)
         consequence = "rcl looks for another enclave" if override else "the process ends at start"
-        if id(name) in described:
+        if name.span in described:
             consequence = "sros2 cannot create this enclave"
         yield finding(
             name,

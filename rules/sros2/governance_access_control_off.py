@@ -35,6 +35,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.sros2 import matches
 
 _COMMANDS = ("rt/cmd_vel", "rt/robot/cmd_vel", "rt/emergency_stop")
 
@@ -42,7 +43,7 @@ _COMMANDS = ("rt/cmd_vel", "rt/robot/cmd_vel", "rt/emergency_stop")
 def _commands(robot: Robot, expression: Located) -> bool:
     """Whether a rule's topics move or stop the robot."""
     words = r"cmd|vel|stop|command|joint|traj|brake|motor"
-    return any(robot.sros2.matches(name, expression) for name in _COMMANDS) or bool(re.search(words, expression))
+    return any(matches(name, expression) for name in _COMMANDS) or bool(re.search(words, expression))
 
 
 @rule("error", fix="unsafe", tags=["CWE-862"])

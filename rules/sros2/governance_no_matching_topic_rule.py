@@ -38,6 +38,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.sros2 import matches
 
 
 @rule("error", symptoms=["topic attributes for domain"])
@@ -57,9 +58,7 @@ def governance_no_matching_topic_rule(robot: Robot) -> Iterator[Finding]:
                 continue
             names = {str(topic): topic for topic in granted}
             open_ = [
-                name
-                for name in ["ros_discovery_info", *names]
-                if not any(robot.sros2.matches(name, each) for each in expressions)
+                name for name in ["ros_discovery_info", *names] if not any(matches(name, each) for each in expressions)
             ]
             if open_:
                 shown = ", ".join(dict.fromkeys(open_[:3])) + (" and others" if len(set(open_)) > 3 else "")

@@ -37,6 +37,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.sros2 import matches
 
 
 @rule("warning")
@@ -62,4 +63,4 @@ def governance_rule_shadowed(robot: Robot) -> Iterator[Finding]:
 def _covers(robot: Robot, wide: Located, narrow: Located) -> bool:
     if wide == "*" or wide == narrow:
         return True
-    return not re.search(r"[*?\[]", narrow) and robot.sros2.matches(narrow, wide)
+    return not re.search(r"[*?\[]", narrow) and matches(narrow, wide)

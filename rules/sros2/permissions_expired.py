@@ -31,12 +31,13 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.sros2 import moment
 
 
 @rule("error", symptoms=["Permissions validity period expired for"], tags=["CWE-298"])
 def permissions_expired(robot: Robot) -> Iterator[Finding]:
     for _, grant in robot.sros2.grants:
-        end = robot.sros2.moment(grant.not_after)
+        end = moment(grant.not_after)
         if end is not None and end.date() < robot.today:
             yield finding(
                 grant.not_after,

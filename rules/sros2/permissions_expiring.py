@@ -30,12 +30,13 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.sros2 import moment
 
 
 @rule("warning")
 def permissions_expiring(robot: Robot) -> Iterator[Finding]:
     for _, grant in robot.sros2.grants:
-        end = robot.sros2.moment(grant.not_after)
+        end = moment(grant.not_after)
         left = (end.date() - robot.today).days if end else -1
         if 0 <= left <= 30:
             yield finding(

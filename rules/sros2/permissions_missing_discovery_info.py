@@ -33,6 +33,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.sros2 import matches
 
 
 @rule("error", symptoms=["Not Allowed By Security"])
@@ -48,7 +49,7 @@ def permissions_missing_discovery_info(robot: Robot) -> Iterator[Finding]:
                 ("publish", [topic for each in grant.allowed for topic in each.publish]),
                 ("subscribe to", [topic for each in grant.allowed for topic in each.subscribe]),
             )
-            if not any(robot.sros2.matches("ros_discovery_info", topic) for topic in topics)
+            if not any(matches("ros_discovery_info", topic) for topic in topics)
         ]
         if lacks:
             yield finding(

@@ -34,6 +34,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.sros2 import matches
 
 
 @rule("warning", symptoms=["Not Allowed By Security"])
@@ -43,9 +44,7 @@ def permissions_missing_node_infrastructure(robot: Robot) -> Iterator[Finding]:
             continue
         topics = [topic for each in grant.allowed for topic in each.publish]
         lacks = [
-            name
-            for name in ("rt/rosout", "rt/parameter_events")
-            if not any(robot.sros2.matches(name, topic) for topic in topics)
+            name for name in ("rt/rosout", "rt/parameter_events") if not any(matches(name, topic) for topic in topics)
         ]
         if lacks:
             yield finding(

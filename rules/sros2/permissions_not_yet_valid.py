@@ -35,12 +35,13 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.sros2 import moment
 
 
 @rule("error", symptoms=["Permissions validity period has not started yet"])
 def permissions_not_yet_valid(robot: Robot) -> Iterator[Finding]:
     for _, grant in robot.sros2.grants:
-        start, end = robot.sros2.moment(grant.not_before), robot.sros2.moment(grant.not_after)
+        start, end = moment(grant.not_before), moment(grant.not_after)
         if start is None:
             continue
         if end is not None and start >= end:

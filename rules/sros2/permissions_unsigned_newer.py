@@ -37,7 +37,7 @@ from bringup_lint.api import rule
 
 @rule("warning", symptoms=["digest failure"])
 def permissions_unsigned_newer(robot: Robot) -> Iterator[Finding]:
-    for document in (*robot.sros2.governances, *robot.sros2.permissions):
+    for document in robot.sros2.documents:
         signed = robot.sros2.signed_text(document.source)
         if signed is None or _squeezed(document.source.text) == _squeezed(signed[1]):
             continue

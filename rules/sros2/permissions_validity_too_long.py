@@ -34,12 +34,13 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.sros2 import moment
 
 
 @rule("warning", tags=["CWE-324"])
 def permissions_validity_too_long(robot: Robot) -> Iterator[Finding]:
     for _, grant in robot.sros2.ros_grants:
-        start, end = robot.sros2.moment(grant.not_before), robot.sros2.moment(grant.not_after)
+        start, end = moment(grant.not_before), moment(grant.not_after)
         days = (end - start).days if start and end else 0
         if days > 398:
             span = f"{round(days / 365.25)} years" if days > 700 else f"{days} days"

@@ -55,7 +55,7 @@ LAYERS = (
 )
 """From the top down. The layers of one line do not import each other; ``""`` is the version of the package."""
 LEVEL = {name: level for level, names in enumerate(LAYERS) for name in names}
-TAKE_A_ROBOT = frozenset("graph.nodes graph.secrets graph.sros2 graph.topics".split())
+TAKE_A_ROBOT = frozenset("graph.nodes graph.topics".split())
 """Layers that still have to be given what they ask, one by one; nothing may be added."""
 HAVE_CIRCLES = frozenset("graph.environment graph.params graph.topics".split())
 """Layers whose files still import each other in a circle; nothing may be added."""

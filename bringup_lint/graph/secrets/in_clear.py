@@ -1,27 +1,37 @@
-"""Secrets in clear text: where a name or a value tells that a password, key or token stands in a file."""
+"""Secrets in clear text: where a name or a value shows that a password, key or token is in a file."""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
+from collections.abc import Iterable
 from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 
+from bringup_lint.graph.runners.runner import Runner
+from bringup_lint.graph.runners.runner import RunnerKind
 from bringup_lint.graph.secrets.programs import assigned
 from bringup_lint.graph.secrets.ros import Indirect
 from bringup_lint.graph.secrets.ros import indirect
 from bringup_lint.graph.secrets.ros import launch_words
 from bringup_lint.graph.secrets.ros import named_values
 from bringup_lint.parsers.env_file import parse
-from bringup_lint.parsers.systemd_values import split_environment
 from bringup_lint.source import Located
 from bringup_lint.source import Source
+from bringup_lint.source import Span
 from bringup_lint.templates import has_placeholder
 from bringup_lint.templates import is_example
 from bringup_lint.templates import is_stand_in
 
 if TYPE_CHECKING:
-    from bringup_lint.robot import Robot
+    from bringup_lint.graph.files import Files
+    from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.params.params import Params
+    from bringup_lint.graph.runners.runners import Runners
+    from bringup_lint.graph.systemd.units import Units
+    from bringup_lint.model.dockerfile import Dockerfile
 
 _NAME = re.compile(
     r"(?:^|[_-])(?:pass(?:word|wd|phrase|code)?|pwd|secret|token|credentials?|psk|"
@@ -47,6 +57,15 @@ _SAMPLE = re.compile(
 )
 
 
+HOLDERS = {
+    RunnerKind.UNIT: "unit",
+    RunnerKind.SERVICE: "compose",
+    RunnerKind.IMAGE: "image",
+}
+"""Who holds the variables of a runner; of all others, its file."""
+_COMMANDS = {RunnerKind.UNIT: "command"}
+
+
 class Secret(NamedTuple):
     """A value that should not be readable here."""
 
@@ -54,25 +73,72 @@ class Secret(NamedTuple):
     name: str
     """What it is called: a variable, an option."""
     holder: str
-    """``unit``, ``command``, ``env-file``, ``compose``, ``image``, ``params``, ``launch`` or ``program``."""
+    """``unit``, ``command`` (of a unit), ``process`` (another command line), ``env-file``, ``compose``, ``image``,
+    ``file``, ``params``, ``launch`` or ``program``."""
     weak: bool
     """A well-known stand-in such as ``changeme``, which nevertheless works as a password."""
     sample: bool
     """A sample of a documentation, by its own word (it ends in EXAMPLE), or an account for everybody."""
 
 
-def secrets(robot: Robot) -> Iterator[Secret]:
-    """Every secret of the judged units, environment, compose, parameter and launch files, Dockerfiles and programs,
-    each place once."""
-    seen: set[tuple[int, int]] = set()
-    holders = (_of_units, _of_env_files, _of_compose, _of_images, _of_ros, _of_programs)
-    for found in (found for holder in holders for found in holder(robot)):
-        source = found.value.span.source
-        place = (id(source), found.value.span.start)
-        if place in seen or not source.judged or _SAMPLE.search(source.basename) or is_example(source.name):
-            continue
-        seen.add(place)
-        yield found
+@dataclass(frozen=True, eq=False)
+class Secrets:
+    """The secrets of a tree. Layers are asked only where the tree holds a file of their kinds."""
+
+    files: Files
+    runners: Runners
+    units: Callable[[], Units]
+    dockerfiles: Callable[[], list[Dockerfile]]
+    launch: Callable[[], Launch]
+    params: Callable[[], Params]
+
+    def in_clear(self) -> Iterator[Secret]:
+        """Every secret of the judged files, each place once."""
+        seen: set[Span] = set()
+        for found in self._all():
+            span = found.value.span
+            place = Span(span.source, span.start, span.start)
+            if place in seen or not _is_real(span.source):
+                continue
+            seen.add(place)
+            yield found
+
+    def exposed(self) -> Iterator[Indirect]:
+        """Parameters with the name of a secret that are filled from the environment or from arguments."""
+        found = indirect(self.files, self.launch, self.params)
+        return (each for each in found if _NAME.search(each.name) and _is_real(each.where.source))
+
+    def _all(self) -> Iterator[Secret]:
+        yield from _of_images(self.dockerfiles())
+        for runner in self.runners.all:
+            yield from _of_environment(runner)
+            yield from _of_commands(runner)
+        if self.files.of_kind("systemd-unit", "systemd-dropin"):
+            yield from _of_other_units(self.units())
+        yield from self._of_env_files()
+        yield from self._of_ros()
+        yield from _of_programs(self.files)
+
+    def _of_env_files(self) -> Iterator[Secret]:
+        sources = dict.fromkeys(self.files.of_kind("env-file"))
+        for runner in self.runners.all:
+            sources |= dict.fromkeys(source for _, source in runner.environment_files)
+        for model in self.files.parsed(parse, (source for source in sources if not is_private(source))):
+            for entry in model.entries:
+                yield from _one(secret(entry.name, entry.value, "env-file"))
+
+    def _of_ros(self) -> Iterator[Secret]:
+        for each in named_values(self.files, self.launch, self.params):
+            found = secret(each.name, each.value, each.holder)
+            if found is not None:
+                yield found._replace(sample=True) if each.public else found
+        for words in launch_words(self.files, self.launch):
+            yield from _of_words((), words, "launch")
+
+
+def _is_real(source: Source) -> bool:
+    """Whether findings may be about a file, and it is no sample."""
+    return source.judged and not _SAMPLE.search(source.basename) and not is_example(source.name)
 
 
 def secret(name: str, value: Located, holder: str) -> Secret | None:
@@ -91,39 +157,47 @@ def secret(name: str, value: Located, holder: str) -> Secret | None:
     return Secret(part, name, holder, weak, part.upper().endswith("EXAMPLE"))
 
 
-def _of_units(robot: Robot) -> Iterator[Secret]:
-    for unit in robot.units.judged:
-        for value in unit.values("Environment", unit.section):
-            for variable in split_environment(value) if not unit.is_opaque(value) else ():
+def _of_environment(runner: Runner) -> Iterator[Secret]:
+    """The variables that a runner sets itself; those of environment files belong to the file."""
+    files = {source for _, source in runner.environment_files}
+    for chain in runner.environment.chains.values():
+        for variable in chain:
+            if variable.value.span.source not in files and variable.value != variable.name:
+                yield from _one(secret(variable.name, variable.value, HOLDERS.get(runner.kind, "file")))
+
+
+def _of_commands(runner: Runner) -> Iterator[Secret]:
+    """What the command lines hold themselves; scripts are read as programs."""
+    if runner.kind is RunnerKind.SCRIPT:
+        return
+    for line in runner.lines:
+        for step in line.steps:
+            if step.script is None:
+                holder = _COMMANDS.get(runner.kind, "process")
+                yield from _of_words(step.command.assignments, step.command.words, holder)
+
+
+def _of_other_units(units: Units) -> Iterator[Secret]:
+    """The variables of sockets, mounts and the like, which run commands too."""
+    for unit in units.judged:
+        if unit.type == "service":
+            continue
+        for variable in (each for chain in units.environment(unit).chains.values() for each in chain):
+            if variable.origin == "Environment=":
                 yield from _one(secret(variable.name, variable.value, "unit"))
-        for process in robot.units.processes(unit) if unit.type == "service" else ():
-            for step in process.steps:
-                if step.script is None:
-                    yield from _of_words(step.command.assignments, step.command.words)
 
 
-def _of_words(assignments: tuple[Located, ...], words: tuple[Located, ...]) -> Iterator[Secret]:
+def _of_words(assignments: tuple[Located, ...], words: tuple[Located, ...], holder: str) -> Iterator[Secret]:
     for word in (*assignments, *words):
         name, equals, _ = word.partition("=")
         if equals and re.fullmatch(r"[A-Za-z_]\w*", name):
-            yield from _one(secret(name, word.part(len(name) + 1, len(word)), "command"))
+            yield from _one(secret(name, word.part(len(name) + 1, len(word)), holder))
     for at, word in enumerate(words):
         option = _OPTION.fullmatch(word)
         if option and option[2] is not None:
-            yield from _one(secret(option[1], word.part(option.start(2), len(word)), "command"))
+            yield from _one(secret(option[1], word.part(option.start(2), len(word)), holder))
         elif option and at + 1 < len(words) and not words[at + 1].startswith("-"):
-            yield from _one(secret(option[1], words[at + 1], "command"))
-
-
-def _of_env_files(robot: Robot) -> Iterator[Secret]:
-    sources = {id(source): source for source in robot.of_kind("env-file")}
-    for unit in robot.units.judged:
-        found = (file.source for file in robot.units.environment_files(unit) if file.source)
-        sources |= {id(source): source for source in found}
-    readable = [source for source in sources.values() if not is_private(source)]
-    for model in robot.parsed(parse, readable):
-        for entry in model.entries:
-            yield from _one(secret(entry.name, entry.value, "env-file"))
+            yield from _one(secret(option[1], words[at + 1], holder))
 
 
 def is_private(source: Source) -> bool:
@@ -131,15 +205,9 @@ def is_private(source: Source) -> bool:
     return source.mode is not None and not source.mode & 0o007
 
 
-def _of_compose(robot: Robot) -> Iterator[Secret]:
-    for service in robot.compose.services if robot.of_kind("compose") else ():
-        for name, variable in service.environment.items():
-            if variable.value is not None:
-                yield from _one(secret(name, variable.value, "compose"))
-
-
-def _of_images(robot: Robot) -> Iterator[Secret]:
-    for file in robot.dockerfiles:
+def _of_images(dockerfiles: Iterable[Dockerfile]) -> Iterator[Secret]:
+    """ENV and ARG stay in the layers of an image, those of the stages that are not run too."""
+    for file in dockerfiles:
         for instruction in file.instructions:
             if instruction.name in ("ENV", "ARG"):
                 for word in instruction.value.words():
@@ -149,34 +217,11 @@ def _of_images(robot: Robot) -> Iterator[Secret]:
                         yield from _one(secret(name, value, "image"))
 
 
-def _of_ros(robot: Robot) -> Iterator[Secret]:
-    for each in named_values(robot):
-        found = secret(each.name, each.value, each.holder)
-        if found is not None:
-            yield found._replace(sample=True) if each.public else found
-    for words in launch_words(robot):
-        for found in _of_words((), words):
-            yield found._replace(holder="launch")
-
-
-def _of_programs(robot: Robot) -> Iterator[Secret]:
-    for each in assigned(robot):
+def _of_programs(files: Files) -> Iterator[Secret]:
+    for each in assigned(files):
         found = secret(each.name, each.value, "program")
         if found is not None and not found.weak:
             yield found
-
-
-def exposed(robot: Robot) -> Iterator[Indirect]:
-    """Parameters with the name of a secret that are filled from the environment or from arguments."""
-    for each in indirect(robot):
-        source = each.where.source
-        if (
-            _NAME.search(each.name)
-            and source.judged
-            and not is_example(source.name)
-            and not _SAMPLE.search(source.basename)
-        ):
-            yield each
 
 
 def _one(found: Secret | None) -> Iterator[Secret]:

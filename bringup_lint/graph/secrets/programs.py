@@ -1,4 +1,4 @@
-"""Secrets in the sources of nodes and in scripts: names that tell of one, set to a literal that looks like one."""
+"""Secrets in the sources of nodes and in scripts: names that say so, set to a literal that looks like one."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import NamedTuple
 from bringup_lint.source import Located
 
 if TYPE_CHECKING:
-    from bringup_lint.robot import Robot
+    from bringup_lint.graph.files import Files
 
 _LITERAL = r"""(?P<quote>["'])(?P<value>[^\s"'\\]{8,200})(?P=quote)"""
 _PATTERNS = {
@@ -36,10 +36,10 @@ class Assigned(NamedTuple):
     value: Located
 
 
-def assigned(robot: Robot) -> Iterator[Assigned]:
-    """What the judged programs set to a literal with letters and digits: words of a language are no secrets."""
+def assigned(files: Files) -> Iterator[Assigned]:
+    """What the judged programs set to a literal with letters and digits: words of a language are not secrets."""
     for kind, patterns in _PATTERNS.items():
-        for source in robot.of_kind(kind):
+        for source in files.of_kind(kind):
             if source.judged and not _TEST.search(source.name):
                 for match in (match for pattern in patterns for match in pattern.finditer(source.text)):
                     if _LOOKS_DRAWN.match(match["value"]):

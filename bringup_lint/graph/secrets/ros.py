@@ -1,7 +1,8 @@
-"""Secrets in parameter files and launch files: in clear text, or put into a parameter that everybody may ask for."""
+"""Secrets in parameter files and launch files: in clear text, or in a parameter that everybody may ask for."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 from typing import NamedTuple
@@ -11,11 +12,14 @@ from bringup_lint.source import Located
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.files import Files
+    from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.params.params import Params
     from bringup_lint.model.launch import Action
     from bringup_lint.model.launch_values import Value
     from bringup_lint.model.params import Parameter
-    from bringup_lint.robot import Robot
 
+SUBSTITUTIONS = ("$(env ", "$(var ", "$(optenv ")
 USERS = ("user", "username", "user_name", "login")
 
 
@@ -37,62 +41,66 @@ class Indirect(NamedTuple):
     where: Span
 
 
-def named_values(robot: Robot) -> Iterator[Named]:
-    if robot.of_kind("params"):
-        yield from _of_params(robot)
-    for file in robot.launch.judged if robot.of_kind(*LAUNCH) else ():
-        for action in _walk(file.actions):
-            for name, value in _pairs(action):
-                text = _text(value)
-                if text is not None:
-                    yield Named(name, text, "launch")
+def named_values(files: Files, launch: Callable[[], Launch], params: Callable[[], Params]) -> Iterator[Named]:
+    """Every literal value of parameter files and launch files, with its name."""
+    if files.of_kind("params"):
+        yield from _of_params(params())
+    for action in _actions(files, launch):
+        for name, value in _pairs(action):
+            text = _text(value)
+            if text is not None:
+                yield Named(name, text, "launch")
 
 
-def launch_words(robot: Robot) -> Iterator[tuple[Located, ...]]:
+def _actions(files: Files, launch: Callable[[], Launch]) -> Iterator[Action]:
+    """The actions of the judged launch files."""
+    if not files.of_kind(*LAUNCH):
+        return
+    from bringup_lint.model.launch import walk_actions
+
+    for file in launch().judged:
+        yield from walk_actions(file.actions)
+
+
+def launch_words(files: Files, launch: Callable[[], Launch]) -> Iterator[tuple[Located, ...]]:
     """The arguments of every node and process, as far as they are literal."""
-    if not robot.of_kind(*LAUNCH):
-        return
-    from bringup_lint.model.launch import Node
-    from bringup_lint.model.launch import Process
+    for action in _actions(files, launch):
+        from bringup_lint.model.launch import Node
+        from bringup_lint.model.launch import Process
 
-    for file in robot.launch.judged:
-        for action in _walk(file.actions):
-            if isinstance(action, Process):
-                values = action.arguments if isinstance(action, Node) else action.cmd
-                yield tuple(text for value in values if (text := _text(value)) is not None)
+        if isinstance(action, Process):
+            values = action.arguments if isinstance(action, Node) else action.cmd
+            yield tuple(text for value in values if (text := _text(value)) is not None)
 
 
-def indirect(robot: Robot) -> Iterator[Indirect]:
+def indirect(files: Files, launch: Callable[[], Launch], params: Callable[[], Params]) -> Iterator[Indirect]:
     """Parameters that are filled from the environment or from arguments."""
-    if not robot.of_kind("params", *LAUNCH):
-        return
-    from bringup_lint.model.launch import ComposableNode
-    from bringup_lint.model.launch import Node
-    from bringup_lint.model.launch import SetParameter
+    if files.of_kind("params"):
+        for _, parameter in params().parameters:
+            if any(substitution in parameter.text for substitution in SUBSTITUTIONS):
+                yield Indirect(str(parameter.key).rpartition(".")[2], parameter.span)
+    for action in _actions(files, launch):
+        for name, value in _parameters(action):
+            if _is_filled(value):
+                yield Indirect(name.rpartition(".")[2], value.span)
+
+
+def _is_filled(value: Value) -> bool:
+    """Whether a value depends on an argument or on the environment."""
     from bringup_lint.model.launch_values import Argument
     from bringup_lint.model.launch_values import Env
     from bringup_lint.model.launch_values import walk
 
-    for _, parameter in robot.params.parameters if robot.of_kind("params") else ():
-        if "$(env " in parameter.text or "$(var " in parameter.text or "$(optenv " in parameter.text:
-            yield Indirect(str(parameter.key).rpartition(".")[2], parameter.span)
-    for file in robot.launch.judged if robot.of_kind(*LAUNCH) else ():
-        for action in _walk(file.actions):
-            if isinstance(action, (Node, ComposableNode, SetParameter)):
-                for name, value in _parameters(action):
-                    if any(isinstance(inner, (Argument, Env)) for inner in walk(value)):
-                        yield Indirect(name.rpartition(".")[2], value.span)
+    return any(isinstance(inner, (Argument, Env)) for inner in walk(value))
 
 
-def _of_params(robot: Robot) -> Iterator[Named]:
-    for _, parameter in robot.params.parameters:
-        users = None
-        for item in robot.params.items(parameter):
-            if item.type in ("string", "integer") and item.text:
-                if users is None:
-                    users = {str(each.value.data) for each in _beside(parameter)}
-                value = Located(item.text, _inner(item.span, item.text))
-                yield Named(str(parameter.key).rpartition(".")[2], value, "params", item.text in users)
+def _of_params(params: Params) -> Iterator[Named]:
+    for _, parameter in params.parameters:
+        values = [item for item in params.items(parameter) if item.type in ("string", "integer") and item.text]
+        users = {str(each.value.data) for each in _beside(parameter)} if values else set()
+        for item in values:
+            value = Located(item.text, _inner(item.span, item.text))
+            yield Named(str(parameter.key).rpartition(".")[2], value, "params", item.text in users)
 
 
 def _beside(parameter: Parameter) -> Iterator[Parameter]:
@@ -107,12 +115,6 @@ def _inner(span: Span, text: str) -> Span:
     """Without the quotes around it."""
     at = span.text.find(text)
     return span if at < 0 else Span(span.source, span.start + at, span.start + at + len(text))
-
-
-def _walk(actions: tuple[Action, ...]) -> Iterator[Action]:
-    from bringup_lint.model.launch import walk_actions
-
-    return walk_actions(actions)
 
 
 def _pairs(action: Action) -> Iterator[tuple[str, Value]]:

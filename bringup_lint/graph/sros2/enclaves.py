@@ -1,4 +1,4 @@
-"""Who selects which enclave: ``--enclave`` in launch files, units, compose files and scripts, and the override
+"""Who selects which enclave: ``--enclave`` in launch files and on the command lines of runners, and the override
 variable."""
 
 from __future__ import annotations
@@ -12,26 +12,32 @@ from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.model.launch import ComposableNode
+from bringup_lint.model.shell import Command
 from bringup_lint.source import Located
+from bringup_lint.source import Span
 
 if TYPE_CHECKING:
-    from bringup_lint.robot import Robot
+    from bringup_lint.graph.environment.ros import RosEnvironment
+    from bringup_lint.graph.files import Files
+    from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.runners.runners import Runners
 
 OPTION = "--enclave"
+OVERRIDE = "ROS_SECURITY_ENCLAVE_OVERRIDE"
 
 
-def nodes(robot: Robot) -> list[Started]:
+def launched_processes(files: Files, launch: Launch) -> list[Started]:
     """Every process that the launch files start, each once."""
-    if not robot.of_kind(*LAUNCH):
+    if not files.of_kind(*LAUNCH):
         return []
-    found = {}
-    for node in robot.launch.nodes:
+    found: dict[Span, Started] = {}
+    for node in launch.nodes:
         if not isinstance(node.action, ComposableNode):
-            found.setdefault((id(node.span.source), node.span.start), node)
+            found.setdefault(node.span, node)
     return list(found.values())
 
 
-def of_node(node: Started) -> tuple[bool, Located | None]:
+def enclave_of(node: Started) -> tuple[bool, Located | None]:
     """Whether a node may select an enclave, and the one it does select, when that is known."""
     values = list(node.arguments)
     for at, value in enumerate(values):
@@ -47,7 +53,7 @@ def of_node(node: Started) -> tuple[bool, Located | None]:
 
 
 def in_words(words: Iterable[Located]) -> Iterator[Located]:
-    """The enclaves that a command line names."""
+    """The enclaves that the words of a command name, quotes removed."""
     before = ""
     for word in words:
         if before == OPTION and "$" not in word and "{" not in word:
@@ -55,29 +61,24 @@ def in_words(words: Iterable[Located]) -> Iterator[Located]:
         before = str(word)
 
 
-def selected(robot: Robot) -> Iterator[Located]:
+def selected(files: Files, ros: RosEnvironment, runners: Runners, launch: Launch) -> Iterator[Located]:
     """Every enclave that something of the tree names, where it is written."""
-    for node in nodes(robot):
-        _, enclave = of_node(node)
+    for node in launched_processes(files, launch):
+        _, enclave = enclave_of(node)
         if enclave is not None:
             yield enclave
-    if robot.of_kind("systemd-unit", "systemd-dropin"):
-        for unit in robot.units.judged:
-            for value in unit.values("ExecStart", unit.section):
-                yield from in_words(value.words())
-    if robot.of_kind("compose"):
-        for service in robot.compose.services:
-            yield from in_words(service.command)
-    for command in _script_commands(robot):
+    for runner in runners.all:
+        for command in runner.commands:
+            yield from in_words(command.words)
+    for command in _script_commands(files):
         yield from in_words(command.words)
-    for setting in robot.ros.of("ROS_SECURITY_ENCLAVE_OVERRIDE"):
-        if "$" not in setting.value:
-            yield setting.value
+    yield from (setting.value for setting in ros.of(OVERRIDE) if "$" not in setting.value)
 
 
-def _script_commands(robot: Robot):
+def _script_commands(files: Files) -> Iterator[Command]:
+    """The commands of the scripts of the tree, those too that no runner starts."""
     from bringup_lint.parsers.shell import commands
 
-    for source in robot.of_kind("shell-script"):
+    for source in files.of_kind("shell-script"):
         if OPTION in source.text and not source.template:
             yield from commands(source.located(0, len(source.text)))

@@ -2,23 +2,26 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 
 from bringup_lint.graph.commands.environment import Environment
+from bringup_lint.graph.commands.environment import Variable
 from bringup_lint.graph.environment.launched import launched_environment
 from bringup_lint.graph.sros2.enclaves import OPTION
-from bringup_lint.graph.sros2.enclaves import nodes
-from bringup_lint.graph.sros2.enclaves import of_node
+from bringup_lint.graph.sros2.enclaves import OVERRIDE
+from bringup_lint.graph.sros2.enclaves import enclave_of
 from bringup_lint.source import Located
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.environment.ros import RosEnvironment
+    from bringup_lint.graph.environment.ros import RosProcess
     from bringup_lint.graph.launch.started import Started
-    from bringup_lint.robot import Robot
 
-ENABLE, OVERRIDE = "ROS_SECURITY_ENABLE", "ROS_SECURITY_ENCLAVE_OVERRIDE"
+ENABLE = "ROS_SECURITY_ENABLE"
 
 
 class Secured(NamedTuple):
@@ -32,35 +35,49 @@ class Secured(NamedTuple):
     """Whether that value is for this process alone."""
 
 
-def without_enclave(robot: Robot) -> list[list[Secured]]:
-    """The secured processes that surely select no enclave; those with a common switch together."""
+def without_enclave(ros: RosEnvironment, nodes: Iterable[Started]) -> list[list[Secured]]:
+    """The secured processes that surely select no enclave; those with a common switch together. ``nodes``: the
+    processes of launch files."""
     found: dict[Span, dict[Span, Secured]] = {}
-    for each in _all(robot):
+    for each in (*_launched(nodes), *_of_launchers(ros)):
         if each.where.source.judged:
             found.setdefault(each.switch.span, {}).setdefault(each.where, each)
     return [list(group.values()) for group in found.values()]
 
 
-def _all(robot: Robot) -> Iterator[Secured]:
-    for node in nodes(robot):
+def _launched(nodes: Iterable[Started]) -> Iterator[Secured]:
+    """Those that their launch files secure themselves."""
+    for node in nodes:
         if ENABLE in node.env:
             yield from _of_node(node, launched_environment(Environment(), node))
-    for launcher in robot.ros.launchers:
-        for start in launcher.starts:
-            words = start.ros.command.words
-            if start.ros.kind in ("run", "node") and OPTION not in words and _is_on(start.environment):
-                yield Secured(str(start.ros.where), start.ros.where.span, start.environment.get(ENABLE).value, False)
+
+
+def _of_launchers(ros: RosEnvironment) -> Iterator[Secured]:
+    for launcher in ros.launchers:
+        yield from _of_commands(launcher)
         if any(ENABLE in start.environment for start in launcher.starts):
-            for each in robot.ros.launched_by(launcher):
+            for each in ros.launched_by(launcher):
                 yield from _of_node(each.node, each.environment)
 
 
+def _of_commands(launcher: RosProcess) -> Iterator[Secured]:
+    """The nodes that a command line starts itself."""
+    for start in launcher.starts:
+        if start.ros.kind not in ("run", "node") or OPTION in start.ros.command.words:
+            continue
+        switch = _switch(start.environment)
+        if switch is not None:
+            yield Secured(str(start.ros.where), start.ros.where.span, switch.value, False)
+
+
 def _of_node(node: Started, environment: Environment) -> Iterator[Secured]:
-    chosen, _ = of_node(node)
-    if node.is_node and not chosen and _is_on(environment):
-        variable = environment.get(ENABLE)
-        yield Secured(node.label(), node.span, variable.value, variable.origin in ("env", "additional_env"))
+    chosen, _ = enclave_of(node)
+    switch = _switch(environment)
+    if node.is_node and not chosen and switch is not None:
+        yield Secured(node.label(), node.span, switch.value, switch.origin in ("env", "additional_env"))
 
 
-def _is_on(environment: Environment) -> bool:
-    return environment.text(ENABLE) == "true" and OVERRIDE not in environment
+def _switch(environment: Environment) -> Variable | None:
+    """The variable that switches security on, where nothing overrides the enclave."""
+    variable = environment.get(ENABLE)
+    return variable if environment.text(ENABLE) == "true" and OVERRIDE not in environment else None

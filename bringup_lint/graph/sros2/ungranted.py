@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from collections.abc import Iterator
+from collections.abc import Mapping
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 
-from bringup_lint.discover.kinds.launch import LAUNCH
-from bringup_lint.graph.sros2.enclaves import of_node
+from bringup_lint.graph.sros2.enclaves import enclave_of
 from bringup_lint.model.sros2 import Governance
 from bringup_lint.model.sros2 import Grant
 from bringup_lint.source import Located
@@ -16,7 +17,6 @@ from bringup_lint.source import Located
 if TYPE_CHECKING:
     from bringup_lint.graph.topics.resolved.endpoint_use import LaunchedNode
     from bringup_lint.graph.topics.resolved.endpoint_use import Use
-    from bringup_lint.robot import Robot
 
 LISTS = {"publisher": "publish", "subscription": "subscribe"}
 
@@ -30,28 +30,35 @@ class Ungranted(NamedTuple):
     """What is granted instead: the same last part under another name."""
 
 
-def ungranted(robot: Robot) -> Iterator[Ungranted]:
+Grants = Mapping[str, list[Grant]]
+"""Name of an enclave -> what every document for it grants."""
+
+
+def grants_of(documents: Iterable[tuple[Grant, list[Governance]]]) -> Grants:
+    """The grants of each enclave of which all topics are checked; each grant with the governance of its keystore."""
+    found: dict[str, list[Grant]] = {}
+    unchecked = set()
+    for grant, governances in documents:
+        found.setdefault(str(grant.enclave), []).append(grant)
+        if any(map(_leaves_open, governances)):
+            unchecked.add(str(grant.enclave))
+    return {enclave: grants for enclave, grants in found.items() if enclave not in unchecked}
+
+
+def ungranted(grants: Grants, nodes: Iterable[LaunchedNode]) -> Iterator[Ungranted]:
     """Only for topics whose full names are known, and where every document for the enclave denies them."""
-    if not robot.of_kind(*LAUNCH):
-        return
-    grants: dict[str, list[Grant]] = {}
-    unchecked: set[int] = set()
-    for permissions, grant in robot.sros2.ros_grants:
-        grants.setdefault(str(grant.enclave), []).append(grant)
-        if any(map(_leaves_open, robot.sros2.governances_of(permissions.source))):
-            unchecked.add(id(grant))
-    seen = set()
-    for running in robot.topics.runs if grants else ():
-        for node in running.nodes:
-            enclave = _enclave(node)
-            for use in node.uses if enclave is not None and str(enclave) in grants else ():
-                documents = grants[str(enclave)]
-                key = (str(enclave), use.role, use.topic)
-                if key in seen or use.conditional_source or unchecked & set(map(id, documents)):
-                    continue
-                if all(_denies(grant, use) for grant in documents):
-                    seen.add(key)
-                    yield Ungranted(use, documents[0], enclave, _near(documents[0], use))
+    seen: set[tuple[str, str, str]] = set()
+    for node in nodes:
+        enclave = _enclave(node)
+        documents = grants.get(str(enclave))
+        if enclave is None or documents is None:
+            continue
+        for use in node.uses:
+            key = (str(enclave), use.role, use.topic)
+            if key in seen or use.conditional_source or not all(_denies(grant, use) for grant in documents):
+                continue
+            seen.add(key)
+            yield Ungranted(use, documents[0], enclave, _near(documents[0], use))
 
 
 def _leaves_open(governance: Governance) -> bool:
@@ -67,7 +74,7 @@ def _leaves_open(governance: Governance) -> bool:
 def _enclave(node: LaunchedNode) -> Located | None:
     """The enclave belongs to the process: for a component, to its container."""
     process = node.started.container or node.started
-    return of_node(process)[1]
+    return enclave_of(process)[1]
 
 
 def _denies(grant: Grant, use: Use) -> bool:
