@@ -95,6 +95,7 @@ def test_include_cycle_ends(tmp_path: Path) -> None:
     assert [len(expansion.cycle) for expansion in launch.expansions] == [1, 1]
 
 
+@pytest.mark.slow
 def test_doubling_includes_and_lets_end(tmp_path: Path) -> None:
     files = {
         f"launch/f{n}.launch.xml": f"""\
