@@ -44,7 +44,9 @@ def after_without_requires(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     for unit in units.judged:
         for line in unit.assignments("After"):
-            for word in line.value.words() if not line.opaque else ():
+            if line.opaque:
+                continue
+            for word in line.value.words():
                 other = units.find(word, unit)
                 if (
                     other is None

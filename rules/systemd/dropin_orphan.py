@@ -40,7 +40,7 @@ from bringup_lint.api import rule
 def dropin_orphan(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     for file in units.orphans:
-        (near,) = [unit for unit in units.all if file in unit.dropins][:1] or [None]
+        near = next((unit for unit in units.all if file in unit.dropins), None)
         if near is None or units.is_made_by_script(file.name):
             continue
         meant = units.meant(file.name, near)

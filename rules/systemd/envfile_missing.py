@@ -50,7 +50,7 @@ RUNTIME = ("/run/", "/var/run/", "/tmp/", "/var/tmp/", "/proc/", "/dev/", "/sys/
 def envfile_missing(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         for file in robot.units.environment_files(unit):
-            if file.missing and not file.optional and not file.path.startswith(RUNTIME):
+            if file.missing and not file.optional and not (file.path or "").startswith(RUNTIME):
                 yield finding(
                     file.value,
                     f"{file.path} does not exist: {unit.name} fails to start",

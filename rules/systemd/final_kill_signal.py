@@ -52,14 +52,14 @@ def final_kill_signal(robot: Robot) -> Iterator[Finding]:
                 f"of {unit.name} is never killed"
             )
             yield finding(
-                service.final_signal.at,
+                service.final_signal.where,
                 text,
                 advice="delete the line",
                 fix=_without(unit, "FinalKillSignal", service.final_signal.at),
             )
         if service.sends_kill.value is False:
             yield finding(
-                service.sends_kill.at,
+                service.sends_kill.where,
                 f"SendSIGKILL=no: a hung process of {unit.name} is never killed",
                 advice="delete the line",
                 fix=_without(unit, "SendSIGKILL", service.sends_kill.at),

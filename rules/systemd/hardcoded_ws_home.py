@@ -33,29 +33,40 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Unit
 
 HOME = re.compile(r"/home/([^/$%]+)/")
 
 
 @rule("info")
 def hardcoded_ws_home(robot: Robot) -> Iterator[Finding]:
-    units = robot.units
-    for unit in units.services:
-        user = unit.get("User")
-        if user in (None, "root", "0") or "%" in user or unit.is_opaque(user):
+    for unit in robot.units.services:
+        user = unit.identity.user
+        found = next(_in_other_homes(robot, unit), None) if unit.identity.is_other else None
+        if user is None or found is None:
             continue
-        for process in units.started(unit):
-            words = [process.program, *(word for _, word in process.setup_files)]
-            found = next((word for word in words if (home := HOME.match(word)) and home[1] != user), None)
-            if found and robot.accounts.home_of(str(user)) != f"/home/{HOME.match(found)[1]}":
-                yield finding(
-                    found,
-                    f"{unit.name} runs as {user} but needs files in the home of {HOME.match(found)[1]}",
-                    advice=f"install it below /opt, or in the home of {user}",
-                    related=[note(user, "the user of the service")],
-                )
-                break
+        word, owner = found
+        yield finding(
+            word,
+            f"{unit.name} runs as {user} but needs files in the home of {owner}",
+            advice=f"install it below /opt, or in the home of {user}",
+            related=[note(user, "the user of the service")],
+        )
+
+
+def _in_other_homes(robot: Robot, unit: Unit) -> Iterator[tuple[Located, str]]:
+    """The programs and setup files in the home of another user, with that user."""
+    name = unit.identity.name
+    if name is None:
+        return
+    own = robot.accounts.home_of(name)
+    for process in robot.units.started(unit):
+        for word in (process.program, *(word for _, word in process.setup_files)):
+            home = HOME.match(word)
+            if home and home[1] != name and own != f"/home/{home[1]}":
+                yield word, home[1]

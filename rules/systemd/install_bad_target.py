@@ -51,7 +51,9 @@ def install_bad_target(robot: Robot) -> Iterator[Finding]:
     for unit in units.judged:
         for key in ("WantedBy", "RequiredBy", "UpheldBy"):
             for line in unit.assignments(key, "Install"):
-                for word in line.value.words() if not line.opaque else ():
+                if line.opaque:
+                    continue
+                for word in line.value.words():
                     bad = "%" not in word and not units.is_name(word)
                     if not bad and not units.is_install_target_missing(word, unit):
                         continue

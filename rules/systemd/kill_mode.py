@@ -52,8 +52,8 @@ def kill_mode(robot: Robot) -> Iterator[Finding]:
             else f"systemd stops no process of {unit.name}"
         )
         yield finding(
-            mode.at,
+            mode.where,
             f"KillMode={mode.value}: {stops}; nodes that survive keep running, and a restart starts them twice",
             advice="set KillMode=mixed",
-            fix=fix("set KillMode=mixed", (mode.at, "mixed"), safe=False) if unit.editable else None,
+            fix=fix("set KillMode=mixed", (mode.where, "mixed"), safe=False) if unit.editable else None,
         )

@@ -61,7 +61,7 @@ def kill_signal_not_sigint(robot: Robot) -> Iterator[Finding]:
         yield finding(
             signal.at or unit.where,
             f"{unit.name} is stopped with {signal.value}: ros2 launch exits without stopping "
-            f"its nodes, {THEN.get(service.kill_mode.value, THEN['control-group'])}",
+            f"its nodes, {THEN.get(service.kill_mode.value or '', THEN['control-group'])}",
             advice="set KillSignal=SIGINT",
             related=[note(found.where, "the unit starts ros2 launch here") for found in launches],
             fix=fix("set KillSignal=SIGINT", change) if unit.editable else None,

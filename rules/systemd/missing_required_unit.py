@@ -51,7 +51,9 @@ def missing_required_unit(robot: Robot) -> Iterator[Finding]:
     for unit in units.judged:
         for key in KEYS:
             for line in unit.assignments(key):
-                for word in line.value.words() if not line.opaque else ():
+                if line.opaque:
+                    continue
+                for word in line.value.words():
                     if not units.is_missing(word, unit):
                         continue
                     meant = units.meant(word, unit)

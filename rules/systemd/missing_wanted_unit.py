@@ -50,7 +50,9 @@ def missing_wanted_unit(robot: Robot) -> Iterator[Finding]:
         seen = set()
         for key in KEYS:
             for line in unit.assignments(key):
-                for word in line.value.words() if not line.opaque else ():
+                if line.opaque:
+                    continue
+                for word in line.value.words():
                     if word in required or word in seen or not units.is_missing(word, unit):
                         continue
                     seen.add(word)

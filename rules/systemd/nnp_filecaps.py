@@ -60,7 +60,7 @@ def nnp_filecaps(robot: Robot) -> Iterator[Finding]:
                 if not lost:
                     continue
                 wanted = " ".join(dict.fromkeys(capability for capability, _ in lost))
-                at = unit.flag("NoNewPrivileges").at
+                at = unit.flag("NoNewPrivileges").where
                 yield finding(
                     at,
                     f"NoNewPrivileges= makes {name} run without {wanted}, which setcap grants it",

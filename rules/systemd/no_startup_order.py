@@ -49,11 +49,11 @@ def no_startup_order(robot: Robot) -> Iterator[Finding]:
     for stack in units.enabled_ros_groups:
         layers = units.layers(stack)
         for unit in stack:
-            rank = RANK.get(layers.get(unit.name), 0)
+            rank = RANK.get(layers.get(unit.name, ""), 0)
             lower = [
                 other
                 for other in stack
-                if RANK.get(layers.get(other.name), 9) < rank and not units.conflict(unit, other)
+                if RANK.get(layers.get(other.name, ""), 9) < rank and not units.conflict(unit, other)
             ]
             if not lower or unit.unsure_of("After", "Before"):
                 continue

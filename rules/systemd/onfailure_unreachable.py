@@ -72,7 +72,7 @@ def onfailure_unreachable(robot: Robot) -> Iterator[Finding]:
             else f'{why}: {unit.name} never enters "failed" and OnFailure= does not fire',
             advice="give the unit a start limit in [Unit] that its restarts can reach",
             related=[
-                note(policy.restart_at, "enables the restarts"),
+                note(policy.where, "enables the restarts"),
                 *([note(policy.delay_at, "the delay")] if policy.delay_at else ()),
                 *([note(policy.interval_at, "the interval of the limit")] if policy.interval_at else ()),
                 *(note(at, "ignored here: it belongs in [Unit]") for at in policy.misplaced),

@@ -63,14 +63,14 @@ from bringup_lint.api.systemd import Cycle
 )
 def ordering_cycle(robot: Robot) -> Iterator[Finding]:
     for cycle in robot.units.cycles:
-        lines = [edge for edge in cycle.waits if edge.where and edge.where.source.judged]
+        lines = [edge.where for edge in cycle.waits if edge.where and edge.where.source.judged]
         if not lines or cycle.against_targets:
             continue
         steps = [
             note(edge.where, f"{edge.target.name} waits for {edge.source.name}") for edge in cycle.waits if edge.where
         ]
         yield finding(
-            lines[0].where,
+            lines[0],
             f"Ordering cycle {cycle}: {_effect(cycle)}",
             advice="remove the order that contradicts the layers: drivers first, then the units that use them",
             related=steps[1:],

@@ -80,12 +80,12 @@ def private_devices(robot: Robot) -> Iterator[Finding]:
         )
 
 
-def _closed(unit: Unit) -> tuple[str, Located] | tuple[str, Located | None] | None:
+def _closed(unit: Unit) -> tuple[str, Located] | None:
     """The setting that closes /dev, and its value."""
     private = unit.flag("PrivateDevices")
     if private:
-        return "PrivateDevices", private.at
+        return "PrivateDevices", private.where
     policy = unit.get("DevicePolicy")
-    if policy in ("closed", "strict") and not unit.has("DeviceAllow"):
+    if policy is not None and policy in ("closed", "strict") and not unit.has("DeviceAllow"):
         return "DevicePolicy", policy
     return None

@@ -54,7 +54,7 @@ def private_network(robot: Robot) -> Iterator[Finding]:
         private = unit.flag("PrivateNetwork")
         if private and not local and not unit.has("JoinsNamespaceOf"):
             yield finding(
-                private.at,
+                private.where,
                 f"PrivateNetwork= gives {unit.name} only a loopback interface of its own: no other node ever sees it",
                 advice="remove the line",
             )
@@ -80,7 +80,8 @@ def private_network(robot: Robot) -> Iterator[Finding]:
 
 def _allowed(values: list[Located]) -> set[str] | None:
     """The allowed families; None if the setting only denies some, or is not set."""
-    allowed, refused = set(), False
+    allowed: set[str] = set()
+    refused = False
     for value in values:
         if value.startswith("~"):
             refused = refused or not allowed

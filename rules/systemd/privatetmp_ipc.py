@@ -35,6 +35,7 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
+from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
@@ -51,7 +52,7 @@ def privatetmp_ipc(robot: Robot) -> Iterator[Finding]:
             continue
         for where, what in _uses(unit, robot):
             yield finding(
-                private.at,
+                private.where,
                 f"PrivateTmp= gives {unit.name} its own /tmp: {what} cannot reach the other services there",
                 advice="set PrivateTmp=no, or join the services with JoinsNamespaceOf=",
                 related=[note(where, what)],
@@ -59,7 +60,7 @@ def privatetmp_ipc(robot: Robot) -> Iterator[Finding]:
             break
 
 
-def _uses(unit: Unit, robot: Robot) -> Iterator[tuple[Located, str]]:
+def _uses(unit: Unit, robot: Robot) -> Iterator[tuple[Located | Span, str]]:
     for process in robot.units.started(unit):
         for step in process.steps:
             for word in step.command.words:
@@ -69,7 +70,7 @@ def _uses(unit: Unit, robot: Robot) -> Iterator[tuple[Located, str]]:
     if variable is not None and variable.text and variable.text.startswith("file://"):
         source = robot.tree.find(variable.text.removeprefix("file://"))
         found = SHARED.search(source.text) if source else None
-        if found:
+        if source and found:
             yield (
                 source.span(found.start(), found.start() + len("<SharedMemory")),
                 "Cyclone DDS with shared memory",

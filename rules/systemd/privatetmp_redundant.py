@@ -55,7 +55,7 @@ def privatetmp_redundant(robot: Robot) -> Iterator[Finding]:
                     word,
                     f"PrivateTmp= gives {unit.name} its own writable {path}: the entry is redundant",
                     advice="remove the entry",
-                    related=[note(private.at, "gives it its own /tmp")],
+                    related=[note(private.where, "gives it its own /tmp")],
                     fix=_without(unit, word) if unit.editable else None,
                 )
 

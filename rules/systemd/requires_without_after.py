@@ -51,7 +51,9 @@ def requires_without_after(robot: Robot) -> Iterator[Finding]:
             continue
         for key in ("Requires", "BindsTo"):
             for line in unit.assignments(key):
-                for word in line.value.words() if not line.opaque and line.span.source.judged else ():
+                if line.opaque or not line.span.source.judged:
+                    continue
+                for word in line.value.words():
                     if "%" in word or word.endswith(ORDERED) or word in EARLY or word == unit.name:
                         continue
                     other = units.find(word, unit)

@@ -53,18 +53,18 @@ def restart_on_failure_ros_launch(robot: Robot) -> Iterator[Finding]:
         service, policy = robot.units.supervision(unit), robot.units.restart(unit)
         if policy.restart not in FAILURES or service.main is None:
             continue
-        programs = [found for _, found in service.process.launches]
-        last = [found for step, found in service.process.launches if step.last and service.main.kind == "shell"]
+        programs = [found for _, found in service.main_line.launches]
+        last = [found for step, found in service.main_line.launches if step.last and service.main.kind == "shell"]
         if not programs or not (service.main.kind == "launch" or last):
             continue
         expansion = expansion_of(programs[-1], robot.launch)
         if expansion is not None and every_node_respawns(expansion):
             continue
         yield finding(
-            policy.restart_at,
+            policy.where,
             "ros2 launch keeps running when a node dies, and exits with status 0 after Shutdown(): "
             f"Restart={policy.restart} does not restart {unit.name}",
             advice="set Restart=always, and make launch shut down with a vital node or respawn the nodes itself",
             related=[note(programs[-1].where, "launches this file")],
-            fix=fix("set Restart=always", (policy.restart_at, "always"), safe=False) if unit.editable else None,
+            fix=fix("set Restart=always", (policy.where, "always"), safe=False) if unit.editable else None,
         )

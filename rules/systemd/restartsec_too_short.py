@@ -51,9 +51,9 @@ def restartsec_too_short(robot: Robot) -> Iterator[Finding]:
             continue
         unset = "" if policy.delay_at else " (the default)"
         yield finding(
-            policy.delay_at or policy.restart_at,
+            policy.delay_at or policy.where,
             f"{unit.name} restarts after {duration(policy.delay)}{unset}: its device or port may still be "
             f"busy, and {policy.burst} failures in {duration(policy.interval)} leave it down",
             advice="set RestartSec=2 or more",
-            related=[note(policy.restart_at, "enables the restarts")] if policy.delay_at else (),
+            related=[note(policy.where, "enables the restarts")] if policy.delay_at else (),
         )

@@ -58,10 +58,10 @@ from bringup_lint.api.systemd import needless_root
 
 TEXTS = {
     Work.ROS: "ROS",
-    Work.PROBABLY_ROS: "{0.where} (probably ROS: it is not in this tree)",
-    Work.IN_HOME: "{0.where}, which user {0.owner} can change,",
-    Work.OWN_SCRIPT: "{0.where}",
-    Work.RELAY: "{0.where}, which needs no root,",
+    Work.PROBABLY_ROS: "{name} (probably ROS: it is not in this tree)",
+    Work.IN_HOME: "{name}, which user {owner} can change,",
+    Work.OWN_SCRIPT: "{name}",
+    Work.RELAY: "{name}, which needs no root,",
 }
 CERTAIN = (Work.ROS, Work.IN_HOME)
 
@@ -111,7 +111,7 @@ def _without_user(robot: Robot, unit: Unit, needless: NeedlessRoot) -> Finding:
 
 def _text(needless: NeedlessRoot) -> str:
     name = needless.where.rpartition("/")[2] if needless.work is Work.RELAY else needless.where
-    return TEXTS[needless.work].format(needless._replace(where=name))
+    return TEXTS[needless.work].format(name=name, owner=needless.owner)
 
 
 def _fix(robot: Robot, unit: Unit) -> Fix | None:

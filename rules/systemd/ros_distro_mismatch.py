@@ -58,7 +58,8 @@ def ros_distro_mismatch(robot: Robot) -> Iterator[Finding]:
             named = units.environment(unit).get("ROS_DISTRO")
             chosen = (named.value, named.text) if named and named.text else None
             for step, word in paths(process):
-                distro = DISTRO.match(word)[1]
+                match = DISTRO.match(word)
+                distro = match[1] if match else ""
                 if chosen is None:
                     chosen = (word, distro)
                 elif distro != chosen[1]:

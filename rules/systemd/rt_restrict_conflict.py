@@ -58,7 +58,7 @@ def rt_restrict_conflict(robot: Robot) -> Iterator[Finding]:
                 f"RestrictRealtime= forbids every real-time priority, so LimitRTPRIO={limit} has no "
                 f"effect on {unit.name}",
                 advice="remove RestrictRealtime= or the limit",
-                related=[note(restricted.at, "forbids real-time scheduling")],
+                related=[note(restricted.where, "forbids real-time scheduling")],
             )
         elif policy in ("fifo", "rr"):
             yield finding(
@@ -66,6 +66,6 @@ def rt_restrict_conflict(robot: Robot) -> Iterator[Finding]:
                 f"{unit.name} starts with {policy} scheduling, but RestrictRealtime= prevents it from setting "
                 "a real-time policy for its threads",
                 advice="remove RestrictRealtime=",
-                related=[note(restricted.at, "forbids real-time scheduling")],
+                related=[note(restricted.where, "forbids real-time scheduling")],
                 severity="warning",
             )

@@ -50,7 +50,8 @@ def shell_wrapper_no_exec(robot: Robot) -> Iterator[Finding]:
         service = robot.units.supervision(unit)
         if not unit.complete or service.main is None or service.main.kind != "shell" or service.kill_mode.unknown:
             continue
-        for step, found in service.process.ros:
+        process = service.main_line
+        for step, found in process.ros:
             words = step.command.words
             if found.kind == "cli" or step.command.background or words[0] == "exec" or not step.shell:
                 continue
@@ -68,7 +69,7 @@ def shell_wrapper_no_exec(robot: Robot) -> Iterator[Finding]:
                 if step.last
                 else "make it the last command and start it with exec",
                 related=[
-                    note(service.process.program, "the main process"),
+                    note(process.program, "the main process"),
                     *(
                         [note(service.kill_mode.at, "only the main process gets the signal")]
                         if alone and service.kill_mode.at

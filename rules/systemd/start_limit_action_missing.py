@@ -49,9 +49,9 @@ def start_limit_action_missing(robot: Robot) -> Iterator[Finding]:
         if unit.has("OnFailure") or unit.has("OnFailure", "Service") or (action and action != "none"):
             continue
         yield finding(
-            policy.burst_at or policy.interval_at or policy.restart_at,
+            policy.burst_at or policy.interval_at or policy.where,
             f"After {policy.burst} starts in {duration(policy.interval)} {unit.name} stays down until "
             "somebody runs systemctl reset-failed, and nothing raises an alarm",
             advice="name a handler with OnFailure= in [Unit], or an action with StartLimitAction=",
-            related=[note(policy.restart_at, "enables the restarts")],
+            related=[note(policy.where, "enables the restarts")],
         )

@@ -49,7 +49,13 @@ def stdout_file_no_rotation(robot: Robot) -> Iterator[Finding]:
         for key in ("StandardOutput", "StandardError"):
             value = unit.get(key)
             match = TO_FILE.match(value) if value else None
-            if not match or match[1] in seen or match[1].startswith(SINKS) or unit.get("Type") == "oneshot":
+            if (
+                not value
+                or not match
+                or match[1] in seen
+                or match[1].startswith(SINKS)
+                or unit.get("Type") == "oneshot"
+            ):
                 continue
             seen.add(match[1])
             if any(fnmatchcase(match[1], pattern) for pattern in _rotated(robot)) or unit.is_opaque(value):
@@ -66,4 +72,5 @@ def _rotated(robot: Robot) -> Iterator[str]:
     for path in robot.tree.paths:
         if "/logrotate.d/" in path or path.endswith("/logrotate.conf"):
             source = robot.tree.read(path, judged=False)
-            yield from PATTERN.findall(source.text) if source else ()
+            if source is not None:
+                yield from PATTERN.findall(source.text)

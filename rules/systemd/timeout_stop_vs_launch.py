@@ -43,6 +43,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.launch import Value
 from bringup_lint.api.supervision import expansion_of
 from bringup_lint.api.supervision import stop_time
 from bringup_lint.api.systemd import Ros
@@ -93,7 +94,7 @@ def timeout_stop_vs_launch(robot: Robot) -> Iterator[Finding]:
         )
 
 
-def needs(robot: Robot, launches: list[Ros]) -> tuple[float, list]:
+def needs(robot: Robot, launches: list[Ros]) -> tuple[float, list[Value]]:
     """How long the launch files of a unit may take to stop (seconds), and the timeouts of nodes that set it."""
     expansions = [expansion_of(found, robot.launch) for found in launches]
     known = [stop_time(expansion) if expansion is not None else None for expansion in expansions]

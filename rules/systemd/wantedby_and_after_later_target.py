@@ -50,7 +50,7 @@ from bringup_lint.api import rule
 @rule("error", symptoms=["deleted to break ordering cycle starting with", "Found ordering cycle on"])
 def wantedby_and_after_later_target(robot: Robot) -> Iterator[Finding]:
     for cycle in robot.units.cycles:
-        lines = [edge for edge in cycle.waits if edge.where and edge.where.source.judged]
+        lines = {edge: edge.where for edge in cycle.waits if edge.where and edge.where.source.judged}
         if not lines or not cycle.against_targets:
             continue
         name = next(unit for unit in cycle.units if not unit.endswith(".target"))
@@ -61,7 +61,7 @@ def wantedby_and_after_later_target(robot: Robot) -> Iterator[Finding]:
         ]
         effect = "cannot start" if cycle.fatal else "is dropped at boot" if cycle.root else "may be dropped"
         yield finding(
-            (later if later in lines else lines[0]).where,
+            lines.get(later) or next(iter(lines.values())),
             f"{name} waits for {later.source.name}, which waits for {sooner.target.name}, "
             f"which waits for {name}: the unit {effect}",
             advice=f"let {later.source.name} want the unit (WantedBy={later.source.name}), or remove the After=",

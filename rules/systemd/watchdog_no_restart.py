@@ -52,8 +52,8 @@ def watchdog_no_restart(robot: Robot) -> Iterator[Finding]:
         if not unit.complete or not service.watchdog_on or policy.restart not in IDLE:
             continue
         yield finding(
-            service.watchdog.at,
-            f"After a watchdog timeout of {duration(service.watchdog.value)}, {unit.name} stays dead: "
+            service.watchdog.where,
+            f"After a watchdog timeout of {duration(service.watchdog.value or 0.0)}, {unit.name} stays dead: "
             f"Restart={policy.restart} does not restart it",
             advice="set Restart=on-failure or on-watchdog",
             related=[note(policy.restart_at, "does not restart after a watchdog timeout")] if policy.restart_at else (),

@@ -48,10 +48,10 @@ def workdir_missing_user_home(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         path = unit.get("WorkingDirectory")
         home = HOME.match(path) if path and "%" not in path else None
-        user = unit.get("User")
-        if home is None or unit.has("RootDirectory") or unit.is_opaque(path):
+        user = unit.identity.user
+        if path is None or home is None or unit.has("RootDirectory") or unit.is_opaque(path):
             continue
-        own = robot.accounts.home_of(str(user)) if user else None
+        own = robot.accounts.home_of(str(unit.identity.name)) if user else None
         if robot.tree.has(str(path)) is False and robot.tree.entries("/home"):
             message = f"{path} does not exist: {unit.name} fails with 200/CHDIR"
         elif own and own != home[1]:

@@ -36,7 +36,7 @@ class TooEarly(NamedTuple):
 def waiting_for_network(units: Units) -> list[tuple[str, Located]]:
     """The units that are ordered after network-online.target, each with the word that says so.
 
-    None when a drop-in configures the waiting itself: what is waited for is then known to it alone.
+    Empty when a drop-in configures the waiting itself: what is waited for is then known to it alone.
     """
     if any(unit.dropins for unit in units.candidates(WAITER)):
         return []

@@ -57,6 +57,13 @@ class RestartPolicy:
     """False when a template's placeholder hides one of the values; the numbers then are the defaults."""
 
     @property
+    def where(self) -> Located:
+        """The Restart= of a service that has one, as every service that restarts has."""
+        if self.restart_at is None:
+            raise LookupError("Restart= is not set")
+        return self.restart_at
+
+    @property
     def restarts(self) -> bool:
         return self.restart not in ("no", None) and self.delay != math.inf
 

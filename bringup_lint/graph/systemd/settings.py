@@ -29,6 +29,13 @@ class Setting(Generic[Value]):
     """As read; None when it is unset, or cannot be known (a template's placeholder)."""
 
     @property
+    def where(self) -> Located:
+        """The same for a setting that is known to be set."""
+        if self.at is None:
+            raise LookupError("nothing sets it")
+        return self.at
+
+    @property
     def unknown(self) -> bool:
         return self.at is not None and self.value is None
 

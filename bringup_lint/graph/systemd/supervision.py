@@ -135,6 +135,13 @@ class Supervision:
         return main_process(self.process, self.files)
 
     @property
+    def main_line(self) -> Process:
+        """The command line that starts the main process, when it is known."""
+        if self.process is None:
+            raise LookupError(f"{self.unit.name} has several command lines, or none")
+        return self.process
+
+    @property
     def in_container(self) -> bool:
         """Whether the service runs in a container, whose processes are not the unit's."""
         return self.main is not None and self.main.kind == "container"
