@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 from bringup_lint.facts.ros.node_roles import lifecycle_names
+from bringup_lint.graph.launch.delays import delayed
+from bringup_lint.graph.launch.delays import undelayed
+from bringup_lint.graph.launch.delays import waiting_comment
 from bringup_lint.graph.launch.expansion import Expansion
 from bringup_lint.graph.launch.expansion import Used
 from bringup_lint.graph.launch.lifecycle import Managed
@@ -103,6 +106,7 @@ __all__ = [
     "Used",
     "Value",
     "check_of",
+    "delayed",
     "exclusive",
     "full_name",
     "lifecycle_names",
@@ -116,7 +120,9 @@ __all__ = [
     "text_of",
     "transitions_elsewhere",
     "truth",
+    "undelayed",
     "understood",
+    "waiting_comment",
     "walk",
     "walk_actions",
     "watched",

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import itertools
 import os
 import posixpath
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from dataclasses import field
@@ -34,6 +36,10 @@ if TYPE_CHECKING:
 
 SUBFOLDERS = 40
 """CMake folders of one package that are followed."""
+
+GLOBBED = 2000
+"""Folders that are looked at for a glob over folders."""
+_WILDCARD = re.compile(r"[*?\[]")
 
 
 class Place(NamedTuple):
@@ -101,7 +107,32 @@ class Package:
             for install in build.installs:
                 origin = _origin(install, path)
                 if origin is not None:
-                    yield os.path.normpath(os.path.join(folder, origin))
+                    yield from _globbed(os.path.normpath(os.path.join(folder, origin)))
+
+
+def _globbed(path: str) -> Iterator[str]:
+    """A path whose folders may hold wildcards: a glob over folders puts all files into one."""
+    folder, name = os.path.split(path)
+    if not _WILDCARD.search(folder):
+        yield path
+        return
+    fixed = _WILDCARD.split(folder)[0].rpartition("/")[0]
+    pattern = folder[len(fixed) :].strip("/").split("/")
+    for root, _, names in itertools.islice(os.walk(fixed), GLOBBED):
+        below = root[len(fixed) :].strip("/")
+        if name in names and _reaches(pattern, below.split("/") if below else []):
+            yield os.path.join(root, name)
+
+
+def _reaches(pattern: list[str], folders: list[str]) -> bool:
+    """Whether a glob means a folder: ``**`` is any number of folders, also none."""
+    reachable = {0}
+    for part in pattern:
+        if part == "**":
+            reachable = set(range(min(reachable, default=len(folders)), len(folders) + 1))
+        else:
+            reachable = {at + 1 for at in reachable if at < len(folders) and fnmatchcase(folders[at], part)}
+    return len(folders) in reachable
 
 
 def _origin(install: Install, path: str) -> str | None:

@@ -50,13 +50,8 @@ def container_missing(robot: Robot) -> Iterator[Finding]:
                 containers[name] = node
         if not containers or None in containers:
             continue
-        for action, file in expansion.actions:
-            target = (
-                robot.launch.resolved(getattr(action, "target", None), file)
-                if isinstance(action, launch.LoadComponents)
-                else None
-            )
-            text = launch.literal_text(target)
+        for load in expansion.loads:
+            text = launch.literal_text(load.target)
             if text is None or text.rpartition("/")[2] in containers:
                 continue
             near = nearest(text.rpartition("/")[2], containers, 3) or sorted(containers)[:1]
@@ -65,5 +60,5 @@ def container_missing(robot: Robot) -> Iterator[Finding]:
                 f"Nothing starts the container '{text}': launch waits forever and the components never load",
                 advice=f"load them into '{near[0]}'",
                 related=[note(containers[near[0]].span, f"container '{near[0]}'")],
-                severity="warning" if action.conditions else None,
+                severity="warning" if load.conditions else None,
             )

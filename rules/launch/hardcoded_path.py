@@ -65,4 +65,4 @@ def values(action: launch.Action) -> Iterator[launch.Value]:
         yield from (*action.cmd, *(value for _, value in action.additional_env))
         yield from (*getattr(action, "parameters", ()), *getattr(action, "arguments", ()))
         for component in getattr(action, "components", ()):
-            yield from component.parameters
+            yield from getattr(component, "parameters", ())

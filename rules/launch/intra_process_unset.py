@@ -48,6 +48,8 @@ IMAGES = (
 @rule("info")
 def intra_process_unset(robot: Robot) -> Iterator[Finding]:
     for _, node in robot.launch.actions(launch.Node):
+        if not all(isinstance(each, launch.ComposableNode) for each in node.components):
+            continue
         images = any(launch.literal(each.package) in IMAGES for each in node.components)
         set_ = any(
             "use_intra_process_comms" in str(launch.literal(each))

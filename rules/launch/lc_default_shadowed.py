@@ -57,7 +57,7 @@ def lc_default_shadowed(robot: Robot) -> Iterator[Finding]:
                 continue
             if not (launch.understood(read.default) and launch.understood(action.default)):
                 continue
-            if robot.launch.text(action.default, file) == robot.launch.text(read.default, file) is not None:
+            if means_the_same(robot.launch.text(action.default, file), robot.launch.text(read.default, file)):
                 continue
             empty = launch.literal(action.default) == ""
             declaration = "The declared default ''" if empty else "The default of the declaration"
@@ -67,3 +67,15 @@ def lc_default_shadowed(robot: Robot) -> Iterator[Finding]:
                 advice="move the default into the declaration",
                 related=[note(action.span, "declared here")],
             )
+
+
+def means_the_same(first: str | None, second: str | None) -> bool:
+    """Whether launch or a node makes the same of two texts: ``False`` and ``false``, ``1`` and ``1.0``."""
+    if first is None or second is None:
+        return False
+    if first.strip().lower() == second.strip().lower():
+        return True
+    try:
+        return float(first) == float(second)
+    except ValueError:
+        return False

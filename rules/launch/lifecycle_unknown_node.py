@@ -54,7 +54,7 @@ def lifecycle_unknown_node(robot: Robot) -> Iterator[Finding]:
         bare = {name.rpartition("/")[2]: node for name, node in started.items() if name is not None}
         nav2 = launch.lifecycle_names() if expansion.open else ()
         for manager in managers:
-            for managed in manager.managed or ():
+            for managed in listed(robot, manager):
                 last = managed.fqn.rpartition("/")[2]
                 if managed.fqn in started or last in nav2:
                     continue
@@ -64,16 +64,23 @@ def lifecycle_unknown_node(robot: Robot) -> Iterator[Finding]:
                 yield from described(robot, manager, managed, bare)
 
 
+def listed(robot: Robot, manager: launch.Manager) -> list[launch.Managed]:
+    """The nodes that a manager brings up, by the launch file or by its parameter file."""
+    if manager.names.value is None and not manager.names.known:
+        return manager.called(robot.params.texts(manager.node, "node_names") or []) or []
+    return manager.managed or []
+
+
 def alone(robot: Robot, managers: list[launch.Manager]) -> Iterator[Finding]:
     """A manager in a separate launch file: its nodes are in other files, if at least one of them is."""
     if any(launch.outside(expansion) for expansion in robot.launch.expansions):
         return
     for manager in managers:
         names = robot.launch.names_near(manager.node.file)
-        listed = {managed.fqn.rpartition("/")[2]: managed for managed in manager.managed or ()}
-        if names.isdisjoint(listed):
+        wanted = {managed.fqn.rpartition("/")[2]: managed for managed in listed(robot, manager)}
+        if names.isdisjoint(wanted):
             continue
-        for last, managed in listed.items():
+        for last, managed in wanted.items():
             if last not in names and last not in launch.lifecycle_names():
                 yield from described(robot, manager, managed, {})
 

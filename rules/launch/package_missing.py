@@ -2,12 +2,12 @@
 
 ## What it finds
 Two kinds of packages. A name that no package of this workspace has, but that is close to one that exists, is an
-error. A package on which the launching package does not depend is a warning if it is in this workspace, and info
-otherwise.
+error. A package on which the launching package does not depend is info.
 
 ## Why it matters on a robot
 launch aborts with "package 'my_robot_drivers' not found". A dependency that is missing in package.xml works on the
-developer's machine and fails after `rosdep install` on a fresh robot.
+developer's machine and fails on a fresh robot: rosdep does not install it, and `colcon build --packages-up-to` does not
+build a package of the workspace.
 
 ## Bad
 ```python
@@ -67,13 +67,16 @@ def package_missing(robot: Robot) -> Iterator[Finding]:
             )
         elif not robot.launch.comes_with(owner, package) and (owner.name, package) not in seen:
             seen.add((owner.name, str(package)))
+            own = package in workspace.packages or package in workspace.ambiguous
+            built = f"colcon build --packages-up-to {owner.name} leaves it out"
+            effect = built if own else "rosdep does not install it"
             yield finding(
                 package,
-                f"{package} is not an exec_depend of {owner.name}: it is missing after rosdep install",
+                f"{package} is not an exec_depend of {owner.name}: {effect}",
                 advice=f"add <exec_depend>{package}</exec_depend> to the package.xml",
                 related=[note(owner.manifest.name, "the package that starts it")],
                 fix=dependency(owner, package),
-                severity="warning" if package in workspace.packages else "info",
+                severity="info",
             )
 
 

@@ -67,4 +67,8 @@ def tf_not_remapped(robot: Robot) -> Iterator[Finding]:
 
 
 def moves_tf(node: launch.Started) -> bool:
-    return any(launch.literal_text(src) in ("/tf", "tf", None) for src, _ in node.remappings)
+    """Whether a node has its own transforms; what is not known may move them."""
+    return any(
+        launch.literal_text(src) in ("/tf", "tf", None) and launch.literal_text(dst) != "/tf"
+        for src, dst in node.remappings
+    )

@@ -1,7 +1,11 @@
 """A fixed delay is used to order the start.
 
 ## What it finds
-`TimerAction` around nodes or includes. Also a timer that reports success after checks whose result nothing reads.
+A `TimerAction` around nodes that need something which the same start brings up: they subscribe to a topic of a node
+that starts before, they localize, map or navigate on data of a driver, or a comment beside the timer says that they
+wait. One finding for each file. Also a timer that reports success after checks whose result nothing reads. What waits
+by itself (spawners of controllers, components for their container) is left out, and so is what starts only in
+simulation.
 
 ## Why it matters on a robot
 On a slow boot, with a full disk or a cold camera, the delay is too short and the consumer starts before the driver.
@@ -9,12 +13,13 @@ On a good day the delay wastes time. A check that failed before the timer does n
 
 ## Bad
 ```python
-TimerAction(period=5.0, actions=[Node(package='nav2_planner', executable='planner_server')])
+Node(package='sllidar_ros2', executable='sllidar_node'),
+TimerAction(period=5.0, actions=[Node(package='slam_toolbox', executable='async_slam_toolbox_node')])
 ```
 
 ## Good
 ```python
-RegisterEventHandler(OnStateTransition(target_lifecycle_node=driver, goal_state='active', entities=[planner]))
+RegisterEventHandler(OnStateTransition(target_lifecycle_node=driver, goal_state='active', entities=[slam]))
 ```
 
 ## When to ignore it
@@ -28,10 +33,14 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import launch
 from bringup_lint.api import note
 from bringup_lint.api import rule
+
+CONSUMERS = ("localization", "mapping", "planning", "control", "costmap")
+PROVIDERS = ("driver", "hardware", "localization", "mapping", "map", "perception")
 
 
 @rule("warning")
@@ -39,32 +48,60 @@ def timer_ordering(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         if robot.launch.simulated(file):
             continue
-        for action, _ in robot.launch.visited(file):
-            if not isinstance(action, launch.Timer):
-                continue
-            started = [
-                inner
-                for inner in launch.walk_actions(action.actions)
-                if isinstance(inner, (launch.Node, launch.Include, launch.LoadComponents))
-            ]
-            if not started:
-                yield from announced(robot, file, action)
-                continue
-            period = launch.text_of(robot.launch.resolved(action.period, file))
-            if period in ("0", "0.0"):
-                continue
-            what = "This" if period is None else f"A delay of {period} s"
+        timers = [action for action, _ in robot.launch.visited(file) if isinstance(action, launch.Timer)]
+        found = [(timer, why) for timer in timers if (why := awaited(robot, file, timer)) is not None]
+        for timer, (node, other, message) in found[:1]:
+            period = launch.text_of(robot.launch.resolved(timer.period, file))
+            what = "This delay" if period is None else f"A delay of {period} s"
             yield finding(
-                action.span,
-                f"{what} does not order the start: on a slow boot these {len(started)} start before what they wait for"
-                if len(started) > 1
-                else f"{what} does not order the start: on a slow boot it starts before what it waits for",
+                timer.span,
+                f"{what} does not order the start: on a slow boot {node} starts before {message}",
                 advice="start it from an event handler, or let a lifecycle manager bring it up",
+                related=[note(other, "what it waits for")]
+                + [note(each.span, "another delay") for each, _ in found[1:6]],
             )
+        if found:
+            continue
+        for timer in timers:
+            yield from announced(robot, file, timer)
+
+
+def awaited(robot: Robot, file: launch.LaunchFile, timer: launch.Timer) -> tuple[str, Span, str] | None:
+    """What is delayed, the place of what it waits for, and that in words; None when nothing says that it waits."""
+    if launch.text_of(robot.launch.resolved(timer.period, file)) in ("0", "0.0"):
+        return None
+    expansion = robot.launch.expansion(file)
+    nodes = launch.delayed(expansion, timer)
+    earlier = launch.undelayed(expansion, nodes)
+    for node in nodes:
+        other = topic_source(robot, node, timer) or provider(robot, node, earlier)
+        if other is not None:
+            return node.label(), other.span, other.label()
+    starts = nodes or any(timer in each.context and each.target is None for each in expansion.includes)
+    comment = launch.waiting_comment(file, timer) if starts else None
+    if comment is None:
+        return None
+    return nodes[0].label() if len(nodes) == 1 else "the delayed part", comment, "what it waits for"
+
+
+def topic_source(robot: Robot, node: launch.Started, timer: launch.Timer) -> launch.Started | None:
+    """The node that publishes what the delayed one subscribes to."""
+    for pair in robot.topics.pairs:
+        publisher, subscription = pair.publisher.node.started, pair.subscription.node.started
+        if subscription.action is node.action and timer in subscription.context and not publisher.context:
+            return publisher
+    return None
+
+
+def provider(robot: Robot, node: launch.Started, earlier: list[launch.Started]) -> launch.Started | None:
+    role = robot.launch.role(node).role
+    if role not in CONSUMERS:
+        return None
+    return next((each for each in earlier if robot.launch.role(each).role in set(PROVIDERS) - {role}), None)
 
 
 def announced(robot: Robot, file: launch.LaunchFile, timer: launch.Timer) -> Iterator[Finding]:
-    """A timer that only says that checks have passed, while nobody looks at their results."""
+    """A timer that says that checks have passed, while nobody looks at their results."""
     expansion = robot.launch.expansion(file)
     checks = [node for node in expansion.nodes if node.file is file and launch.check_of(node)]
     ignored = [node for node in checks if not launch.watched(node, expansion)]

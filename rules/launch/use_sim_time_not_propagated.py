@@ -55,12 +55,23 @@ def use_sim_time_not_propagated(robot: Robot) -> Iterator[Finding]:
                 continue
             if any("use_sim_time" in (launch.text_of(word) or "") for word in node.arguments):
                 continue
+            if launch.literal_text(node.executable) == "static_transform_publisher" or chosen_by_clock(node):
+                continue
             yield finding(
                 node.span,
                 f"{node.label()} keeps the wall clock while other nodes of the file follow use_sim_time",
                 advice="set the parameter once for all nodes with SetParameter",
                 related=[note(given[0].span, "this node gets it")],
             )
+
+
+def chosen_by_clock(node: launch.Started) -> bool:
+    """Whether a condition ties the node to the use of simulated time: it then knows which clock runs."""
+    return any(
+        isinstance(each, launch.Argument) and "sim" in each.name
+        for condition in node.conditions
+        for each in launch.walk(condition.predicate)
+    )
 
 
 def reads(source: object) -> bool:

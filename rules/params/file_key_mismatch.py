@@ -45,13 +45,13 @@ def file_key_mismatch(robot: Robot) -> Iterator[Finding]:
         better = found.name if found.misspelt else f"/**/{tail}"
         single = len(found.block.keys) == 1
         yield finding(
-            found.load.where,
-            f"{found.file.source.basename} has a block for '{found.block.name}', but the node is {found.name}: all its "
+            found.block.key,
+            f"The block is for '{found.block.name}', but the node that loads the file is {found.name}: all its "
             "parameters stay at the defaults, without any message",
             advice=f"name the block {better}",
             chain=robot.provenance.chain_to_load(
-                found.load, note(found.block.key, f"its block is for {found.block.name}")
+                found.load, note(found.block.key, f"the block is for {found.block.name}")
             ),
-            related=[note(found.block.key, "the block that does not match"), note(found.load.node.span, "the node")],
+            related=[note(found.load.where, "loads the file here"), note(found.load.node.span, "the node")],
             fix=fix(f"name the block {better}", (found.block.key, better), safe=False) if single else None,
         )

@@ -14,6 +14,7 @@ from bringup_lint.model.launch import DeclareArgument
 from bringup_lint.model.launch import EventHandler
 from bringup_lint.model.launch import Include
 from bringup_lint.model.launch import LaunchFile
+from bringup_lint.model.launch import LoadComponents
 from bringup_lint.model.launch_values import Argument
 from bringup_lint.model.launch_values import Condition
 from bringup_lint.model.launch_values import Value
@@ -32,6 +33,18 @@ class Included(NamedTuple):
     chain: tuple[Span, ...]
     known: frozenset[str]
     """The launch configurations that exist before the include, without those that it passes."""
+    context: tuple[Action, ...] = ()
+    """The timers and handlers that it waits for."""
+
+
+class Loaded(NamedTuple):
+    """A request to load components into a container, as it happens."""
+
+    action: LoadComponents
+    target: Value | None
+    """The container's name."""
+    file: LaunchFile
+    conditions: tuple[Condition, ...]
 
 
 class Declared(NamedTuple):
@@ -65,6 +78,7 @@ class Expansion:
     nodes: list[Started] = field(default_factory=list)
     """Nodes, components and other processes, in the order in which they start."""
     includes: list[Included] = field(default_factory=list)
+    loads: list[Loaded] = field(default_factory=list)
     declared: list[Declared] = field(default_factory=list)
     unbound: list[Used] = field(default_factory=list)
     handlers: list[tuple[EventHandler, LaunchFile]] = field(default_factory=list)

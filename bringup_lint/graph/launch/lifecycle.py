@@ -56,11 +56,16 @@ class Manager:
     def managed(self) -> list[Managed] | None:
         """The nodes in order; None when the list is not known to the end."""
         value = self.names.value
-        if not isinstance(value, ListValue) or value.open or self.node.namespace is None:
+        if not isinstance(value, ListValue) or value.open:
+            return None
+        return self.called([literal_text(item) for item in value.items])
+
+    def called(self, names: list[Located | None]) -> list[Managed] | None:
+        """The nodes of these names, as the manager looks for them; None when one is not known."""
+        if self.node.namespace is None:
             return None
         result = []
-        for item in value.items:
-            name = literal_text(item)
+        for name in names:
             if name is None:
                 return None
             result.append(Managed(name, name if name.startswith("/") else f"{self.node.namespace.rstrip('/')}/{name}"))

@@ -6,6 +6,7 @@ from bringup_lint.graph.launch.expand import Expander
 from bringup_lint.graph.launch.expand import Visit
 from bringup_lint.graph.launch.expansion import Declared
 from bringup_lint.graph.launch.expansion import Included
+from bringup_lint.graph.launch.expansion import Loaded
 from bringup_lint.graph.launch.resolve import Resolver
 from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.resolve import truth
@@ -101,7 +102,7 @@ def _include(self: Expander, action: Include, resolver: Resolver, symbolic: Reso
         passed[name] = value
         own = Resolver(self.scope)
         self.bind(name, own.value(value), Resolver(self.scope, symbolic=True).value(value), value.span)
-    included = Included(action, file, self.file, target, passed, self.conditions, chain, known)
+    included = Included(action, file, self.file, target, passed, self.conditions, chain, known, self.context)
     self.result.includes.append(included)
     if action.open or target is None:
         self.result.open = True
@@ -208,6 +209,8 @@ def _node(self: Expander, action: Node, resolver: Resolver, symbolic: Resolver) 
 
 def _load(self: Expander, action: LoadComponents, resolver: Resolver, symbolic: Resolver) -> None:
     self.note_unbound(action.target)
+    target = resolver.optional(action.target)
+    self.result.loads.append(Loaded(action, target, self.file, self.conditions))
     container = self.containers.get(action.target_key) if action.target_key is not None else None
     self.components(action.components, container)
 

@@ -21,7 +21,8 @@ SUFFIXES = (".py", ".cpp", ".cc", ".cxx", ".hpp", ".hh", ".h")
 FILES = 600
 """Source files of one package that are read."""
 _TESTS = re.compile(r"(?:^|/)(?:tests?|examples?|build|install)/")
-_LOOSE = re.compile(r"dynamic_typing|automatically_declare_parameters_from_overrides|allow_undeclared_parameters")
+_LOOSE = re.compile(r"automatically_declare_parameters_from_overrides|allow_undeclared_parameters")
+_DYNAMIC = "dynamic_typing"
 _PYTHON_TYPES = {bool: "bool", int: "integer", float: "double", str: "string"}
 _CPP_TYPES = {
     "bool": "bool",
@@ -101,28 +102,79 @@ def _of_python(source: Source) -> Iterator[Declared]:
         tree = ast.parse(source.text)
     except (SyntaxError, ValueError, RecursionError):
         return
+    described = _dynamic_names(tree)
     for node in ast.walk(tree):
         if not isinstance(node, ast.Call) or not isinstance(node.func, ast.Attribute):
             continue
-        if node.func.attr == "declare_parameter" and node.args:
-            default = node.args[1] if len(node.args) > 1 else None
-            yield from _python_one(source, node.args[0], default, "", simple=not node.keywords and len(node.args) < 4)
-        elif node.func.attr == "declare_parameters" and len(node.args) == 2:
-            space, pairs = node.args
-            if isinstance(space, ast.Constant) and isinstance(pairs, (ast.List, ast.Tuple)):
-                prefix = f"{space.value}." if space.value else ""
-                for pair in pairs.elts:
-                    if isinstance(pair, ast.Tuple) and len(pair.elts) >= 2:
-                        yield from _python_one(source, pair.elts[0], pair.elts[1], prefix, simple=True)
+        if node.func.attr == "declare_parameter":
+            given = _given(node, ("name", "value", "descriptor", "ignore_override"))
+            if "name" in given:
+                typed = "ignore_override" not in given and not _is_dynamic(node, described)
+                yield from _python_one(source, given["name"], given.get("value"), "", typed)
+        elif node.func.attr == "declare_parameters":
+            yield from _python_several(source, _given(node, ("namespace", "parameters")), described)
+
+
+def _given(call: ast.Call, names: tuple[str, ...]) -> dict[str, ast.expr]:
+    """The arguments of a call by name; empty when ``*`` or ``**`` hides some."""
+    if any(isinstance(argument, ast.Starred) for argument in call.args) or any(not each.arg for each in call.keywords):
+        return {}
+    return dict(zip(names, call.args)) | {str(each.arg): each.value for each in call.keywords}
+
+
+def _python_several(source: Source, given: dict[str, ast.expr], described: set[str]) -> Iterator[Declared]:
+    space, pairs = given.get("namespace"), given.get("parameters")
+    if not isinstance(space, ast.Constant) or not isinstance(pairs, (ast.List, ast.Tuple)):
+        return
+    prefix = f"{space.value!s}." if space.value else ""
+    for pair in pairs.elts:
+        if isinstance(pair, ast.Tuple) and pair.elts:
+            default = pair.elts[1] if len(pair.elts) > 1 else None
+            yield from _python_one(source, pair.elts[0], default, prefix, not _is_dynamic(pair, described))
+
+
+def _dynamic_names(tree: ast.Module) -> set[str]:
+    """Variables, attributes and functions that hold or return a descriptor with ``dynamic_typing``, or get it set."""
+    found = set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.FunctionDef) and _mentions_dynamic(node) and _returns(node):
+            found |= {node.name, f"self.{node.name}"}
+        if not isinstance(node, ast.Assign):
+            continue
+        for target in node.targets:
+            if isinstance(target, ast.Attribute) and target.attr == _DYNAMIC:
+                found.add(ast.unparse(target.value))
+            elif _mentions_dynamic(node.value):
+                found.add(ast.unparse(target))
+    return found
+
+
+def _mentions_dynamic(node: ast.AST) -> bool:
+    inside = list(ast.walk(node))
+    return any(isinstance(each, ast.keyword) and each.arg == _DYNAMIC for each in inside) or any(
+        isinstance(each, ast.Attribute) and each.attr == _DYNAMIC for each in inside
+    )
+
+
+def _returns(function: ast.FunctionDef) -> bool:
+    return any(isinstance(each, ast.Return) and each.value is not None for each in ast.walk(function))
+
+
+def _is_dynamic(declaration: ast.AST, described: set[str]) -> bool:
+    """Whether a declaration takes any type, directly or by a descriptor from a variable."""
+    if _mentions_dynamic(declaration):
+        return True
+    names = (each for each in ast.walk(declaration) if isinstance(each, (ast.Name, ast.Attribute)))
+    return bool(described) and any(ast.unparse(each) in described for each in names)
 
 
 def _python_one(
-    source: Source, name: ast.expr, default: ast.expr | None, prefix: str, simple: bool
+    source: Source, name: ast.expr, default: ast.expr | None, prefix: str, typed: bool
 ) -> Iterator[Declared]:
     if isinstance(name, ast.Constant) and isinstance(name.value, str):
         start = source.line_starts[name.lineno - 1] + _column(source, name)
         span = source.span(start, min(start + len(name.value) + 2, len(source.text)))
-        yield Declared(_python_type(default) if simple else "", Located(prefix + name.value, span))
+        yield Declared(_python_type(default) if typed else "", Located(prefix + name.value, span))
 
 
 def _column(source: Source, node: ast.expr) -> int:
@@ -150,10 +202,13 @@ def _of_cpp(source: Source) -> Iterator[Declared]:
     text = _COMMENT.sub(
         lambda found: found[0] if found[0].startswith('"') else re.sub(r"[^\n]", " ", found[0]), source.text
     )
+    loose = _DYNAMIC in text
     for found in _CPP_CALL.finditer(text):
         group = "name" if found["name"] is not None else "other"
         name = source.located(*found.span(group))
-        if found["type"]:
+        if loose:
+            yield Declared("", name)
+        elif found["type"]:
             yield Declared(_cpp_type(found["type"]), name)
         else:
             yield Declared(_cpp_default(found["default"] or found["value"] or ""), name)

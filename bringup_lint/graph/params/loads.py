@@ -100,6 +100,19 @@ def path_of(launch: Launch, value: Value) -> str | None:
     return None
 
 
+def own_arguments(launch: Launch, expansion: Expansion) -> Iterator[str]:
+    """The files in the arguments of programs that are not ROS arguments: the program reads them in its own way."""
+    for node in expansion.nodes:
+        ros, before = False, ""
+        for word in node.arguments:
+            text = text_of(word) or ""
+            path = None if ros and before == "--params-file" else path_of(launch, word)
+            if path is not None:
+                yield path
+            ros = text != "--" if ros else text == "--ros-args"
+            before = text
+
+
 def is_replaced(load: Load, name: str) -> bool:
     """Whether what comes later in the node's parameters sets a parameter again, or may do so."""
     for value in load.node.parameters[load.order + 1 :]:

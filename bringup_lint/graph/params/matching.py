@@ -21,6 +21,9 @@ from bringup_lint.spelling import numbered
 if TYPE_CHECKING:
     from bringup_lint.graph.params.params import Params
 
+VALUES = ("nested-list", "mixed-list", "list-of-maps")
+"""Problems of single values: the blocks around them are read all the same."""
+
 
 class Mismatch(NamedTuple):
     """A block that is meant for a node and does not reach it."""
@@ -40,13 +43,15 @@ def unreached(params: Params) -> Iterator[Mismatch]:
         by_node: dict[int, list[Load]] = {}
         for load in loads:
             by_node.setdefault(load.node.action.key, []).append(load)
-        for same in by_node.values():
+        for every in by_node.values():
+            same = [load for load in every if not params.is_included(load)] or every
             names = [_name(load) for load in same]
             if None in names or any(reaches(block, load) for block in file.blocks for load in same):
                 continue
+            others = [load for load in loads if load.node.action is not same[0].node.action]
             for block in file.blocks:
                 kind = _meant(block, str(names[0]))
-                if kind is not None and not any(reaches(block, load) for load in loads):
+                if kind is not None and not any(reaches(block, load) for load in others):
                     yield Mismatch(file, block, same[0], str(names[0]), kind)
                     break
 
@@ -69,7 +74,8 @@ def _certain(params: Params) -> Iterator[tuple[ParameterFile, list[Load]]]:
     for file in params.judged:
         loads = params.loads(file)
         odd = any(sign in block.name for block in file.blocks for sign in "$<>{}%@")
-        if loads and file.accepted and not file.uncertain and not odd and all(map(_plain, loads)):
+        read = all(problem.code in VALUES for problem in file.problems)
+        if loads and read and not file.uncertain and not odd and all(map(_plain, loads)):
             yield file, loads
 
 
@@ -96,10 +102,12 @@ def _meant(block: Block, name: str) -> bool | None:
     """True for a misspelt name, False for another namespace, None when the block is for something else."""
     space, _, tail = block.name.rpartition("/")
     own_space, _, own = name.rpartition("/")
-    if "*" in block.name:
+    if "*" in tail or "**" in space:
         return None
     if tail == own:
         return False
+    if "*" in space:
+        return None
     same_space = not space.strip("/") or space.strip("/") == own_space.strip("/")
     if same_space and nearest(tail, [own]) and not numbered(tail, own):
         return True

@@ -25,6 +25,7 @@ from bringup_lint.source import Span
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
     from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.launch.started import Started
     from bringup_lint.graph.params.declared import Declared
     from bringup_lint.graph.params.loads import Load
     from bringup_lint.graph.params.matching import Mismatch
@@ -51,8 +52,22 @@ class Params:
     @cached_property
     def judged(self) -> list[ParameterFile]:
         """Those that findings may be about: really parameter files, neither context nor templates."""
-        certain = (file for file in self.files if file.is_certain or self.reader(file) == "rcl")
+        certain = (file for file in self.files if self.reader(file) == "rcl" or self._may_load(file))
         return [file for file in (*certain, *self.plain) if file.source.judged and not file.source.template]
+
+    def _may_load(self, file: ParameterFile) -> bool:
+        """Whether rcl may read the file: it has the form, and is not an argument that the program reads by itself."""
+        return file.is_certain and (bool(self.loads(file)) or os.path.abspath(file.source.name) not in self._own)
+
+    @cached_property
+    def _own(self) -> frozenset[str]:
+        """The files that launch files give to programs in options of their own (``--config``)."""
+        if not self._tree_files.of_kind(*LAUNCH):
+            return frozenset()
+        from bringup_lint.graph.params.loads import own_arguments
+
+        launch = self._launch()
+        return frozenset(path for expansion in launch.expansions for path in own_arguments(launch, expansion))
 
     @cached_property
     def plain(self) -> list[ParameterFile]:
@@ -239,6 +254,31 @@ class Params:
     def loads(self, file: ParameterFile) -> list[Load]:
         """The nodes of the tree's launch files that are given a file."""
         return self._loads.get(id(file)) or self._unclaimed.get(os.path.abspath(file.source.name), [])
+
+    def texts(self, node: Started, name: str) -> list[Located] | None:
+        """The list of texts that parameter files give a launched node, each text with its place; None when that is
+        not known."""
+        found = None
+        for load in self._by_node.get(id(node), ()):
+            file = self.at_path(load.path)
+            if file is None or not file.accepted or load.root_key is not None or not load.certain:
+                return None
+            for parameter in file.parameters:
+                if parameter.name == name and load in self.effective(file, parameter):
+                    items = self.items(parameter)
+                    found = [Located(item.text, item.span) for item in items if item.type == "string"]
+        return found or None
+
+    @cached_property
+    def _by_node(self) -> dict[int, list[Load]]:
+        found: dict[int, list[Load]] = {}
+        for load in self._all_loads:
+            found.setdefault(id(load.node), []).append(load)
+        return found
+
+    def is_included(self, load: Load) -> bool:
+        """Whether the load is that of a file launched alone which another file of the tree includes."""
+        return id(load.expansion.entry) in self._launch().included
 
     def effective(self, file: ParameterFile, parameter: Parameter) -> list[Load]:
         """The loads by which a value may reach a node: its block may be for the node, and nothing later sets it
