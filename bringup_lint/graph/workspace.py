@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-import itertools
 import os
 import posixpath
 import re
+from collections.abc import Callable
+from collections.abc import Iterable
 from collections.abc import Iterator
 from dataclasses import dataclass
 from dataclasses import field
@@ -37,8 +38,6 @@ if TYPE_CHECKING:
 SUBFOLDERS = 40
 """CMake folders of one package that are followed."""
 
-GLOBBED = 2000
-"""Folders that are looked at for a glob over folders."""
 _WILDCARD = re.compile(r"[*?\[]")
 
 
@@ -107,10 +106,10 @@ class Package:
             for install in build.installs:
                 origin = _origin(install, path)
                 if origin is not None:
-                    yield from _globbed(os.path.normpath(os.path.join(folder, origin)))
+                    yield os.path.normpath(os.path.join(folder, origin))
 
 
-def _globbed(path: str) -> Iterator[str]:
+def _globbed(path: str, named: Callable[[str], Iterable[str]]) -> Iterator[str]:
     """A path whose folders may hold wildcards: a glob over folders puts all files into one."""
     folder, name = os.path.split(path)
     if not _WILDCARD.search(folder):
@@ -118,10 +117,9 @@ def _globbed(path: str) -> Iterator[str]:
         return
     fixed = _WILDCARD.split(folder)[0].rpartition("/")[0]
     pattern = folder[len(fixed) :].strip("/").split("/")
-    for root, _, names in itertools.islice(os.walk(fixed), GLOBBED):
-        below = root[len(fixed) :].strip("/")
-        if name in names and _reaches(pattern, below.split("/") if below else []):
-            yield os.path.join(root, name)
+    for found in named(name):
+        if found.startswith(fixed + "/") and _reaches(pattern, os.path.dirname(found)[len(fixed) :].split("/")[1:]):
+            yield found
 
 
 def _reaches(pattern: list[str], folders: list[str]) -> bool:
@@ -197,8 +195,7 @@ class Workspace:
         if path.startswith("../"):
             return None
         target = posixpath.normpath(f"share/{package.name}/{path}")
-        origins = list(package.origins(target))
-        for origin in origins:
+        for origin in (each for origin in package.origins(target) for each in _globbed(origin, self.tree.named)):
             if self.tree.exists(origin):
                 return Found(origin, True, package)
         direct = os.path.join(package.folder, path)
