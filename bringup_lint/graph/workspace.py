@@ -195,7 +195,8 @@ class Workspace:
         if path.startswith("../"):
             return None
         target = posixpath.normpath(f"share/{package.name}/{path}")
-        for origin in (each for origin in package.origins(target) for each in _globbed(origin, self.tree.named)):
+        origins = (each for origin in package.origins(target) for each in _globbed(origin, self.tree.named))
+        for origin in origins:
             if self.tree.exists(origin):
                 return Found(origin, True, package)
         direct = os.path.join(package.folder, path)
