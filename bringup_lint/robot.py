@@ -361,13 +361,12 @@ class Robot:
     def compose(self) -> Compose:
         from bringup_lint.graph.compose import load_compose
 
-        return load_compose(self.files, lambda: self.dockerfiles)
+        return load_compose(self.files)
 
-    @cached_property
+    @property
     def dockerfiles(self) -> list[Dockerfile]:
-        from bringup_lint.parsers.dockerfile import parse
-
-        return self.parsed(parse, [source for source in self.of_kind("dockerfile") if not source.template])
+        """The Dockerfiles of the tree; a stage knows its base in another Dockerfile too."""
+        return self.compose.images.dockerfiles
 
     @cached_property
     def firewalls(self) -> list[Firewall]:

@@ -7,14 +7,18 @@ from collections.abc import Callable
 from collections.abc import Iterator
 from dataclasses import dataclass
 from dataclasses import field
+from functools import cached_property
 from typing import TYPE_CHECKING
 
+from bringup_lint.graph.images import Images
+from bringup_lint.graph.images import link_bases
 from bringup_lint.model.compose import ComposeFile
 from bringup_lint.model.compose import Service
 from bringup_lint.model.compose import is_variable
 from bringup_lint.model.dockerfile import Stage
 from bringup_lint.model.dockerfile import runs_as_root
 from bringup_lint.parsers.compose import parse
+from bringup_lint.parsers.dockerfile import parse as parse_dockerfile
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
@@ -29,7 +33,7 @@ class Compose:
     """Every compose file of the tree. Each stands alone: what is combined only the command line knows."""
 
     tree: Tree
-    dockerfiles: Callable[[], list[Dockerfile]]
+    read_dockerfiles: Callable[[], list[Dockerfile]]
     files: list[ComposeFile] = field(default_factory=list)
 
     @property
@@ -78,17 +82,43 @@ class Compose:
         image = service.image
         return "root" if service.build is None and image is not None and runs_as_root(image) else None
 
+    def stop_signal(self, service: Service) -> str | None:
+        """The signal that stops the service, in the words of its file or image; None when its image is not known."""
+        own = service.scalar("stop_signal")
+        if own is not None:
+            return str(own)
+        stage = self.stage(service)
+        if stage is not None:
+            return stage.stop_signal
+        image = service.image
+        return "SIGTERM" if service.build is None and image is not None and runs_as_root(image) else None
+
     def stage(self, service: Service) -> Stage | None:
-        """The stage that the service's image is built from, when its Dockerfile is in the tree."""
+        """The stage that the service's image is built from, when its Dockerfile is in the tree: its own, or that of
+        whatever else in the tree builds an image of this name."""
         build = service.build
-        if build is None or any(part is not None and is_variable(part) for part in build):
+        if build is None:
+            image = service.image
+            return self.images.stage(image) if image is not None and not is_variable(image) else None
+        if service.inline_dockerfile or any(part is not None and is_variable(part) for part in build):
             return None
         path = f"{build.context or '.'}/{build.dockerfile or 'Dockerfile'}"
         source = self.tree.beside(service.source, path)
-        file = next((file for file in self.dockerfiles() if file.source is source), None)
+        file = next((file for file in self.images.dockerfiles if file.source is source), None)
         if file is None:
             return None
         return file.stage(build.target) if build.target else file.final
+
+    @cached_property
+    def images(self) -> Images:
+        """What the tree builds; the stages of its Dockerfiles know their bases in other Dockerfiles then."""
+        images = Images(self.tree, self.read_dockerfiles(), self.files)
+        link_bases(images)
+        return images
+
+    def users(self, stage: Stage) -> list[Service]:
+        """The services that run the image of a stage."""
+        return [service for service in self.services if self.stage(service) is stage]
 
 
 def _assigned(source: Source, name: str) -> Iterator[Located]:
@@ -97,5 +127,8 @@ def _assigned(source: Source, name: str) -> Iterator[Located]:
         yield source.located(match.start(1), match.end(1))
 
 
-def load_compose(files: Files, dockerfiles: Callable[[], list[Dockerfile]]) -> Compose:
+def load_compose(files: Files) -> Compose:
+    def dockerfiles() -> list[Dockerfile]:
+        return files.parsed(parse_dockerfile, [each for each in files.of_kind("dockerfile") if not each.template])
+
     return Compose(files.tree, dockerfiles, files.parsed(parse, files.of_kind("compose")))

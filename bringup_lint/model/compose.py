@@ -51,6 +51,8 @@ class Volume(NamedTuple):
 class Device(NamedTuple):
     host: Located
     where: Located
+    target: Located | None = None
+    """The path in the container, where it differs."""
 
 
 class Build(NamedTuple):
@@ -110,6 +112,12 @@ class Service:
         return Build(*(part.value if part else None for part in parts))
 
     @property
+    def inline_dockerfile(self) -> bool:
+        """The Dockerfile is written in the compose file itself."""
+        node = self.get("build")
+        return isinstance(node, Mapping) and node.get("dockerfile_inline") is not None
+
+    @property
     def is_whole(self) -> bool:
         """It says what it runs; else it only changes a service of another file."""
         return self.image is not None or self.build is not None
@@ -156,11 +164,12 @@ class Service:
 
     @cached_property
     def devices(self) -> list[Device]:
-        found = [Device(split(text)[0], text) for text in self.items("devices")]
+        found = [_short_device(text) for text in self.items("devices")]
         node = self.get("devices")
         for item in node if isinstance(node, Sequence) else ():
             if isinstance(item, Mapping) and (host := item.scalar("source")):
-                found.append(Device(host.value, host.value))
+                target = item.scalar("target")
+                found.append(Device(host.value, host.value, target.value if target else None))
         return found
 
     @cached_property
@@ -244,6 +253,15 @@ class Service:
         return any(re.search(r"(?:^|[\s/])ros2(?:\s|$)", word) for word in self.scripts)
 
 
+def reach(service: Service) -> str:
+    """What root in the container reaches on the host, as the end of a sentence; empty for an ordinary container."""
+    if service.is_privileged:
+        return ", and is privileged: that is root on the host"
+    if service.devices or service.items("device_cgroup_rules"):
+        return ", and has devices of the robot: whoever breaks into a node controls them"
+    return ""
+
+
 @dataclass(eq=False)
 class ComposeFile:
     source: Source
@@ -279,6 +297,11 @@ def _scalars(node: Node | None) -> Iterator[Scalar]:
         yield from node.scalars
     elif isinstance(node, Scalar) and not node.is_null:
         yield node
+
+
+def _short_device(text: Located) -> Device:
+    host, *others = split(text)
+    return Device(host, text, others[0] if others else None)
 
 
 def _short_volume(text: Located) -> Volume:

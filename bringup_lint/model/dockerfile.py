@@ -83,6 +83,14 @@ class Stage:
         """The image at the bottom of the chain."""
         return list(self.chain)[-1].resolved
 
+    @property
+    def stop_signal(self) -> str | None:
+        """The signal that stops its container; None when an image that is not known may set it."""
+        instruction = self.last("STOPSIGNAL")
+        if instruction is not None:
+            return str(instruction.value)
+        return "SIGTERM" if runs_as_root(self.origin) else None
+
 
 @dataclass(eq=False)
 class Dockerfile:
@@ -116,9 +124,10 @@ class Dockerfile:
 
 _ROOT_IMAGE = re.compile(
     r"(?:docker\.io/)?(?:library/)?(?:(?:arm64v8|amd64|arm32v7)/)?(?:ros|ubuntu|debian|python|osrf/ros2?)(?:[:@]|$)"
+    r"|(?:docker\.io/)?(?:nvidia/cuda|dustynv/ros)(?:[:@]|$)|nvcr\.io/nvidia/(?:cuda|l4t-(?:base|cuda|jetpack))(?:[:@]|$)"
 )
 
 
 def runs_as_root(image: str) -> bool:
-    """Whether this is an official image that sets no USER."""
+    """Whether this is an official image, or one of NVIDIA's, that sets neither USER nor STOPSIGNAL."""
     return bool(_ROOT_IMAGE.match(image))

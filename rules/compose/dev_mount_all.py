@@ -1,17 +1,17 @@
 """A container sees every device of the host.
 
 ## What it finds
-`/dev` as a volume or device together with `privileged: true`, or without `device_cgroup_rules`. With rules for the
-required major numbers, mounting `/dev` is the right way to survive a replug, and is not reported.
+`/dev` in `devices:`, which allows every device, and `/dev` as a volume without `device_cgroup_rules` or `devices:`,
+which allows none. With rules for the required major numbers, mounting `/dev` is the right way to survive a replug,
+and is not reported. In a privileged service, `compose/privileged` reports it.
 
 ## Why it matters on a robot
-A privileged node can write to the disks and the watchdog. Without privileges and rules the device nodes are
-visible, but opening them fails with EPERM.
+With every device, a node can write to the disks and the watchdog. With the volume alone the device nodes are visible,
+but opening them fails with EPERM.
 
 ## Bad
 ```yaml
 volumes: [/dev:/dev]
-privileged: true
 ```
 
 ## Good
@@ -34,16 +34,18 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
+ADVICE = 'add device_cgroup_rules for the devices that it needs: "c 188:* rmw" for ttyUSB'
 
-@rule("warning", tags=["CWE-250"])
+
+@rule("warning", tags=["CWE-250"], symptoms=["Operation not permitted: '/dev/ttyUSB0'"])
 def dev_mount_all(robot: Robot) -> Iterator[Finding]:
     for service in robot.compose.whole_services:
-        mounts = [volume.where for volume in service.volumes if volume.source == "/dev"]
-        mounts += [device.where for device in service.devices if device.host == "/dev"]
-        if mounts and (service.is_privileged or not service.items("device_cgroup_rules")):
-            limits = "and is privileged" if service.is_privileged else "and no device_cgroup_rules limit it"
-            yield finding(
-                mounts[0],
-                f"Service '{service.name}' gets the whole /dev of the host, {limits}",
-                advice='remove privileged; add device_cgroup_rules for the devices it needs: "c 188:* rmw" for ttyUSB',
-            )
+        if service.is_privileged or service.items("device_cgroup_rules"):
+            continue
+        whole = [device.where for device in service.devices if device.host == "/dev"]
+        mounts = [volume.where for volume in service.volumes if volume.source == "/dev" and volume.target == "/dev"]
+        if whole:
+            yield finding(whole[0], f"Service '{service.name}' may use every device of the host", advice=ADVICE)
+        elif mounts and not service.devices:
+            message = f"Service '{service.name}' sees the devices of the host, but nothing allows it to open them"
+            yield finding(mounts[0], message, advice=ADVICE)

@@ -1,8 +1,8 @@
 """A device that can be replugged is pinned in devices:.
 
 ## What it finds
-A USB serial device in `devices:` of a service with a restart policy. On-board UARTs (`ttyAMA`, `ttyS`, `ttyTHS`),
-i2c, gpio and spi cannot be unplugged and are not reported.
+A USB serial device in `devices:` of a service with a restart policy, or a link that the container knows as one.
+On-board UARTs (`ttyAMA`, `ttyS`, `ttyTHS`), i2c, gpio and spi cannot be unplugged and are not reported.
 
 ## Why it matters on a robot
 Docker resolves the path once, when it creates the container. After a replug the container holds a dead device node.
@@ -36,8 +36,10 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.compose import Device
 
 REPLUGGED = re.compile(r"/dev/(?:tty(?:USB|ACM)\d+|serial/by-(?:id|path)/.+)")
+SERIAL = re.compile(r"/dev/tty(?:USB|ACM)\d+")
 
 
 @rule("warning", symptoms=["error gathering device information while adding custom device"])
@@ -46,10 +48,17 @@ def devices_pinned_restart(robot: Robot) -> Iterator[Finding]:
         if not service.restarts:
             continue
         for device in service.devices:
-            if REPLUGGED.fullmatch(device.host) and device.where.span.start >= service.body.span.start:
+            if _is_replugged(device) and device.where.span.start >= service.body.span.start:
                 yield finding(
                     device.where,
                     f"{device.host} is resolved once: after a replug '{service.name}' has lost it",
                     advice='mount /dev and add device_cgroup_rules: ["c 188:* rmw", "c 166:* rmw"]',
                     related=[note(service.restart, "restarted here")] if service.restart else [],
                 )
+
+
+def _is_replugged(device: Device) -> bool:
+    """A USB serial device by its own name, or a link that the container knows as one."""
+    if REPLUGGED.fullmatch(device.host):
+        return True
+    return device.target is not None and bool(SERIAL.fullmatch(device.target))

@@ -2,7 +2,8 @@
 
 ## What it finds
 `ROS_DOMAIN_ID` or `RMW_IMPLEMENTATION` in some ROS services of a file, while another ROS service sets neither the
-variable nor an env file. Only services with the same image or an official ROS image are compared.
+variable nor an env file. Only services whose images are the same, have the same namespace, or are official
+ROS images are compared.
 
 ## Why it matters on a robot
 Nodes in different domains never see each other, and nodes with different middlewares do so only by luck. The
@@ -63,6 +64,11 @@ def domain_id_partial(robot: Robot) -> Iterator[Finding]:
 
 
 def _comparable(one: Service, other: Service) -> bool:
-    """The image of the second adds no setting: it is the image of the first, or an official one."""
-    image = other.image or ""
-    return one is not other and (image == one.image or image.partition(":")[0] in ("ros", "osrf/ros"))
+    """The image of the second adds no setting of its own: it is the image of the first, an official one, or of the same
+    makers."""
+    image, first = other.image or "", one.image or ""
+    if one is other:
+        return False
+    folder = image.rpartition("/")[0]
+    together = folder != "" and folder == first.rpartition("/")[0]
+    return image == first or together or image.partition(":")[0] in ("ros", "osrf/ros")

@@ -1,7 +1,8 @@
 """A container can change the SROS2 keystore.
 
 ## What it finds
-A keystore (the target of `ROS_SECURITY_KEYSTORE`, or a path with `keystore` in it) that is mounted without `ro`.
+A keystore (the target of `ROS_SECURITY_KEYSTORE` or a folder above it, or a path with `keystore` in it) that is
+mounted without `ro`.
 
 ## Why it matters on a robot
 A node only reads its enclave. With write access an intruder can replace the permissions of every other node.
@@ -29,6 +30,7 @@ When the service creates or renews the keys and no ROS node runs in it.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -42,7 +44,7 @@ def keystore_rw(robot: Robot) -> Iterator[Finding]:
         for volume in service.volumes:
             if volume.read_only or volume.source is None or volume.where.span.start < service.body.span.start:
                 continue
-            is_named = named is not None and volume.target is not None and volume.target == named.value
+            is_named = named is not None and named.value is not None and _holds(volume.target, str(named.value))
             if is_named or any("keystore" in part.lower() for part in (volume.source, volume.target or "")):
                 short = volume.where.count(":") == 1 and "$" not in volume.where
                 yield finding(
@@ -51,3 +53,8 @@ def keystore_rw(robot: Robot) -> Iterator[Finding]:
                     advice="mount it read-only, and only the enclave that the service needs",
                     fix=fix("mount it read-only", (volume.where, f"{volume.where}:ro")) if short else None,
                 )
+
+
+def _holds(target: Located | None, path: str) -> bool:
+    """Whether a mount point is the path or a folder above it."""
+    return target is not None and target != "/" and f"{path}/".startswith(f"{target.rstrip('/')}/")

@@ -1,8 +1,9 @@
 """An image is not pinned.
 
 ## What it finds
-An `image:` without a tag, or with `:latest`, that the same service does not build. Digests and variables are not
-reported.
+An `image:` without a tag, or with `:latest`, that nothing in the tree builds: neither a service, nor a bake file, nor a
+script. Silent if no registry can hold the image (a name without a namespace that is not an official image), and
+about digests and variables. Several services of one file with the same image are one finding.
 
 ## Why it matters on a robot
 The next `docker compose pull` brings another ROS, another driver or another message definition to one robot of the
@@ -30,21 +31,37 @@ When the file is only for development, and the robots run a pinned image.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.compose import Service
+from bringup_lint.api.docker import can_be_pulled
+from bringup_lint.api.docker import image_name
 
 
 @rule("warning")
 def latest(robot: Robot) -> Iterator[Finding]:
-    for service in robot.compose.services:
-        image = service.body.scalar("image")
-        if image is None or service.build is not None or "$" in image.value or "@" in image.value:
-            continue
-        tag = image.value.rpartition("/")[2].partition(":")[2]
-        if tag in ("", "latest"):
+    for file in robot.compose.files:
+        images: dict[str, list[Located]] = {}
+        for service in file.services:
+            image = service.body.scalar("image")
+            if image is not None and _is_pulled(robot, service, str(image.value)):
+                images.setdefault(str(image.value), []).append(image.value)
+        for name, (first, *others) in images.items():
             yield finding(
-                image.value,
-                f"The image '{image.value}' is not pinned: the next pull may bring another one",
+                first,
+                f"The image '{name}' is not pinned: the next pull may bring another one",
                 advice="name a version tag or a digest",
+                related=[note(other, "the same image") for other in others if other.span != first.span],
             )
+
+
+def _is_pulled(robot: Robot, service: Service, image: str) -> bool:
+    """Whether a pull takes whatever the registry has at that time."""
+    if service.build is not None or "$" in image or service.scalar("pull_policy") in ("never", "build"):
+        return False
+    if not image_name(image).is_latest or not can_be_pulled(image):
+        return False
+    return not robot.compose.images.is_built(image)

@@ -1,7 +1,8 @@
 """A container is privileged.
 
 ## What it finds
-`privileged: true`.
+`privileged: true`. A mount of the whole `/dev` in the same service belongs to the finding. Services that get the
+setting from one anchor or base are one finding.
 
 ## Why it matters on a robot
 The container can do everything on the host: load modules, write to every disk, read every key. A flaw in one node
@@ -33,17 +34,37 @@ When the service is a tool for commissioning that never runs in operation.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Related
 from bringup_lint.api import Robot
+from bringup_lint.api import Span
 from bringup_lint.api import finding
+from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.compose import Service
 
 
 @rule("error", tags=["CWE-250"])
 def privileged(robot: Robot) -> Iterator[Finding]:
+    places: dict[Span, list[Service]] = {}
     for service in robot.compose.services:
-        if service.is_privileged and service.body.get("privileged") is not None:
-            yield finding(
-                service.key("privileged"),
-                f"Service '{service.name}' has all rights on the host",
-                advice="list what it needs instead: devices:, device_cgroup_rules:, cap_add:",
-            )
+        key = service.key("privileged")
+        if key is not None and service.is_privileged:
+            places.setdefault(key.span, []).append(service)
+    for place, services in places.items():
+        first, more = services[0].name, len(services) - 1
+        yield finding(
+            place,
+            f"Service '{first}'{f' (and {more} more)' if more else ''} has all rights on the host",
+            advice="list what it needs instead: devices:, device_cgroup_rules:, cap_add:",
+            related=[*_named(services), *_device_mounts(services)],
+        )
+
+
+def _named(services: list[Service]) -> list[Related]:
+    return [note(service.name, "has it too") for service in services[1:]]
+
+
+def _device_mounts(services: list[Service]) -> Iterator[Related]:
+    for service in services:
+        mounts = [volume.where for volume in service.volumes if volume.source == "/dev"]
+        yield from (note(mount, "which includes every device") for mount in mounts[:1])

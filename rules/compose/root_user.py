@@ -1,8 +1,9 @@
 """A service runs as root.
 
 ## What it finds
-`user: root` or `user: "0"`. Also a service without `user:` whose image certainly runs as root: an official ROS
-image, or one that a Dockerfile of the tree builds without USER. Other images without `user:` are info.
+`user: root` or `user: "0"`. Also a service without `user:` whose image certainly runs as root, such as an official ROS
+image; services of one file with the same image are one finding. If a Dockerfile of the tree builds the image,
+`docker/root-user` reports it there. Services without `user:` whose image is not known are info.
 
 ## Why it matters on a robot
 Files on bind mounts belong to root. Shared memory of another user is not readable: topics are listed, but no data
@@ -34,27 +35,39 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.compose import Service
+from bringup_lint.api.compose import reach
+
+ADVICE = 'write user: "1000:1000", or the ids of the robot\'s user'
+IN_BOTH = 'add user: "1000:1000" here, or USER to the Dockerfile'
 
 
 @rule("warning", tags=["CWE-250"])
 def root_user(robot: Robot) -> Iterator[Finding]:
-    for service in robot.compose.whole_services:
-        user = service.user
-        if user is not None:
-            if user.partition(":")[0] in ("root", "0"):
-                yield finding(
-                    user,
-                    f"Service '{service.name}' runs as root",
-                    advice='write user: "1000:1000", or the ids of the robot\'s user',
-                )
+    for file in robot.compose.files:
+        services = [service for service in robot.compose.whole_services if service.source is file.source]
+        own = [service for service in services if service.user is not None]
+        yield from _chosen([service for service in own if str(service.user).partition(":")[0] in ("root", "0")])
+        yield from _left_to_image(robot, [service for service in services if service.user is None])
+
+
+def _chosen(services: list[Service]) -> Iterator[Finding]:
+    by_place = {service.user.span: service for service in reversed(services) if service.user is not None}
+    for place, service in by_place.items():
+        yield finding(place, f"Service '{service.name}' runs as root{reach(service)}", advice=ADVICE)
+
+
+def _left_to_image(robot: Robot, services: list[Service]) -> Iterator[Finding]:
+    images: dict[str, list[Service]] = {}
+    for service in services:
+        if robot.compose.stage(service) is not None:
             continue
-        known = robot.compose.image_user(service)
-        if known in (None, "root", "0"):
-            certain = known is not None
-            yield finding(
-                service.name,
-                f"Service '{service.name}' runs as root" if certain else f"Service '{service.name}' sets no user",
-                advice='add user: "1000:1000" here, or USER to the Dockerfile',
-                severity=None if certain else "info",
-            )
+        if robot.compose.image_user(service) == "root":
+            images.setdefault(str(service.image), []).append(service)
+        else:
+            yield finding(service.name, f"Service '{service.name}' sets no user", advice=ADVICE, severity="info")
+    for first, *others in images.values():
+        related = [note(other.name, "has the same image") for other in others]
+        yield finding(first.name, f"Service '{first.name}' runs as root{reach(first)}", advice=IN_BOTH, related=related)

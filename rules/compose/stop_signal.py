@@ -1,8 +1,9 @@
 """docker stop sends SIGTERM to ros2 launch.
 
 ## What it finds
-A service that runs `ros2 launch` without `stop_signal: SIGINT`. Silent if its Dockerfile is in the tree and has
-`STOPSIGNAL SIGINT`, and if the service is built from a Dockerfile that is not in the tree.
+A service that runs `ros2 launch` and is stopped by SIGTERM: it has no `stop_signal`, and its image has no
+`STOPSIGNAL`. The image is known if it is an official one, or if a Dockerfile of the tree builds it, be it for another
+service, in a bake file or in a script. Images from elsewhere are not reported.
 
 ## Why it matters on a robot
 On SIGTERM `ros2 launch` exits without stopping its nodes. Ten seconds later Docker kills everything that is left.
@@ -44,11 +45,7 @@ def stop_signal(robot: Robot) -> Iterator[Finding]:
         launch = service.launches
         if launch is None or launch.span.start < service.body.span.start or service.scalar("stop_signal") is not None:
             continue
-        stage = robot.compose.stage(service)
-        signal = stage.last("STOPSIGNAL") if stage else None
-        if service.build is not None and stage is None:
-            continue
-        if signal is not None and signal.value in ("SIGINT", "2"):
+        if robot.compose.stop_signal(service) not in ("SIGTERM", "TERM", "15"):
             continue
         yield finding(
             launch,

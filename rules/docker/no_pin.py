@@ -1,7 +1,9 @@
 """The base image is not pinned.
 
 ## What it finds
-FROM without a tag, or with `:latest`. Digests, earlier stages, `scratch` and variables are not reported.
+FROM without a tag, or with `:latest`. Digests, earlier stages, `scratch` and variables are not reported, and neither
+are images that the tree builds, or that no registry can hold (a name without a namespace that is not an official
+image).
 
 ## Why it matters on a robot
 The next build uses another Ubuntu, another ROS or another compiler, although nothing in the repository has changed.
@@ -26,22 +28,33 @@ When the image is only for development or CI and should follow the newest base i
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.docker import can_be_pulled
+from bringup_lint.api.docker import image_name
 
 
 @rule("warning")
 def no_pin(robot: Robot) -> Iterator[Finding]:
     for file in robot.dockerfiles:
+        bases: dict[str, list[Located]] = {}
         for stage in file.stages:
-            image = stage.resolved
-            if stage.base is not None or image == "scratch" or "@" in image or "$" in image:
-                continue
-            tag = image.rpartition("/")[2].partition(":")[2]
-            if tag in ("", "latest"):
-                yield finding(
-                    stage.image,
-                    f"The base image '{image}' is not pinned: the next build may use another one",
-                    advice="name a version tag or a digest",
-                )
+            if stage.base is None and _is_pulled(robot, stage.resolved):
+                bases.setdefault(stage.resolved, []).append(stage.image)
+        for name, (first, *others) in bases.items():
+            yield finding(
+                first,
+                f"The base image '{name}' is not pinned: the next build may use another one",
+                advice="name a version tag or a digest",
+                related=[note(other, "the same image") for other in others],
+            )
+
+
+def _is_pulled(robot: Robot, image: str) -> bool:
+    """Whether a build takes whatever the registry has at that time."""
+    if image == "scratch" or "$" in image or not image_name(image).is_latest or not can_be_pulled(image):
+        return False
+    return not robot.compose.images.is_built(image)

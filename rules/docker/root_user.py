@@ -2,8 +2,9 @@
 
 ## What it finds
 A last stage with `USER root` as its last USER, or without USER on an image that certainly runs as root (the
-official ROS, Ubuntu, Debian and Python images). Builder stages are not checked. Files that mention gosu, su-exec,
-setpriv, runuser or fixuid are not reported, because they drop privileges.
+official ROS, Ubuntu, Debian and Python images). Not checked: builder stages, images that other Dockerfiles of the tree
+build on, images that start systemd, and images whose services in compose files all set `user:`. Silent if the
+Dockerfile or the entry script mentions gosu, su-exec, setpriv, runuser or fixuid, which drop privileges.
 
 ## Why it matters on a robot
 An intruder in one node is root in the container. If the host uses another user, Fast DDS's shared memory cannot be
@@ -37,24 +38,57 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.compose import Service
+from bringup_lint.api.compose import reach
+from bringup_lint.api.docker import Stage
 from bringup_lint.api.docker import runs_as_root
 
 DROPS = re.compile(r"\b(?:gosu|su-exec|setpriv|runuser|fixuid)\b")
+SYSTEMD = re.compile(r"/(?:s?bin/init|lib/systemd/systemd)\b")
 
 
-@rule("error", tags=["CWE-250"])
+@rule("warning", tags=["CWE-250"])
 def root_user(robot: Robot) -> Iterator[Finding]:
     for file in robot.dockerfiles:
         stage = file.final
-        if stage is None or DROPS.search(file.source.text):
+        if stage is None or DROPS.search(file.source.text) or _starts_systemd(stage) or _is_base(robot, stage):
             continue
-        user = stage.last("USER")
-        if user is not None and user.value.partition(":")[0] in ("root", "0"):
-            yield finding(user.value, "The container runs as root", advice="end with USER and an unprivileged user")
-        elif user is None and runs_as_root(stage.origin):
-            yield finding(
-                stage.start.keyword,
-                f"The container runs as root: {stage.origin} sets no USER, and neither does this file",
-                advice="create a user and end the file with USER",
-            )
+        users = [service for each in file.stages for service in robot.compose.users(each)]
+        if users and all(service.user is not None for service in users):
+            continue
+        if not _drops_in_script(robot, stage):
+            yield from _of(stage, [service for service in users if service.user is None])
+
+
+def _of(stage: Stage, services: list[Service]) -> Iterator[Finding]:
+    user = stage.last("USER")
+    far = max((reach(service) for service in services), key=len, default="")
+    related = [note(service.name, "runs this image") for service in services]
+    if user is not None and user.value.partition(":")[0] in ("root", "0"):
+        message, advice = f"The container runs as root{far}", "end with USER and an unprivileged user"
+        yield finding(user.value, message, advice=advice, related=related)
+    elif user is None and runs_as_root(stage.origin):
+        why = f"{stage.origin} sets no USER, and neither does this file"
+        yield finding(
+            stage.start.keyword,
+            f"The container runs as root{far}; {why}" if far else f"The container runs as root: {why}",
+            advice="create a user and end the file with USER",
+            related=related,
+        )
+
+
+def _starts_systemd(stage: Stage) -> bool:
+    """systemd as the first process has to be root."""
+    starts = (stage.last("ENTRYPOINT"), stage.last("CMD"))
+    return any(each is not None and SYSTEMD.search(each.value) for each in starts)
+
+
+def _is_base(robot: Robot, stage: Stage) -> bool:
+    return any(other.base is stage for file in robot.dockerfiles for other in file.stages)
+
+
+def _drops_in_script(robot: Robot, stage: Stage) -> bool:
+    runners = (runner for runner in robot.runners.all if runner.stage is stage)
+    return any(DROPS.search(text) for runner in runners for line in runner.lines for text in line.texts)

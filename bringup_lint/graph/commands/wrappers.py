@@ -30,6 +30,9 @@ _WRAPPERS = {
     "systemd-inhibit": ("", 0),
     "systemd-cat": ("-t -p", 0),
     "dbus-run-session": ("", 0),
+    "tini": ("-p -e", 0),
+    "dumb-init": ("-r --rewrite", 0),
+    "catatonit": ("", 0),
     "xvfb-run": ("-e -f -n -p -s -w", 0),
 }
 """Programs that run another one: their options that take a value, and how many words of their own they

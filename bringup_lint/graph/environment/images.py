@@ -60,7 +60,7 @@ def missing_middleware(compose: Compose, processes: Iterable[RosProcess]) -> Ite
         if process.service is not None and variable is not None:
             for each in _of_service(compose, process.service, variable):
                 found.setdefault(each.variable.value.span, each)
-    for dockerfile in compose.dockerfiles():
+    for dockerfile in compose.images.dockerfiles:
         stage = dockerfile.final
         variables = [each for one in reversed(list(stage.chain)) for each in image_variables(one)] if stage else []
         selected = [each for each in variables if each.name == RMW]

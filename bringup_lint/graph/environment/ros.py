@@ -176,7 +176,7 @@ class RosEnvironment:
         if self.files.of_kind("dockerfile"):
             from bringup_lint.graph.runners.containers import image_variables
 
-            for dockerfile in self.compose().dockerfiles():
+            for dockerfile in self.compose().images.dockerfiles:
                 for stage in dockerfile.stages:
                     yield from map(_setting, image_variables(stage))
 

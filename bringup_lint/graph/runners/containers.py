@@ -18,6 +18,7 @@ from bringup_lint.graph.files import Files
 from bringup_lint.model.compose import Service
 from bringup_lint.model.dockerfile import Instruction
 from bringup_lint.model.dockerfile import Stage
+from bringup_lint.model.dockerfile import runs_as_root
 from bringup_lint.parsers.systemd_values import split_words
 from bringup_lint.source import Located
 from bringup_lint.source import Source
@@ -74,9 +75,11 @@ def image_variables(stage: Stage) -> Iterator[Variable]:
                 yield Variable(name, value, None if "$" in text else str(value), "ENV")
 
 
-def image_environment(stage: Stage | None) -> Environment:
-    """The variables of an image, the stages below included; of an image that is not in the tree nothing is known."""
-    environment = Environment(complete=stage is not None)
+def image_environment(stage: Stage | None, image: str | None = None) -> Environment:
+    """The variables of an image, the stages below included. It is complete where the image at the bottom is an official
+    one, which sets no variable that configures ROS; what another image sets is unknown."""
+    origin = stage.origin if stage is not None else image
+    environment = Environment(complete=origin is not None and runs_as_root(origin))
     for one in reversed(list(stage.chain) if stage else []):
         for variable in image_variables(one):
             environment.set(variable)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from bringup_lint.graph.compose import Compose
 from bringup_lint.graph.files import Files
 from bringup_lint.graph.runners.containers import container_line
 from bringup_lint.graph.runners.containers import copied
@@ -21,11 +22,23 @@ from bringup_lint.source import Source
 
 def runners(files: Files, layers: Layers) -> Iterator[Runner]:
     compose = layers.compose()
-    built = {compose.stage(service) for service in compose.services} if files.of_kind("compose") else set()
-    for file in compose.dockerfiles():
+    used = set(_used(compose))
+    for file in compose.images.dockerfiles:
         stage = file.final
-        if stage is not None and file.source.judged and not built & set(file.stages):
+        if stage is not None and file.source.judged and not used & set(file.stages):
             yield _of(files, file, stage)
+
+
+def _used(compose: Compose) -> Iterator[Stage]:
+    """The stages that services run, and those that other Dockerfiles build on."""
+    for service in compose.services:
+        stage = compose.stage(service)
+        if stage is not None:
+            yield stage
+    for file in compose.images.dockerfiles:
+        for stage in file.stages:
+            if stage.base is not None and stage.base not in file.stages:
+                yield stage.base
 
 
 def _of(files: Files, file: Dockerfile, stage: Stage) -> Runner:
@@ -45,7 +58,7 @@ def _of(files: Files, file: Dockerfile, stage: Stage) -> Runner:
         runs_ros=any(line.ros for line in lines),
         system=file.source.name,
         user=str(user.value.partition(":")[0]) if user else "root" if runs_as_root(stage.origin) else None,
-        stop=Stop(str(signal.value) if signal else "SIGTERM", None, signal.value if signal else None),
+        stop=Stop(stage.stop_signal, None, signal.value if signal else None),
         purpose=files.purpose(file.source),
         stage=stage,
         reads=reads,

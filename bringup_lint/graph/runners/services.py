@@ -55,7 +55,7 @@ def _of(files: Files, compose: Compose, service: Service) -> Runner:
         runs_ros=service.is_ros or starts_ros,
         system=service.source.name,
         user=str(service.user.partition(":")[0]) if service.user else compose.image_user(service),
-        stop=_stop(service, stage),
+        stop=_stop(compose, service, stage),
         restarts=service.restarts,
         environment_files=tuple(_environment_files(files, service)),
         purpose=files.purpose(service.name, str(service.name), *map(str, service.items("profiles"))),
@@ -63,7 +63,7 @@ def _of(files: Files, compose: Compose, service: Service) -> Runner:
         service=service,
         stage=stage,
         reads=reads,
-        certain=service.build is not None,
+        certain=service.build is not None or stage is not None,
     )
 
 
@@ -83,16 +83,15 @@ def _words(service: Service, stage: Stage | None) -> list[Located]:
     return [*entrypoint, *command]
 
 
-def _stop(service: Service, stage: Stage | None) -> Stop:
+def _stop(compose: Compose, service: Service, stage: Stage | None) -> Stop:
     instruction = stage.last("STOPSIGNAL") if stage else None
     where = service.scalar("stop_signal") or (instruction.value if instruction else None)
-    known = where is not None or stage is not None
-    return Stop(str(where) if where else "SIGTERM" if known else None, service.stop_grace or DEFAULT_GRACE, where)
+    return Stop(compose.stop_signal(service), service.stop_grace or DEFAULT_GRACE, where)
 
 
 def _environment(compose: Compose, service: Service, stage: Stage | None) -> Environment:
     """Dockerfile ENV, then env files, then ``environment:``."""
-    environment = image_environment(stage)
+    environment = image_environment(stage, service.image if service.build is None else None)
     environment.complete &= not compose.extends_elsewhere(service)
     sources = compose.env_files(service)
     environment.complete &= len(sources) == len(service.env_files)

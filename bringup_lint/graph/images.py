@@ -1,0 +1,157 @@
+"""Images: what the tree builds under which name, so that an image that it builds is known wherever it is named."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterable
+from collections.abc import Iterator
+from dataclasses import dataclass
+from dataclasses import field
+from functools import cached_property
+from typing import NamedTuple
+
+from bringup_lint import facts
+from bringup_lint.discover.tree import Tree
+from bringup_lint.model.compose import ComposeFile
+from bringup_lint.model.compose import is_variable
+from bringup_lint.model.dockerfile import Dockerfile
+from bringup_lint.model.dockerfile import Stage
+from bringup_lint.model.image_build import ImageBuild
+from bringup_lint.model.image_build import ImageName
+from bringup_lint.model.image_build import image_name
+from bringup_lint.parsers import bake
+from bringup_lint.parsers import build_commands
+from bringup_lint.source import Located
+from bringup_lint.source import Source
+
+_BAKE = re.compile(r"(?:^|/)docker-bake(?:\.[\w-]+)?\.hcl$")
+_COMMANDS = re.compile(
+    r"(?:^|/)(?:(?:GNU)?[Mm]akefile|[Jj]ustfile|[^/]+\.(?:sh|bash|zsh|mk|md|rst|bat|ps1|py)|[^/.]*build[^/.]*"
+    r"|\.github/workflows/[^/]+\.ya?ml|\.gitlab-ci\.yml)$"
+)
+_UNKNOWN = re.compile(r"[${<%]")
+_MOST_FILES = 500
+"""How many files are looked through for build commands."""
+
+
+class Built(NamedTuple):
+    """An image that the tree builds."""
+
+    name: ImageName
+    stage: Stage | None
+    """None when its Dockerfile is not in the tree, or not known."""
+    where: Located
+
+
+@dataclass(eq=False)
+class Images:
+    tree: Tree
+    dockerfiles: list[Dockerfile]
+    compose_files: list[ComposeFile] = field(default_factory=list)
+
+    @cached_property
+    def built(self) -> dict[str, list[Built]]:
+        """Every image that the tree builds, by its repository."""
+        found: dict[str, list[Built]] = {}
+        for build, asked_by in [*self._services(), *self._commands()]:
+            stage = self._stage(build, asked_by)
+            for text in build.names:
+                name = _known(text)
+                if name is not None:
+                    found.setdefault(name.repository, []).append(Built(name, stage, build.where))
+        return found
+
+    def is_built(self, image: str) -> bool:
+        """Whether something of the tree builds an image of this repository."""
+        return image_name(image).repository in self.built
+
+    def stage(self, image: str) -> Stage | None:
+        """The stage that an image is built from: of the same tag, else of the only build of its repository."""
+        wanted = image_name(image)
+        if wanted.digest:
+            return None
+        builds = self.built.get(wanted.repository, [])
+        exact = [build for build in builds if (build.name.tag or "latest") == (wanted.tag or "latest")]
+        stages = {build.stage for build in exact or builds}
+        return next(iter(stages)) if len(stages) == 1 else None
+
+    def _services(self) -> Iterator[tuple[ImageBuild, Source]]:
+        for file in self.compose_files:
+            for service in file.services:
+                build, image = service.build, service.image
+                if build is not None and image is not None and not service.inline_dockerfile:
+                    parts = (str(build.context or "."), str(build.dockerfile or ""), str(build.target or ""))
+                    yield ImageBuild((str(image),), *parts, image), file.source
+
+    def _commands(self) -> Iterator[tuple[ImageBuild, Source]]:
+        for source in self._texts():
+            parse = bake.parse if _BAKE.search(source.name) else build_commands.parse
+            for build in parse(source):
+                yield build, source
+
+    def _texts(self) -> Iterator[Source]:
+        """The files that may hold build commands and bake targets."""
+        known = {source.name for source in self.tree.sources}
+        yield from (source for source in self.tree.sources if source.kind == "shell-script")
+        paths = (path for path in self.tree.paths if _BAKE.search(path) or _COMMANDS.search(path))
+        for path in [path for path in paths if path not in known][:_MOST_FILES]:
+            source = self.tree.read(path, judged=False)
+            if source is not None and source.name not in known:
+                yield source
+
+    def _stage(self, build: ImageBuild, asked_by: Source) -> Stage | None:
+        file = next((file for path in _candidates(build) if (file := self._dockerfile(asked_by, path))), None)
+        if file is None or is_variable(build.target):
+            return None
+        return file.stage(build.target) if build.target else file.final
+
+    def _dockerfile(self, asked_by: Source, path: str) -> Dockerfile | None:
+        source = self.tree.beside(asked_by, path)
+        return next((file for file in self.dockerfiles if file.source is source), None) if source else None
+
+
+def _candidates(build: ImageBuild) -> Iterable[str]:
+    """Where the Dockerfile may be, relative to the file that names it. A leading variable is the folder of a script."""
+    context = _without_folder(build.context or ".")
+    path = _without_folder(build.dockerfile or "Dockerfile")
+    if _UNKNOWN.search(context) or _UNKNOWN.search(path) or "://" in context or path.startswith("/"):
+        return ()
+    found = [posixpath.join(context, path)]
+    if build.dockerfile:
+        found += [path, *(posixpath.join(up, path) for up in ("..", "../.."))]
+    else:
+        found += [posixpath.join(up, context, path) for up in ("..", "../..")]
+    return found
+
+
+def _without_folder(path: str) -> str:
+    return re.sub(r"^\$(?:\{\w+\}|\(\w+\)|\w+)(?:/|$)", "./", path)
+
+
+def _known(text: str) -> ImageName | None:
+    """The name without a tag that is not known; None when the repository is not known."""
+    name = image_name(text)
+    if not name.repository or _UNKNOWN.search(name.repository):
+        return None
+    return name._replace(tag="") if _UNKNOWN.search(name.tag) else name
+
+
+def link_bases(images: Images) -> None:
+    """Let the stages of Dockerfiles build on images that other Dockerfiles of the tree build."""
+    for file in images.dockerfiles:
+        for stage in file.stages:
+            if stage.base is None and "$" not in stage.resolved and stage.resolved != "scratch":
+                base = images.stage(stage.resolved)
+                if base is not None and stage not in base.chain:
+                    stage.base = base
+
+
+def can_be_pulled(image: str) -> bool:
+    """Whether a registry may hold an image: without a namespace, only the official ones are there."""
+    repository = image_name(image).repository
+    return "/" in repository or repository in _official()
+
+
+def _official() -> set[str]:
+    return {row["image"] for row in facts.table("docker/official_images")}
