@@ -366,7 +366,7 @@ class Robot:
     @property
     def dockerfiles(self) -> list[Dockerfile]:
         """The Dockerfiles of the tree; a stage knows its base in another Dockerfile too."""
-        return self.compose.images.dockerfiles
+        return self.compose.images.dockerfiles if self.of_kind("dockerfile") else []
 
     @cached_property
     def firewalls(self) -> list[Firewall]:

@@ -36,7 +36,7 @@ LAYERS = (
     {"graph.runners"},
     {"graph.systemd", "graph.launch"},
     {"graph.workspace", "graph.compose", "graph.netplan", "graph.networkmanager", "graph.udev", "graph.commands"},
-    {"graph.files", "graph.file_nodes", "graph.places", "graph.layers"},
+    {"graph.files", "graph.file_nodes", "graph.images", "graph.places", "graph.layers"},
     {
         "graph.components",
         "graph.graph",
