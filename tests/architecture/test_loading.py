@@ -29,3 +29,13 @@ def test_one_unit_loads_no_xml_yaml_or_graph_library(tmp_path: Path) -> None:
 try: dispatch([{str(unit)!r}])
 except SystemExit: pass"""
     assert loaded_after(code) <= {"click"}
+
+
+def test_an_ordering_cycle_is_found_without_a_graph_library(tmp_path: Path) -> None:
+    for name, other in (("one", "two"), ("two", "one")):
+        unit = f"[Unit]\nAfter={other}.service\n\n[Service]\nExecStart=/opt/ros/jazzy/bin/ros2 launch rover {name}.py\n"
+        (tmp_path / f"{name}.service").write_text(unit)
+    code = f"""from bringup_lint.cli import dispatch
+try: dispatch(["--select", "systemd/ordering-cycle", {str(tmp_path)!r}])
+except SystemExit: pass"""
+    assert "networkx" not in loaded_after(code)
