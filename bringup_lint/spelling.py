@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import TypeVar
+
+Word = TypeVar("Word", bound=str)
 
 
 def meant(name: str, known: Iterable[str]) -> str | None:
@@ -15,7 +18,7 @@ def meant(name: str, known: Iterable[str]) -> str | None:
     return near[0] if near else None
 
 
-def nearest(word: str, known: Iterable[str], farthest: int = 2) -> list[str]:
+def nearest(word: str, known: Iterable[Word], farthest: int = 2) -> list[Word]:
     """The known words with the fewest edits (a swap of neighbours is one), in the order given.
 
     Short words allow fewer edits: no more than a third of their length.
@@ -23,7 +26,7 @@ def nearest(word: str, known: Iterable[str], farthest: int = 2) -> list[str]:
     limit = min(farthest, len(word) // 3)
     if not limit:
         return []
-    best: list[str] = []
+    best: list[Word] = []
     for other in known:
         distance = edits(word.lower(), other.lower(), limit)
         if distance < limit:

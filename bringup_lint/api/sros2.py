@@ -5,6 +5,7 @@ from __future__ import annotations
 from fnmatch import fnmatchcase as matches
 
 from bringup_lint.graph.sros2.enclaves import enclave_of
+from bringup_lint.model.sros2 import TopicRule
 from bringup_lint.model.sros2 import moment
 from bringup_lint.model.sros2_policy import PolicyEnclave
 from bringup_lint.model.sros2_policy import Right
@@ -12,6 +13,7 @@ from bringup_lint.model.sros2_policy import Right
 __all__ = [
     "PolicyEnclave",
     "Right",
+    "TopicRule",
     "enclave_of",
     "matches",
     "moment",

@@ -16,4 +16,5 @@ FORMATS = ("text", "concise", "json", "sarif", "html")
 
 def render(output_format: str, report: Report) -> str:
     """The report in one of ``FORMATS``, ending in a newline unless it is empty."""
-    return import_module(f"bringup_lint.report.{output_format}").render(report)
+    text: str = import_module(f"bringup_lint.report.{output_format}").render(report)
+    return text

@@ -59,5 +59,5 @@ def settings_contradict(robot: Robot) -> Iterator[Finding]:
         Code.PORTS: ("the port numbers are not in 1 to 65535", "lower the port parameters or the domain number"),
     }
     for _, remark in robot.dds.remarks(*words):
-        what, advice = words[remark.code]
+        what, advice = words[Code(remark.code)]
         yield finding(remark.where, f"{what[0].upper()}{what[1:]} ({remark.detail}): no node starts", advice=advice)

@@ -48,7 +48,7 @@ PACKAGE_TOOLS = frozenset(("apt", "apt-get", "dpkg"))
 def rm_shell_entrypoint(robot: Robot) -> Iterator[Finding]:
     for file in robot.dockerfiles:
         for stage in file.stages:
-            removed = {}
+            removed: dict[str, Located] = {}
             for command in commands_of(stage):
                 if command.name == "rm":
                     removed |= {word.rpartition("/")[2]: word for word in command.words if word in SHELLS}

@@ -31,11 +31,13 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.environment import RosProcess
+from bringup_lint.api.systemd import Variable
 
 
 @rule("warning", tags=["CWE-250"])
 def ros_security_enclave_override_shared(robot: Robot) -> Iterator[Finding]:
-    readers = {}
+    readers: dict[tuple[int, int], tuple[Variable, dict[str, RosProcess]]] = {}
     for process in robot.ros.processes:
         variable = process.environment.get("ROS_SECURITY_ENCLAVE_OVERRIDE")
         if variable is not None and variable.value.span.source.judged:

@@ -29,6 +29,7 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
@@ -41,7 +42,7 @@ FILES = ("ZENOH_ROUTER_CONFIG_URI", "ZENOH_SESSION_CONFIG_URI")
 
 @rule("error", symptoms=["Error configuring Zenoh session", "logging system not initialized"])
 def zenoh_config_invalid(robot: Robot) -> Iterator[Finding]:
-    read = {}
+    read: dict[Span, tuple[Variable, RosProcess]] = {}
     for process in robot.ros.processes:
         if process.environment.text("RMW_IMPLEMENTATION") not in (None, "rmw_zenoh_cpp"):
             continue

@@ -51,7 +51,7 @@ def xml_not_wellformed(robot: Robot) -> Iterator[Finding]:
             continue
         words = problem.replace("-", " ") or "processing instruction"
         change = None
-        span = remark.where
+        span = remark.span
         if problem == "late-declaration":
             start = Span(span.source, 0, 0)
             change = fix("move the declaration to the front", (span, ""), (start, f"{span.text}\n"))

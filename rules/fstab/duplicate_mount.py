@@ -33,12 +33,13 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.host import Mount
 
 
 @rule("error", symptoms=["Duplicate entry in /etc/fstab?"])
 def duplicate_mount(robot: Robot) -> Iterator[Finding]:
     for fstab in robot.fstabs:
-        first = {}
+        first: dict[str, Mount] = {}
         for mount in fstab.mounts:
             target = mount.target
             if target is None or not target.startswith("/") or mount.has("noauto") or mount.type in ("overlay", "swap"):

@@ -49,14 +49,14 @@ def condition_literal(robot: Robot) -> Iterator[Finding]:
             if condition.kind not in ("if", "unless"):
                 continue
             value = condition.predicate
-            argument = isinstance(value, launch.Argument)
-            if argument:
-                value = defaults.get(str(value.name))
+            argument = value.name if isinstance(value, launch.Argument) else None
+            if argument is not None:
+                value = defaults.get(str(argument))
             word = launch.literal(value)
             if word is None or launch.truth(value) is not None:
                 continue
             meant = MEANT.get(word.strip().lower())
-            start = f"The default '{word}' of '{condition.predicate.name}'" if argument else f"'{word}'"
+            start = f"The default '{word}' of '{argument}'" if argument is not None else f"'{word}'"
             yield finding(
                 word,
                 f"{start} is neither true nor false: the condition aborts the launch",

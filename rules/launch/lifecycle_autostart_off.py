@@ -48,7 +48,7 @@ def lifecycle_autostart_off(robot: Robot) -> Iterator[Finding]:
                 continue
             passed = any(
                 isinstance(each, launch.Argument)
-                for source in manager.node.action.parameters
+                for source in getattr(manager.node.action, "parameters", ())
                 if isinstance(source, launch.DictValue)
                 for each in launch.walk(source.get("autostart") or launch.Unknown("", manager.node.span))
             )

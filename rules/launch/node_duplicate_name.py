@@ -41,7 +41,7 @@ from bringup_lint.api import rule
 @rule("error", symptoms=["Publisher already registered for node name"])
 def node_duplicate_name(robot: Robot) -> Iterator[Finding]:
     for expansion in robot.launch.entries:
-        first = {}
+        first: dict[str, launch.Started] = {}
         for node in expansion.nodes:
             name = node.fqn
             if name is None or node.by_default is not True or loops(node) or node.context:

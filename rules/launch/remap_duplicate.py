@@ -26,6 +26,7 @@ Never: rcl stops at the first rule that matches, so the second line has no effec
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -38,7 +39,7 @@ from bringup_lint.api.python import remove
 @rule("warning", fix="safe")
 def remap_duplicate(robot: Robot) -> Iterator[Finding]:
     for node in robot.launch.nodes:
-        first = {}
+        first: dict[str, tuple[Located, Located | None]] = {}
         for src, dst in getattr(node.action, "remappings", ()):
             source, target = launch.literal(src), launch.literal(dst)
             if source is None:

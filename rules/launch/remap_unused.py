@@ -43,7 +43,7 @@ def remap_unused(robot: Robot) -> Iterator[Finding]:
         if not topics or node.namespace is None:
             continue
         own = node.namespace.rstrip("/")
-        for src, _ in node.action.remappings:
+        for src, _ in getattr(node.action, "remappings", ()):
             source = launch.literal(src)
             if source is None or not source.startswith("/") or source[1:] not in topics:
                 continue

@@ -54,7 +54,7 @@ def respawn_lifecycle(robot: Robot) -> Iterator[Finding]:
             if name is None or any(each.watches is not False for each in own):
                 continue
             yield finding(
-                node.action.options["respawn"].span,
+                getattr(node.action, "options", {})["respawn"].span,
                 f"{node.label()} is unconfigured after a restart and stays silent",
                 advice="let a lifecycle manager with bond_timeout above 0 bring it up again",
                 related=[note(each.node.span, "this manager does not use a bond") for each in own],

@@ -65,7 +65,7 @@ def sim_arg_ignored(robot: Robot) -> Iterator[Finding]:
                 or robot.launch.role(node).role != "driver"
             ):
                 continue
-            values = [*node.action.parameters, *getattr(node.action, "arguments", ())]
+            values = [*getattr(node.action, "parameters", ()), *getattr(node.action, "arguments", ())]
             read = {
                 str(each.name) for value in values for each in launch.walk(value) if isinstance(each, launch.Argument)
             }

@@ -47,7 +47,7 @@ PUBLISHERS = (("robot_state_publisher", "robot_state_publisher"), ("tf2_ros", "s
 @rule("warning")
 def tf_not_remapped(robot: Robot) -> Iterator[Finding]:
     for expansion in robot.launch.entries:
-        remapping = {}
+        remapping: dict[str | None, launch.Started] = {}
         for node in expansion.nodes:
             if node.by_default is not False and node.namespace not in (None, "/") and moves_tf(node):
                 remapping.setdefault(node.namespace, node)

@@ -44,8 +44,12 @@ def use_sim_default_true(robot: Robot) -> Iterator[Finding]:
         if robot.launch.simulated(file):
             continue
         for action, _ in robot.launch.visited(file):
-            name = launch.literal(getattr(action, "name", None)) if isinstance(action, launch.DeclareArgument) else None
-            default = action.default if name in NAMES else None
+            if not isinstance(action, launch.DeclareArgument):
+                continue
+            name = launch.literal(action.name)
+            if name not in NAMES:
+                continue
+            default = action.default
             if default is None or not isinstance(default, launch.Literal) or launch.truth(default) is not True:
                 continue
             word = default.text

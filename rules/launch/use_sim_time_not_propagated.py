@@ -48,7 +48,7 @@ def use_sim_time_not_propagated(robot: Robot) -> Iterator[Finding]:
             for node in robot.launch.expansion(file).nodes
             if node.file is file and hasattr(node.action, "parameters")
         ]
-        given = [node for node in own if any(reads(source) for source in node.action.parameters)]
+        given = [node for node in own if any(reads(source) for source in getattr(node.action, "parameters", ()))]
         for node in own if given else ():
             inline = all(isinstance(source, launch.DictValue) and not source.open for source in node.parameters)
             if robot.launch.role(node).role not in TIMED or not inline or launch.setting(node, "use_sim_time").value:

@@ -69,7 +69,7 @@ def bad_value(robot: Robot) -> Iterator[Finding]:
         for problem in file.problems:
             if problem.code not in WHAT:
                 continue
-            value = problem.where
+            value = problem.word
             text = meant(value) if problem.code in ("bad-size", "unknown-unit") else None
             what = WHAT[problem.code].format(name=problem.detail or value, value=value)
             yield finding(

@@ -36,6 +36,7 @@ When the two files never end up on the same robot, for example because they belo
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -45,7 +46,7 @@ from bringup_lint.api import rule
 @rule("error", symptoms=["duplicate log entry for"])
 def duplicate_path(robot: Robot) -> Iterator[Finding]:
     for files in robot.logs.by_folder.values():
-        known = {}
+        known: dict[str, Located] = {}
         for file in files:
             for stanza in file.stanzas:
                 for path in stanza.paths:

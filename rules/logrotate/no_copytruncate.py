@@ -34,6 +34,7 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -56,6 +57,6 @@ def no_copytruncate(robot: Robot) -> Iterator[Finding]:
             create.name,
             "ROS nodes never reopen their logs: they keep writing to the renamed file",
             advice="replace create with copytruncate",
-            related=[note(source, "ROS writes its logs here")] if hasattr(source, "span") else (),
+            related=[note(source, "ROS writes its logs here")] if isinstance(source, Located) else (),
             fix=fix("replace with copytruncate", (create.span, "copytruncate"), safe=False),
         )

@@ -37,6 +37,7 @@ When the nodes write to a fixed file name, or when a script outside of this tree
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -57,5 +58,5 @@ def per_run_files(robot: Robot) -> Iterator[Finding]:
                 f"rotate {rotate.value} counts per file, and each ROS process of each run has its own: none is ever "
                 "deleted",
                 advice="add maxage 14 and a tmpfiles.d line with an age",
-                related=[note(reasons[0], "ROS writes its logs here")] if hasattr(reasons[0], "span") else (),
+                related=[note(reasons[0], "ROS writes its logs here")] if isinstance(reasons[0], Located) else (),
             )

@@ -34,12 +34,15 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
 from bringup_lint.api.schema import Code
+from bringup_lint.api.schema import Remark
 from bringup_lint.api.spelling import nearest
 
 
 @rule("error", fix="safe", symptoms=["Error in network definition: unknown key"])
 def bad_top_level(robot: Robot) -> Iterator[Finding]:
     for problem in robot.netplan.problems(Code.UNKNOWN):
+        if not isinstance(problem, Remark):
+            continue
         key = problem.word
         if problem.item.name != "{root}":
             continue

@@ -33,10 +33,13 @@ announce a router.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
+from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.netplan import Interface
 from bringup_lint.api.netplan import Plan
 
 
@@ -49,7 +52,7 @@ from bringup_lint.api.netplan import Plan
 )
 def default_route_conflict(robot: Robot) -> Iterator[Finding]:
     for plan in robot.netplan.plans:
-        first = {}
+        first: dict[tuple[object, ...], tuple[Interface, Located | Span]] = {}
         for interface, family, table, metric, where in plan.default_routes:
             other, place = first.setdefault((family, table, metric), (interface, where))
             if place is not where:

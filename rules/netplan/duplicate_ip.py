@@ -34,6 +34,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.netplan import Address
 from bringup_lint.api.netplan import Interface
 from bringup_lint.api.netplan import Plan
 
@@ -41,7 +42,7 @@ from bringup_lint.api.netplan import Plan
 @rule("error")
 def duplicate_ip(robot: Robot) -> Iterator[Finding]:
     for plan in robot.netplan.plans:
-        owners = {}
+        owners: dict[object, tuple[Interface, Address]] = {}
         for interface in plan.interfaces.values():
             for address in interface.addresses:
                 if address.ip is None or address.ip.is_link_local:

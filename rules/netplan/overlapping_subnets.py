@@ -36,12 +36,13 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.netplan import Address
+from bringup_lint.api.netplan import Interface
 
 
 @rule("warning")
 def overlapping_subnets(robot: Robot) -> Iterator[Finding]:
     for plan in robot.netplan.plans:
-        seen = []
+        seen: list[tuple[Interface, Address]] = []
         for interface in plan.interfaces.values():
             if interface.name in plan.masters or any(True for _ in interface.items("routing-policy")):
                 continue

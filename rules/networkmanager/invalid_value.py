@@ -39,6 +39,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
 from bringup_lint.api.schema import Code
+from bringup_lint.api.schema import Remark
 
 CODES = (Code.BOOL, Code.NUMBER, Code.ENUM, Code.ADDRESS)
 BOOLEANS = {"yes": "true", "on": "true", "no": "false", "off": "false"}
@@ -47,6 +48,8 @@ BOOLEANS = {"yes": "true", "on": "true", "no": "false", "off": "false"}
 @rule("error", fix="safe", symptoms=["is not a valid value for the property", "property is invalid"])
 def invalid_value(robot: Robot) -> Iterator[Finding]:
     for _, problem in robot.networkmanager.problems(*CODES):
+        if not isinstance(problem, Remark):
+            continue
         key = problem.item.name
         consequence = "refuses the profile" if problem.fatal else "ignores the line, the default applies"
         right = BOOLEANS.get(str(problem.where).lower()) if problem.code == Code.BOOL else None

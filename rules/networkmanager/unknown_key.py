@@ -36,12 +36,15 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
 from bringup_lint.api.schema import Code
+from bringup_lint.api.schema import Remark
 from bringup_lint.api.schema import suggestions
 
 
 @rule("warning", fix="unsafe")
 def unknown_key(robot: Robot) -> Iterator[Finding]:
     for _, problem in robot.networkmanager.problems(Code.UNKNOWN):
+        if not isinstance(problem, Remark):
+            continue
         section, key = problem.item, problem.word
         near = suggestions(section.children, str(key))
         if near:

@@ -35,6 +35,7 @@ callback runs in a thread that the linter does not see.
 - https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Executors.html
 """
 
+import ast
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -67,7 +68,7 @@ def blocking_in_callback(robot: Robot) -> Iterator[Finding]:
             if not found.how_long:
                 message = f"{found.what} in {where} waits forever: only the executor that it blocks could end the wait"
             yield finding(
-                file.span_of(found.call) if found.how_long != "forever" else file.span_of(found.call.test),
+                file.span_of(found.call.test if isinstance(found.call, ast.While) else found.call),
                 message,
                 advice="use a timer, call_async with add_done_callback, or a separate thread",
                 related=[

@@ -29,6 +29,7 @@ When the wait is in a tool that a person starts and watches, or when the node lo
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import nodes
@@ -46,6 +47,6 @@ def service_wait_no_timeout(robot: Robot) -> Iterator[Finding]:
                 f"If {what} never appears, the node hangs "
                 + ("at start without any message" if where == "__init__" else f"in {where}() without any message"),
                 advice="wait with timeout_sec= in a loop that logs what it waits for",
-                related=[note(service, "declared here")] if service is not None else [],
+                related=[note(service, "declared here")] if isinstance(service, Located) else [],
                 severity=nodes.lowered(robot.nodes.purpose(file.source), "warning"),
             )

@@ -30,6 +30,7 @@ When the topic is meant for all of them, for example a common stop or a common m
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -42,13 +43,15 @@ from bringup_lint.api import topics
 def topic_absolute_under_namespace(robot: Robot) -> Iterator[Finding]:
     for running in robot.topics.runs:
         for uses in topics.shared_by_namespaces(running):
-            first = uses[0]
+            name = uses[0].written
+            if not isinstance(name, Located):
+                continue
             spaces = " and ".join(sorted({use.node.namespace for use in uses}))
             yield finding(
-                first.written,
-                f"'{first.written}' ignores the namespace: the same program in {spaces} shares one topic, "
+                name,
+                f"'{name}' ignores the namespace: the same program in {spaces} shares one topic, "
                 "and a message for one reaches all",
-                advice=f"write '{first.written.lstrip('/')}', so that the namespace applies",
+                advice=f"write '{name.lstrip('/')}', so that the namespace applies",
                 related=[note(use.node.started.span, f"{use.node.label()} is started here") for use in uses],
-                fix=fix("make the name relative", (first.written, first.written.lstrip("/")), safe=False),
+                fix=fix("make the name relative", (name, name.lstrip("/")), safe=False),
             )

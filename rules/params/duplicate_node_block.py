@@ -34,12 +34,13 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.params import Block
 
 
 @rule("info")
 def duplicate_node_block(robot: Robot) -> Iterator[Finding]:
     for file in robot.params.judged:
-        seen = {}
+        seen: dict[str, Block] = {}
         for block in file.blocks:
             first = seen.setdefault(block.name, block)
             if first is not block:

@@ -44,7 +44,7 @@ KEY = re.compile(
 
 @rule("warning", tags=["CWE-321"])
 def ssh_key_shared(robot: Robot) -> Iterator[Finding]:
-    known = {}
+    known: dict[str, Located] = {}
     for source in robot.of_kind("authorized-keys"):
         for match in KEY.finditer(source.text):
             place = source.located(*match.span(1))

@@ -42,7 +42,7 @@ def governance_kind_invalid(robot: Robot) -> Iterator[Finding]:
         if remark.detail == "default":
             continue
         right = remark.word.upper() if remark.element.text else ""
-        kinds = ("NONE", "SIGN", "ENCRYPT")
+        kinds: tuple[str, ...] = ("NONE", "SIGN", "ENCRYPT")
         if remark.detail != "data_protection_kind":
             kinds += ("SIGN_WITH_ORIGIN_AUTHENTICATION", "ENCRYPT_WITH_ORIGIN_AUTHENTICATION")
         shown = (

@@ -37,6 +37,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.sros2 import TopicRule
 from bringup_lint.api.sros2 import matches
 
 
@@ -44,7 +45,7 @@ from bringup_lint.api.sros2 import matches
 def governance_rule_shadowed(robot: Robot) -> Iterator[Finding]:
     for governance in robot.sros2.used_governances:
         for rule_ in governance.rules:
-            before = []
+            before: list[TopicRule] = []
             for topics in rule_.topic_rules:
                 if topics.expression is None:
                     continue

@@ -32,6 +32,7 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -42,18 +43,18 @@ from bringup_lint.api import rule
 def permissions_cmd_vel_publishers(robot: Robot) -> Iterator[Finding]:
     if any(robot.sros2.in_launch(word) for word in ("mux", "collision_monitor", "smoother", "gate", "arbiter")):
         return
-    publishers = {}
+    publishers: dict[str, dict[str, Located]] = {}
     for _, grant in robot.sros2.ros_grants:
         for rule_ in grant.allowed:
             for topic in rule_.publish:
                 if re.fullmatch(r"rt/(?:[\w/]+/)?cmd_vel(?:_\w+)?", topic):
                     publishers.setdefault(str(topic), {}).setdefault(str(grant.enclave), topic)
-    for topic, enclaves in publishers.items():
+    for name, enclaves in publishers.items():
         if len(enclaves) > 1:
             first, *others = enclaves.values()
             yield finding(
                 others[0],
-                f"{' and '.join(enclaves)} may both publish {topic}: their commands conflict, and both drive the robot",
+                f"{' and '.join(enclaves)} may both publish {name}: their commands conflict, and both drive the robot",
                 advice="give each source its own input topic, and only one gate the right to publish the command",
                 related=[note(each, "and this one") for each in (first, *others[1:])],
             )

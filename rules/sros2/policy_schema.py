@@ -39,7 +39,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import rule
 from bringup_lint.api.schema import Code
 
-MESSAGES = {
+MESSAGES: dict[str, str] = {
     Code.MISSING: "{where} has no {detail}",
     Code.MISSING_ATTRIBUTE: "{where} has no attribute {detail}",
     Code.UNKNOWN: "{detail} is not allowed here in a policy",

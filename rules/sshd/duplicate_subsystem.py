@@ -28,6 +28,7 @@ Never for files that are installed together. Ignore it when one of them replaces
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -37,7 +38,7 @@ from bringup_lint.api import rule
 @rule("error", symptoms=["already defined"])
 def duplicate_subsystem(robot: Robot) -> Iterator[Finding]:
     for sshd in robot.sshd:
-        known = {}
+        known: dict[str, Located] = {}
         for option in sshd.all("Subsystem"):
             first = known.setdefault(str(option.value), option.value)
             if first is not option.value and option.span.source.judged:

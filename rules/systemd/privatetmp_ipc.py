@@ -72,6 +72,6 @@ def _uses(unit: Unit, robot: Robot) -> Iterator[tuple[Located | Span, str]]:
         found = SHARED.search(source.text) if source else None
         if source and found:
             yield (
-                source.span(found.start(), found.start() + len("<SharedMemory")),
+                source.located(found.start(), found.start() + len("<SharedMemory")),
                 "Cyclone DDS with shared memory",
             )

@@ -47,6 +47,6 @@ def bad_substitution(robot: Robot) -> Iterator[Finding]:
         yield finding(
             problem.where,
             f"The substitution '{problem.where}' {what}: {token.key} gets another value than intended",
-            advice=f"write a substitution of udev(7), or {problem.where[0] * 2} for a literal {problem.where[0]}",
+            advice=f"write a substitution of udev(7), or {problem.word[0] * 2} for a literal {problem.word[0]}",
             severity="info" if token.key in _COMMANDS else None,
         )

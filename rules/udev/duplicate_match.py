@@ -31,12 +31,13 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.udev import Token
 
 
 @rule("warning", fix="safe", symptoms=["duplicate expressions"])
 def duplicate_match(robot: Robot) -> Iterator[Finding]:
     for rule_line in robot.udev.judged:
-        seen = {}
+        seen: dict[tuple[str, ...], Token] = {}
         for token in rule_line.line.tokens:
             said = (token.name, token.operator, token.value)
             if token.is_match and token.key not in ("PROGRAM", "IMPORT") and said in seen:

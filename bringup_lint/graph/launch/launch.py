@@ -9,6 +9,7 @@ from collections.abc import Iterable
 from collections.abc import Iterator
 from functools import cached_property
 from typing import TYPE_CHECKING
+from typing import TypeVar
 
 from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.facts.ros import launch_api
@@ -65,6 +66,9 @@ ACTIONS_OF_RUN = 100
 """How often an action is expanded in one run, on average over all launch files."""
 MINIMUM_OF_RUN = 50_000
 """Actions that are expanded in one run in any case."""
+
+
+Kind = TypeVar("Kind", bound=Action)
 
 
 class Launch:
@@ -375,7 +379,7 @@ class Launch:
         """The public names of a module of launch or launch_ros; None when the module is not one of theirs."""
         return launch_api.names(module, self._tree_files.target.ros)
 
-    def actions(self, kind: type[Action]) -> Iterator[tuple[LaunchFile, Action]]:
+    def actions(self, kind: type[Kind]) -> Iterator[tuple[LaunchFile, Kind]]:
         """All actions of a kind in the judged files, with their file."""
         for file in self.judged:
             for action in walk_actions(file.actions):

@@ -51,7 +51,7 @@ def page(picture: Mapping[str, Any], report: Report | None = None) -> str:
         data=embedded(data),
         script=script,
     )
-    return sound(filled)
+    return str(sound(filled))
 
 
 def _part(name: str) -> str:

@@ -69,10 +69,11 @@ def _label(edges: list[Edge]) -> str:
 
 def _word(edge: Edge) -> str:
     """The setting for what units say of each other, the kind of everything else, with its condition."""
+    why = str(edge["why"])
     if edge["kind"] in NEEDS or edge["kind"] == "orders":
-        return "" if edge["why"].startswith("implicit") or " of the distribution" in edge["why"] else edge["why"]
-    _, bracket, condition = edge["why"].partition(" (")
-    return edge["kind"] + bracket + condition
+        return "" if why.startswith("implicit") or " of the distribution" in why else why
+    _, bracket, condition = why.partition(" (")
+    return str(edge["kind"]) + bracket + condition
 
 
 def shortened(text: str, longest: int = LONGEST) -> str:
