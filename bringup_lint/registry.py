@@ -114,7 +114,7 @@ def families(folders: Iterable[Path]) -> list[Family]:
     found = []
     for folder in folders:
         if not folder.is_dir():
-            raise RuleError(f"{folder} is no folder of rules")
+            raise RuleError(f"{folder} is not a folder of rules")
         for path in sorted(folder.iterdir()):
             if path.is_dir() and not path.name.startswith((".", "_")):
                 found.append(_family(path))

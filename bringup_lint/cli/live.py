@@ -70,7 +70,7 @@ KIND = "observed-graph"
 @colour_option
 @click.pass_context
 def command(ctx: click.Context, paths: tuple[str, ...], **options) -> None:
-    """Hold the running ROS graph against the files.
+    """Compare the running ROS graph with the files.
 
     Joins a domain for some seconds as a hidden node that publishes nothing, and says where what runs is not what the
     files under PATH (by default the current folder) say. Needs rclpy: pip install 'bringup-lint[live]', or a sourced
@@ -182,7 +182,7 @@ def chosen(robot: Robot, given: int | None) -> tuple[int, str]:
     if own:
         number = domain_id(own).number
         if number is None or number > MAX_DOMAIN:
-            raise ConfigError(f"ROS_DOMAIN_ID is '{own}' in this shell, which is no domain")
+            raise ConfigError(f"ROS_DOMAIN_ID is '{own}' in this shell, which is not a domain")
         return number, "ROS_DOMAIN_ID of this shell"
     told = configured(robot.ros)
     return (told.number, _at(told.where)) if told else (0, "the default")

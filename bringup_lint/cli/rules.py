@@ -47,7 +47,7 @@ def command(ctx: click.Context, families: tuple[str, ...], output_format: str, r
             severity = paint(str(rule.severity), f"{rule.severity!s:<8}")
             click.echo(f"  {severity}{mark} {rule.id:<{width}}  {rule.title}", color=colour)
         click.echo()
-    click.echo(f"{len(rules)} rules. * has a safe fix, + an unsafe one. bringup-lint explain RULE tells more.")
+    click.echo(f"{len(rules)} rules. * has a safe fix, + an unsafe one. bringup-lint explain RULE says more.")
 
 
 def _data(rule: Rule) -> dict[str, object]:

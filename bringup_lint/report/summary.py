@@ -12,7 +12,7 @@ from bringup_lint.report.paint import Paint
 
 
 def summary(report: Report, width: int, paint: Paint) -> str:
-    """What was found in how many files, and on further lines what is not shown or can be mended."""
+    """What was found in how many files, and on further lines what is not shown or can be fixed."""
     counts = Counter(finding.severity for finding in report.shown)
     said = [paint(str(severity), _count(number, severity)) for severity, number in sorted(counts.items())]
     files = "1 file" if report.files == 1 else f"{report.files} files"

@@ -135,7 +135,7 @@ def test_page_lists_every_rule(update_expected: bool) -> None:
     assert PAGE.read_text("utf-8") == expected
 
 
-TABLE = "| rule | found at | held against | edges |"
+TABLE = "| rule | found at | compared with | edges |"
 
 
 def table() -> str:
