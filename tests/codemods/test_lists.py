@@ -120,7 +120,7 @@ LaunchDescription([
 LaunchDescription([
         Node(package='nav2_lifecycle_manager', executable='lifecycle_manager', name='manager', parameters=[{
             'autostart': True,
-            'node_names': ['amcl', 'map_server'],  # localization
+            'node_names': ['bt_navigator', 'planner_server'],  # navigation
         }]),
     ])""",
 }
