@@ -297,9 +297,9 @@ class Robot:
     @cached_property
     def nodes(self) -> Nodes:
         """The Python sources of nodes, and which of them a launch file starts."""
-        from bringup_lint.graph.nodes.nodes import load_nodes
+        from bringup_lint.graph.nodes.nodes import Nodes
 
-        return load_nodes(self)
+        return Nodes(self.files, self.launch, lambda: self.runners, lambda: self.provenance)
 
     @cached_property
     def params(self) -> Params:

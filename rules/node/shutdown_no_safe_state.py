@@ -82,8 +82,8 @@ def shutdown_no_safe_state(robot: Robot) -> Iterator[Finding]:
             related=[
                 note(file.span_of(ending.spins[0].call), "after this spin nothing stops it"),
                 *([note(command.span, f"publishes {command.name}")] if init is not None else []),
-                *(note(unit.where, f"{unit.name} stops it") for unit in robot.nodes.units(file)),
+                *(note(runner.where, f"{runner.name} stops it") for runner in robot.nodes.runners(file)),
             ],
-            chain=robot.nodes.way(file, note(place, "no stop command")),
+            chain=robot.nodes.chain_to(file, note(place, "no stop command")),
             severity="info" if calm else nodes.lowered(robot.nodes.purpose(file.source), "warning"),
         )

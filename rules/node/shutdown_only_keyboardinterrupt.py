@@ -62,7 +62,7 @@ def shutdown_only_keyboardinterrupt(robot: Robot) -> Iterator[Finding]:
                 advice="catch (KeyboardInterrupt, ExternalShutdownException)",
                 related=[
                     note(file.span_of(spin.call), "raised by this spin"),
-                    *(note(unit.where, f"{unit.name} stops it") for unit in robot.nodes.units(file)),
+                    *(note(runner.where, f"{runner.name} stops it") for runner in robot.nodes.runners(file)),
                 ],
                 fix=fix(
                     "catch both",

@@ -82,6 +82,6 @@ def shutdown_publish_after_context(robot: Robot) -> Iterator[Finding]:
                 advice="init with SignalHandlerOptions.NO, turn SIGTERM into KeyboardInterrupt with "
                 "signal.signal(signal.SIGTERM, signal.default_int_handler), and give the node a timer",
                 related=steps,
-                chain=robot.nodes.way(file, note(place, f"the {what} comes too late")),
+                chain=robot.nodes.chain_to(file, note(place, f"the {what} comes too late")),
                 severity=nodes.lowered(robot.nodes.purpose(file.source), "error" if moves else "warning"),
             )

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import os
 import re
+from collections.abc import Callable
 from collections.abc import Iterator
+from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -17,6 +19,7 @@ from bringup_lint.graph.nodes.resolved.programs import program_of
 from bringup_lint.graph.nodes.sources.ending import Ending
 from bringup_lint.graph.nodes.sources.modules import Modules
 from bringup_lint.graph.nodes.sources.syntax import Syntax
+from bringup_lint.graph.runners.runner import RunnerKind
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
 from bringup_lint.parsers.python_node import parse
@@ -24,8 +27,13 @@ from bringup_lint.parsers.python_node.classes import ROOTS
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
-    from bringup_lint.graph.systemd.unit import Unit
-    from bringup_lint.robot import Robot
+    from bringup_lint.graph.files import Files
+    from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.provenance import Provenance
+    from bringup_lint.graph.runners.launching import Launching
+    from bringup_lint.graph.runners.runner import Runner
+    from bringup_lint.graph.runners.runners import Runners
+    from bringup_lint.model.launch import Action
 
 _TIMERS = re.compile(r"\bcreate_(?:timer|rate|wall_timer)\b|\bTimer\(|\bcreate_task\b")
 _GATES = re.compile(
@@ -45,14 +53,24 @@ _SIMULATION = re.compile(r"(?:^|[/_-])(?:sim|simulation|simulator|gazebo|gz|mujo
 _PURPOSES = (("test", _TEST), ("example", _EXAMPLE), ("simulation", _SIMULATION))
 
 
+@dataclass(eq=False)
 class Nodes:
-    """``sources``: every Python node source of the tree, read."""
+    files: Files
+    launch: Launch
+    _runners: Callable[[], Runners]
+    _provenance: Callable[[], Provenance]
 
-    def __init__(self, robot: Robot) -> None:
-        self.robot = robot
-        self.sources: list[NodeSource] = robot.parsed(parse, robot.of_kind("python-node"))
-        self._modules = Modules(robot, self.sources)
-        self._modules.link()
+    @cached_property
+    def sources(self) -> list[NodeSource]:
+        """Every Python node source of the tree, its classes linked to those that they build on."""
+        return self._modules.files
+
+    @cached_property
+    def _modules(self) -> Modules:
+        found = self.files.parsed(parse, self.files.of_kind("python-node"))
+        modules = Modules(self.files.tree, self.launch.workspace, found, self.files.parsed)
+        modules.link()
+        return modules
 
     @cached_property
     def judged(self) -> list[NodeSource]:
@@ -69,22 +87,22 @@ class Nodes:
             yield from (each for each in file.classes if each.is_node is True)
 
     def file_of(self, node: NodeClass) -> NodeSource:
-        return self._modules.by_source[id(node.source)]
+        return self._modules.by_source[node.source]
 
     def purpose(self, source: Source) -> str:
         """``test``, ``example``, ``simulation`` or an empty string, by the path of the file in its package."""
-        if id(source) not in self._purposes:
+        if source not in self._purposes:
             path = self._path(source)
-            self._purposes[id(source)] = next((name for name, words in _PURPOSES if words.search(path)), "")
-        return self._purposes[id(source)]
+            self._purposes[source] = next((name for name, words in _PURPOSES if words.search(path)), "")
+        return self._purposes[source]
 
     @cached_property
-    def _purposes(self) -> dict[int, str]:
+    def _purposes(self) -> dict[Source, str]:
         return {}
 
     def _path(self, source: Source) -> str:
         """The path from the folder of the package on; the last two components when that is not known."""
-        owner = self.robot.launch.workspace.owner(source)
+        owner = self.launch.workspace.owner(source)
         path = os.path.abspath(source.name)
         if owner is not None:
             return os.path.relpath(path, os.path.dirname(owner.folder))
@@ -92,16 +110,16 @@ class Nodes:
 
     def by_hand(self, source: Source) -> bool:
         """Whether only people run a file: no package holds it, and nothing that starts things names it."""
-        workspace = self.robot.launch.workspace
+        workspace = self.launch.workspace
         if not workspace.packages or workspace.owner(source) is not None:
             return False
-        return not any(source.basename in each.text for each in self.robot.of_kind(*_STARTERS))
+        return not any(source.basename in each.text for each in self.files.of_kind(*_STARTERS))
 
     def program(self, package: str, executable: str) -> Program | None:
         """The source of ``ros2 run package executable``; None when it is not Python, or not in the tree."""
         key = (package, executable)
         if key not in self._programs:
-            self._programs[key] = program_of(self.robot, self._modules, package, executable)
+            self._programs[key] = program_of(self.launch.workspace, self._modules, package, executable)
         return self._programs[key]
 
     @cached_property
@@ -119,59 +137,76 @@ class Nodes:
         return program.classes[0] if program is not None and len(program.classes) == 1 else None
 
     @cached_property
-    def _starters(self) -> dict[int, list[Started]]:
-        found: dict[int, list[Started]] = {}
-        for started in self.robot.launch.nodes:
-            program = self.program_of(started)
-            for node in program.classes if program is not None else ():
-                found.setdefault(id(node), []).append(started)
+    def _starters(self) -> dict[NodeClass, list[Started]]:
+        found: dict[NodeClass, list[Started]] = {}
+        for started, program in self._launched_programs:
+            for node in program.classes:
+                found.setdefault(node, []).append(started)
         return found
 
     @cached_property
-    def _programs_of(self) -> dict[int, list[Started]]:
-        found: dict[int, list[Started]] = {}
-        for started in self.robot.launch.nodes:
-            program = self.program_of(started)
-            if program is not None:
-                found.setdefault(id(program.file.source), []).append(started)
+    def _by_file(self) -> dict[Source, list[Started]]:
+        found: dict[Source, list[Started]] = {}
+        for started, program in self._launched_programs:
+            found.setdefault(program.file.source, []).append(started)
         return found
+
+    @cached_property
+    def _launched_programs(self) -> list[tuple[Started, Program]]:
+        """The programs of the tree that launch files start, each with the action that does."""
+        found = ((started, self.program_of(started)) for started in self.launch.nodes)
+        return [(started, program) for started, program in found if program is not None]
 
     def launched(self, file: NodeSource) -> list[Started]:
         """The launch actions that run a file as a program."""
-        return self._programs_of.get(id(file.source), [])
+        return self._by_file.get(file.source, [])
 
-    def units(self, file: NodeSource) -> list[Unit]:
-        """The units whose launch files run a file as a program."""
-        actions = {id(started.action) for started in self.launched(file)}
-        found: dict[int, Unit] = {}
-        for command in self.robot.runners.launches if actions else ():
-            unit = command.runner.unit
-            if command.file is not None and unit is not None:
-                nodes = self.robot.launch.expansion(command.file).nodes
-                if any(id(node.action) in actions for node in nodes):
-                    found[id(unit)] = unit
-        return list(found.values())
+    def runners(self, file: NodeSource) -> list[Runner]:
+        """Those whose launch files run a file as a program; people, who run scripts, are left out."""
+        actions = {started.action for started in self.launched(file)}
+        if not actions:
+            return []
+        launches = (each for each in self._runners().launches if each.runner.kind is not RunnerKind.SCRIPT)
+        return list(dict.fromkeys(each.runner for each in launches if actions & self._actions(each)))
+
+    def _actions(self, launching: Launching) -> set[Action]:
+        """The actions of all nodes that a command starts."""
+        if launching.file is None:
+            return set()
+        return {node.action for node in self.launch.expansion(launching.file).nodes}
+
+    def stopped_by(self, file: NodeSource) -> set[str]:
+        """The signals with which runners stop a file that they start; empty when none does, or that is not known."""
+        signals = {runner.stop.signal for runner in self.runners(file)}
+        return {signal for signal in signals if signal is not None} if None not in signals else set()
+
+    def chain_to(self, file: NodeSource, *more: Related) -> tuple[Related, ...]:
+        """How a runner and launch files lead to a file; empty when none does."""
+        chains = (self._provenance().chain_to_node(each, *more) for each in self.launched(file))
+        return next(filter(None, chains), ())
 
     def made(self, file: NodeSource) -> list[NodeClass]:
-        """The nodes that the code of a file makes, also of classes that stand in other files."""
-        if id(file) not in self._made:
-            self._made[id(file)] = list(dict.fromkeys(made(self._modules, file, None)))
-        return self._made[id(file)]
+        """The nodes that the code of a file makes, also of classes of other files."""
+        if file not in self._made:
+            self._made[file] = list(dict.fromkeys(made(self._modules, file, None)))
+        return self._made[file]
 
     @cached_property
-    def _made(self) -> dict[int, list[NodeClass]]:
+    def _made(self) -> dict[NodeSource, list[NodeClass]]:
         return {}
 
     def makers(self, node: NodeClass) -> list[NodeSource]:
         """The files of the tree that make a node of this class."""
-        return self._makers.get(id(node), [])
+        return self._makers.get(node, [])
 
     @cached_property
-    def _makers(self) -> dict[int, list[NodeSource]]:
-        found: dict[int, list[NodeSource]] = {}
+    def _makers(self) -> dict[NodeClass, list[NodeSource]]:
+        found: dict[NodeClass, list[NodeSource]] = {}
         for file in self.sources:
-            for node in self.made(file) if file.tree is not None else ():
-                found.setdefault(id(node), []).append(file)
+            if file.tree is None:
+                continue
+            for node in self.made(file):
+                found.setdefault(node, []).append(file)
         return found
 
     @cached_property
@@ -195,24 +230,12 @@ class Nodes:
     @cached_property
     def gate(self) -> str | None:
         """Something of the tree that stops the robot by itself when commands fail to come, in a word."""
-        roles = (self.robot.launch.role(started).role for started in self.robot.launch.nodes)
+        roles = (self.launch.role(started).role for started in self.launch.nodes)
         if any(role in ("velocity filter", "safety") for role in roles):
             return "a velocity filter"
         kinds = ("params", "launch-python", "launch-xml", "launch-yaml")
-        found = (_GATES.search(source.text) for source in self.robot.of_kind(*kinds))
+        found = (_GATES.search(source.text) for source in self.files.of_kind(*kinds))
         return next((match[0] for match in found if match is not None), None)
-
-    def stopped_by(self, file: NodeSource) -> set[str]:
-        """The signals with which units stop a file that they start; empty when no unit does, or that is not known."""
-        services = [self.robot.units.supervision(unit) for unit in self.units(file)]
-        signals = {str(service.kill_signal.value) for service in services}
-        return signals if "None" not in signals else set()
-
-    def way(self, file: NodeSource, *more: Related) -> tuple[Related, ...]:
-        """How a unit and launch files lead to a file; empty when none does."""
-        return next(
-            filter(None, (self.robot.provenance.chain_to_node(each, *more) for each in self.launched(file))), ()
-        )
 
     def without_timer(self, file: NodeSource) -> list[NodeClass]:
         """The nodes that a program makes, when surely none of them has a timer; else empty."""
@@ -233,18 +256,14 @@ class Nodes:
 
     def ending(self, file: NodeSource) -> Ending:
         """How the programs of a file end."""
-        if id(file) not in self._endings:
-            self._endings[id(file)] = Ending(Syntax(file), self.robot.target.ros)
-        return self._endings[id(file)]
+        if file not in self._endings:
+            self._endings[file] = Ending(Syntax(file), self.files.target.ros)
+        return self._endings[file]
 
     @cached_property
-    def _endings(self) -> dict[int, Ending]:
+    def _endings(self) -> dict[NodeSource, Ending]:
         return {}
 
     def started(self, node: NodeClass) -> list[Started]:
         """The launch actions that start a node of this class, each as its own file starts it."""
-        return self._starters.get(id(node), [])
-
-
-def load_nodes(robot: Robot) -> Nodes:
-    return Nodes(robot)
+        return self._starters.get(node, [])

@@ -170,9 +170,9 @@ def test_unit_that_starts_a_file(tmp_path: Path) -> None:
     )
     found = robot(tmp_path, files)
     (file,) = found.nodes.judged
-    assert [unit.name for unit in found.nodes.units(file)] == ["arm.service"]
+    assert [runner.name for runner in found.nodes.runners(file)] == ["arm.service"]
     assert found.nodes.stopped_by(file) == {"SIGINT"}
-    assert [step.span.source.basename for step in found.nodes.way(file)] == ["arm.service", "arm.launch.py"]
+    assert [step.span.source.basename for step in found.nodes.chain_to(file)] == ["arm.service", "arm.launch.py"]
 
 
 @pytest.mark.parametrize(

@@ -15,7 +15,7 @@ from bringup_lint.model.node_source import NodeSource
 from bringup_lint.source import Located
 
 if TYPE_CHECKING:
-    from bringup_lint.robot import Robot
+    from bringup_lint.graph.workspace import Workspace
 
 FUNCTIONS = 20
 """Functions of a file that are followed from its entry on."""
@@ -34,9 +34,9 @@ class Program:
     """Where the build description names it."""
 
 
-def program_of(robot: Robot, modules: Modules, package: str, executable: str) -> Program | None:
+def program_of(workspace: Workspace, modules: Modules, package: str, executable: str) -> Program | None:
     """The Python program that ``ros2 run package executable`` starts."""
-    owner = robot.launch.workspace.packages.get(package)
+    owner = workspace.packages.get(package)
     if owner is None:
         return None
     declared = owner.executables.get(executable)

@@ -3,31 +3,41 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
 from bringup_lint.parsers.python_node import parse
+from bringup_lint.source import Source
 
 if TYPE_CHECKING:
-    from bringup_lint.robot import Robot
+    from bringup_lint.discover.tree import Tree
+    from bringup_lint.graph.workspace import Workspace
+
+Parsed = Callable[[Callable[[Source], NodeSource], Iterable[Source]], list[NodeSource]]
 
 _DEPTH = 6
 """Files through which a class is followed."""
 
 
 class Modules:
-    def __init__(self, robot: Robot, files: list[NodeSource]) -> None:
-        self.robot = robot
-        self.by_path = {os.path.abspath(file.source.name): file for file in files}
-        self.by_source = {id(file.source): file for file in files}
-        self._files = list(files)
+    """``files``: the sources of nodes; ``parsed`` reads one more, noting failures."""
+
+    def __init__(self, tree: Tree, workspace: Workspace, files: list[NodeSource], parsed: Parsed) -> None:
+        self.files = files
+        self._tree = tree
+        self._workspace = workspace
+        self._parsed = parsed
+        self.by_path: dict[str, NodeSource | None] = {os.path.abspath(file.source.name): file for file in files}
+        self.by_source = {file.source: file for file in files}
         self._modules: dict[tuple[str, str], NodeSource | None] = {}
-        self._names: dict[tuple[str, int], NodeClass | None] = {}
+        self._names: dict[tuple[str, NodeSource], NodeClass | None] = {}
 
     def link(self) -> None:
-        """Give each class the one it builds on, where that stands in another file of the tree."""
-        for file in self._files:
+        """Give each class the one it builds on, where it is in another file of the tree."""
+        for file in self.files:
             for node in file.classes:
                 self._link(file, node, 0)
 
@@ -49,7 +59,7 @@ class Modules:
         local = file.class_named(dotted)
         if local is not None or depth > _DEPTH:
             return local
-        key = (dotted, id(file))
+        key = (dotted, file)
         if key not in self._names:
             self._names[key] = None
             self._names[key] = self._imported(dotted, file, depth)
@@ -82,7 +92,7 @@ class Modules:
         if level:
             folder = os.path.normpath(os.path.join(here, *[".."] * (level - 1)))
             return self._read(os.path.join(folder, path) if path else folder)
-        owner = self.robot.launch.workspace.packages.get(path.partition("/")[0])
+        owner = self._workspace.packages.get(path.partition("/")[0])
         for folder in (owner.folder, os.path.join(owner.folder, "src")) if owner is not None else (here,):
             found = self._read(os.path.join(folder, path))
             if found is not None:
@@ -100,11 +110,11 @@ class Modules:
         """The file at an absolute path, read now if it was not known as a node; None when the tree does not hold it."""
         if path not in self.by_path:
             self.by_path[path] = None
-            if path in set(self.robot.tree.named(os.path.basename(path))):
-                source = self.robot.tree.read(path, judged=False)
-                for found in self.robot.parsed(parse, [source] if source is not None else []):
+            if path in set(self._tree.named(os.path.basename(path))):
+                source = self._tree.read(path, judged=False)
+                for found in self._parsed(parse, [source] if source is not None else []):
                     self.by_path[path] = found
-                    self.by_source[id(found.source)] = found
+                    self.by_source[found.source] = found
         return self.by_path[path]
 
 
