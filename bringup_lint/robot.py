@@ -310,9 +310,16 @@ class Robot:
     @cached_property
     def topics(self) -> Topics:
         """What launched nodes publish and subscribe, under full names."""
-        from bringup_lint.graph.topics.topics import load_topics
+        from bringup_lint.graph.topics.topics import Topics
 
-        return load_topics(self)
+        return Topics(
+            self.files,
+            self.launch,
+            self.nodes,
+            params=lambda: self.params,
+            ros=lambda: self.ros,
+            units=lambda: self.units,
+        )
 
     @cached_property
     def accounts(self) -> Accounts:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from bringup_lint.graph.topics.questions.command_sources import has_stop_hardware
 from bringup_lint.graph.topics.questions.command_sources import is_gate
 from bringup_lint.graph.topics.questions.command_sources import is_stop
 from bringup_lint.graph.topics.questions.command_sources import is_velocity
 from bringup_lint.graph.topics.questions.command_sources import rivals
 from bringup_lint.graph.topics.questions.command_sources import ungated
+from bringup_lint.graph.topics.questions.compatibility import conflicts_of
+from bringup_lint.graph.topics.questions.compatibility import types_differ
 from bringup_lint.graph.topics.questions.namespaces import shared_by_namespaces
 from bringup_lint.graph.topics.questions.unmatched import corrected
 from bringup_lint.graph.topics.questions.unmatched import misspelt
@@ -17,8 +18,8 @@ from bringup_lint.graph.topics.resolved.names import tail
 from bringup_lint.graph.topics.sources.publishing import published_at_start
 
 __all__ = [
+    "conflicts_of",
     "corrected",
-    "has_stop_hardware",
     "is_gate",
     "is_stop",
     "is_velocity",
@@ -28,6 +29,7 @@ __all__ = [
     "rivals",
     "shared_by_namespaces",
     "tail",
+    "types_differ",
     "ungated",
     "unserved",
 ]

@@ -39,7 +39,7 @@ from bringup_lint.api import topics
 @rule("info", confidence="medium")
 def estop_software_only(robot: Robot) -> Iterator[Finding]:
     stops = [each for each in robot.topics.endpoints if each.name is not None and topics.is_stop(each.name)]
-    if stops and not topics.has_stop_hardware(robot):
+    if stops and not robot.topics.has_stop_hardware:
         yield finding(
             stops[0].name,
             f"The only visible emergency stop is the topic {stops[0].name}: it fails together with the network, the "

@@ -41,6 +41,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api import topics
 
 
 @rule(
@@ -53,8 +54,8 @@ from bringup_lint.api import rule
 )
 def qos_incompatible(robot: Robot) -> Iterator[Finding]:
     for publisher, subscription in robot.topics.pairs:
-        conflict = next(robot.topics.conflicts(publisher, subscription), None)
-        if conflict is None or robot.topics.types_differ(publisher, subscription):
+        conflict = next(topics.conflicts_of(publisher, subscription), None)
+        if conflict is None or topics.types_differ(publisher, subscription):
             continue
         own, other = (publisher, subscription) if subscription.of_table else (subscription, publisher)
         words = {id(publisher): "offers", id(subscription): "requests"}

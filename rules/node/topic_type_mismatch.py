@@ -33,12 +33,13 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api import topics
 
 
 @rule("error")
 def topic_type_mismatch(robot: Robot) -> Iterator[Finding]:
     for publisher, subscription in robot.topics.pairs:
-        if not robot.topics.types_differ(publisher, subscription):
+        if not topics.types_differ(publisher, subscription):
             continue
         own, other = (publisher, subscription) if subscription.of_table else (subscription, publisher)
         if subscription.shown or own.of_table or own.conditional_source or other.conditional_source:
@@ -49,7 +50,7 @@ def topic_type_mismatch(robot: Robot) -> Iterator[Finding]:
             f"{subscription.node.label()}: no message ever arrives",
             advice="use one type on both sides, or two topics with a node that converts",
             related=[
-                note(other.where, f"{other.node.label()} {robot.topics.does(other)} it as {other.type}"),
+                note(other.where, f"{other.node.label()} {other.verb} it as {other.type}"),
                 note(own.node.started.span, f"{own.node.label()} is started here"),
                 *([] if other.of_table else [note(other.node.started.span, f"{other.node.label()} is started here")]),
             ],

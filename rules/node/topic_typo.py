@@ -46,8 +46,7 @@ def topic_typo(robot: Robot) -> Iterator[Finding]:
             better = topics.corrected(use, near)
             yield finding(
                 use.name_place or use.where,
-                f"{nobody} {use.topic}, which {use.node.label()} {robot.topics.does(use)}: {meant.node.label()} "
-                f"{robot.topics.does(meant)} {near}",
+                f"{nobody} {use.topic}, which {use.node.label()} {use.verb}: {meant.node.label()} {meant.verb} {near}",
                 advice=f"use {near} on both sides, or remap one of them",
                 related=[
                     note(meant.name_place or meant.where, f"{near} is named here"),

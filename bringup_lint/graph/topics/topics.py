@@ -2,75 +2,108 @@
 
 from __future__ import annotations
 
-import re
+from collections.abc import Callable
 from collections.abc import Iterator
+from dataclasses import dataclass
 from functools import cached_property
 from itertools import product
 from typing import TYPE_CHECKING
 
 from bringup_lint.discover.kinds.launch import LAUNCH
+from bringup_lint.discover.starters import STARTING
 from bringup_lint.graph.launch.expansion import Expansion
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import literal_text
-from bringup_lint.graph.topics.questions.coexistence import together
-from bringup_lint.graph.topics.questions.compatibility import Conflict
-from bringup_lint.graph.topics.questions.compatibility import conflicts
+from bringup_lint.graph.topics.questions.coexistence import coexist
+from bringup_lint.graph.topics.questions.command_sources import has_stop_hardware
 from bringup_lint.graph.topics.resolved import names
 from bringup_lint.graph.topics.resolved.endpoint_use import LaunchedNode
 from bringup_lint.graph.topics.resolved.endpoint_use import Pair
 from bringup_lint.graph.topics.resolved.endpoint_use import Running
 from bringup_lint.graph.topics.resolved.endpoint_use import Use
-from bringup_lint.graph.topics.resolved.nodes import launched
+from bringup_lint.graph.topics.resolved.nodes import resolved_node
+from bringup_lint.graph.topics.resolved.parameters import ParameterSources
 from bringup_lint.graph.topics.resolved.remapping import refused_sides
 from bringup_lint.graph.topics.resolved.systems import systems
 from bringup_lint.graph.topics.sources.code import Code
-from bringup_lint.graph.topics.sources.code import code_of
 from bringup_lint.graph.topics.sources.cpp_code import CppCode
+from bringup_lint.graph.topics.sources.programs import code_of
 from bringup_lint.graph.topics.sources.rviz import Displays
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.environment.ros import RosEnvironment
+    from bringup_lint.graph.files import Files
+    from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.nodes.nodes import Nodes
+    from bringup_lint.graph.params.params import Params
+    from bringup_lint.graph.systemd.units import Units
     from bringup_lint.graph.topics.questions.watch_lists import Missing
     from bringup_lint.graph.topics.resolved.node_names import NodeNames
     from bringup_lint.model.node_source import Endpoint
-    from bringup_lint.robot import Robot
     from bringup_lint.source import Source
     from bringup_lint.source import Span
 
 COMPARED = 100
-"""Publishers and subscriptions of one topic that are held against each other."""
+"""Publishers and subscriptions of one topic that are compared with each other."""
+SPEAKING = ("python-node", "params", "launch-python", "launch-xml", "launch-yaml", "udev-rules", "ros-package")
+"""Kinds of files that may name the hardware of the robot."""
 CPP = (".cpp", ".cc", ".cxx", ".hpp", ".h")
 
 
+@dataclass(eq=False)
 class Topics:
-    def __init__(self, robot: Robot) -> None:
-        self.robot = robot
-        self._cpp = CppCode(robot)
-        self._displays = Displays(robot)
-        self._codes: dict[tuple[str | None, ...], Code | None] = {}
-        self._launched: dict[int, LaunchedNode] = {}
+    files: Files
+    launch: Launch
+    nodes: Nodes
+    params: Callable[[], Params]
+    ros: Callable[[], RosEnvironment]
+    units: Callable[[], Units]
+
+    @cached_property
+    def _cpp(self) -> CppCode:
+        return CppCode(self.files)
+
+    @cached_property
+    def _displays(self) -> Displays:
+        return Displays(self.files, self.launch)
 
     @cached_property
     def entries(self) -> list[Running]:
         """What each launch file starts that no other one includes."""
-        return [self._running(each.entry.source.name, [each]) for each in self.robot.launch.entries]
+        return [self._running(each.entry.source.name, [each]) for each in self.launch.entries]
 
     def code(self, started: Started) -> Code | None:
         """What the tree's sources say about a launched program."""
-        program = tuple(literal_text(each) for each in (started.package, started.executable, started.plugin))
+        program = (literal_text(started.package), literal_text(started.executable), literal_text(started.plugin))
         if program not in self._codes:
-            self._codes[program] = code_of(self.robot, started, self._cpp)
+            self._codes[program] = code_of(started, self.nodes, self.launch.workspace, self._cpp)
         return self._codes[program]
 
+    @cached_property
+    def _codes(self) -> dict[tuple[str | None, ...], Code | None]:
+        return {}
+
     def node(self, started: Started) -> LaunchedNode:
-        if id(started) not in self._launched:
-            self._launched[id(started)] = launched(self.robot, started, self.code(started), self._displays.of(started))
-        return self._launched[id(started)]
+        """What launch makes of a node: its name, its parameters, and the topics that it uses."""
+        if started not in self._resolved:
+            sources = ParameterSources(self.launch, self.params)
+            self._resolved[started] = resolved_node(started, self.code(started), self._displays.of(started), sources)
+        return self._resolved[started]
+
+    @cached_property
+    def _resolved(self) -> dict[Started, LaunchedNode]:
+        return {}
 
     @cached_property
     def runs(self) -> list[Running]:
         """What runs together: each entry alone, and all that the units of one boot or one compose file launch."""
-        found = [self._running(label, expansions, whole=whole) for label, expansions, whole in systems(self.robot)]
-        return [*found, *self.entries]
+        return [*self._systems(), *self.entries]
+
+    def _systems(self) -> list[Running]:
+        if not self.files.of_kind(*STARTING):
+            return []
+        found = systems(self.ros(), self.units)
+        return [self._running(each.label, each.expansions, whole=each.whole) for each in found]
 
     def _running(self, label: str, expansions: list[Expansion], *, whole: bool = False) -> Running:
         running = Running(label)
@@ -79,22 +112,8 @@ class Topics:
         known = all(each.is_node for each in started) and not any(expansion.open for expansion in expansions)
         running.complete = known and all(node.complete for node in running.nodes)
         running.whole = running.complete and whole
-        running.simulated = any(self.robot.launch.simulated(expansion.entry) for expansion in expansions)
+        running.simulated = any(self.launch.simulated(expansion.entry) for expansion in expansions)
         return running
-
-    @staticmethod
-    def types_differ(publisher: Use, subscription: Use) -> bool:
-        return None not in (publisher.type, subscription.type) and publisher.type != subscription.type
-
-    @staticmethod
-    def does(use: Use) -> str:
-        return "publishes" if use.role == "publisher" else "subscribes to"
-
-    @staticmethod
-    def conflicts(publisher: Use, subscription: Use) -> Iterator[Conflict]:
-        """Where the publisher offers less than the subscription asks for, as far as both are known."""
-        if publisher.qos is not None and subscription.qos is not None:
-            yield from conflicts(publisher.qos, subscription.qos)
 
     @property
     def refused(self) -> Iterator[tuple[LaunchedNode, Span, str, str]]:
@@ -110,23 +129,20 @@ class Topics:
     @property
     def endpoints(self) -> Iterator[Endpoint]:
         """Every endpoint in the sources of nodes, of tests none: all of Python, of C++ what launch files start."""
-        for node in self.robot.nodes.classes:
-            if self.robot.nodes.purpose(node.source) != "test":
+        for node in self.nodes.classes:
+            if self.nodes.purpose(node.source) != "test":
                 yield from node.endpoints
-        seen = set()
-        for running in self.entries:
-            for node in running.nodes:
-                code = self.code(node.started)
-                if code is not None and code.node_class is None and id(code) not in seen:
-                    seen.add(id(code))
-                    yield from (each for each in code.endpoints if each.span.source.name.endswith(CPP))
+        launched = (self.code(node.started) for running in self.entries for node in running.nodes)
+        for code in dict.fromkeys(launched):
+            if code is not None and code.node_class is None:
+                yield from (each for each in code.endpoints if each.span.source.name.endswith(CPP))
 
     @cached_property
     def node_names(self) -> NodeNames:
         """The names of all nodes that anything of the tree starts, as far as they are known."""
         from bringup_lint.graph.topics.resolved.node_names import node_names
 
-        return node_names(self)
+        return node_names(self.launch, self.ros(), self.node, self.code)
 
     @property
     def named_nodes(self) -> Iterator[LaunchedNode]:
@@ -135,30 +151,37 @@ class Topics:
 
     def of_source(self, source: Source) -> list[LaunchedNode]:
         """The launched nodes of the classes in a Python source."""
-        return self._of_source.get(id(source), [])
+        return self._of_source.get(source, [])
 
     @cached_property
-    def _of_source(self) -> dict[int, list[LaunchedNode]]:
-        found: dict[int, list[LaunchedNode]] = {}
+    def _of_source(self) -> dict[Source, list[LaunchedNode]]:
+        found: dict[Source, list[LaunchedNode]] = {}
         for running in self.runs:
             for node in running.nodes:
                 if node.node_class is not None:
-                    found.setdefault(id(node.node_class.source), []).append(node)
+                    found.setdefault(node.node_class.source, []).append(node)
         return found
 
     @property
     def missing_nodes(self) -> Iterator[Missing]:
         """Nodes that something watches or waits for and that nothing starts."""
+        from bringup_lint.graph.topics.questions.watch_lists import WatchLists
         from bringup_lint.graph.topics.questions.watch_lists import missing
-        from bringup_lint.graph.topics.questions.watch_lists import watched
 
-        if self.robot.of_kind(*LAUNCH):
-            for found in watched(self.robot):
-                yield from missing(found, self.node_names)
+        if not self.files.of_kind(*LAUNCH):
+            return
+        for found in WatchLists(self.files, self.nodes, self.params, self._given_to).all():
+            yield from missing(found, self.node_names)
 
-    def cpp_mentions(self, pattern: re.Pattern[str]) -> bool:
-        """Whether a C++ source of a launched program holds a pattern."""
-        return any(pattern.search(source.text) for source in self._cpp.sources)
+    def _given_to(self, source: Source) -> set[str]:
+        """The names of the parameters that launch files give to the nodes of a source."""
+        given = (node.given for node in self.of_source(source) if node.given is not None)
+        return {name for parameters in given for name in parameters.values}
+
+    @property
+    def has_stop_hardware(self) -> bool:
+        """Whether anything of the tree speaks of hardware that may stop the robot."""
+        return has_stop_hardware((*self.files.of_kind(*SPEAKING), *self._cpp.sources))
 
     @cached_property
     def published_anywhere(self) -> frozenset[str]:
@@ -170,20 +193,16 @@ class Topics:
     def pairs(self) -> list[Pair]:
         """Publishers and subscriptions of one topic that run together when launch files are started without arguments,
         each once."""
-        found: dict[tuple, Pair] = {}
+        found: dict[tuple[tuple[Span, str], ...], Pair] = {}
         for running in self.runs:
             for uses in running.by_topic().values():
                 publishers = [use for use in uses if use.role == "publisher"][:COMPARED]
                 subscriptions = [use for use in uses if use.role == "subscription"][:COMPARED]
                 for publisher, subscription in product(publishers, subscriptions):
-                    if together(publisher.node, subscription.node):
+                    if coexist(publisher.node, subscription.node):
                         found.setdefault(_places(publisher, subscription), Pair(publisher, subscription))
         return list(found.values())
 
 
-def _places(*uses: Use) -> tuple:
-    return tuple((id(use.where.source), use.where.start, use.topic) for use in uses)
-
-
-def load_topics(robot: Robot) -> Topics:
-    return Topics(robot)
+def _places(*uses: Use) -> tuple[tuple[Span, str], ...]:
+    return tuple((use.where, use.topic) for use in uses)

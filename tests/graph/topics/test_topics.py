@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from bringup_lint.discover.walk import discover
 from bringup_lint.facts import table
 from bringup_lint.graph.edges.topics import topic_edges
-from bringup_lint.graph.topics.questions.coexistence import together as meets
+from bringup_lint.graph.topics.questions.coexistence import coexist as meets
 from bringup_lint.graph.topics.questions.command_sources import is_stop
 from bringup_lint.graph.topics.questions.command_sources import is_velocity
 from bringup_lint.graph.topics.resolved.names import complaint

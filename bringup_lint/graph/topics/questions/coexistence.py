@@ -13,7 +13,7 @@ DOMAIN = "ROS_DOMAIN_ID"
 ENDINGS = ("OnProcessExit", "OnExecutionComplete", "OnShutdown")
 
 
-def together(one: LaunchedNode, other: LaunchedNode) -> bool:
+def coexist(one: LaunchedNode, other: LaunchedNode) -> bool:
     """Whether two nodes both start when no argument is passed, and can meet."""
     if one is other:
         return True

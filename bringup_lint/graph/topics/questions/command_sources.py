@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from collections.abc import Iterator
 from itertools import combinations
-from typing import TYPE_CHECKING
 
 from bringup_lint.graph.launch.started import literal_text
-from bringup_lint.graph.topics.questions.coexistence import together
+from bringup_lint.graph.topics.questions.coexistence import coexist
 from bringup_lint.graph.topics.resolved.endpoint_use import LaunchedNode
 from bringup_lint.graph.topics.resolved.endpoint_use import Running
 from bringup_lint.graph.topics.resolved.endpoint_use import Use
 from bringup_lint.graph.topics.resolved.names import tail
-
-if TYPE_CHECKING:
-    from bringup_lint.robot import Robot
+from bringup_lint.source import Source
 
 VELOCITY = re.compile(r"(?:\w+_)?cmd_?vel(?:_\w+)?|\w*velocity_command\w*")
 FINAL = ("cmd_vel", "cmd_vel_unstamped")
@@ -31,9 +29,9 @@ HARDWARE = re.compile(
 )
 """Words that speak of a stop in hardware."""
 COMPARED = 50
-"""Publishers of one velocity that are held against each other."""
+"""Publishers of one velocity that are compared with each other."""
 TOGETHER = ("nav2_", "opennav_")
-"""Packages whose servers take turns, as the navigator tells them."""
+"""Packages whose servers take turns, as the navigator decides."""
 
 
 def is_velocity(name: str, type_: str | None = None) -> bool:
@@ -61,20 +59,32 @@ def rivals(running: Running) -> Iterator[list[Use]]:
     """The publishers of one velocity topic that all start when no argument is passed, when there are several of them
     and no multiplexer or gate is among them or listens to them; or when they go past the one that limits them."""
     for topic, uses in running.by_topic().items():
-        listeners = [use.node for use in uses if use.role == "subscription"]
-        if any(map(is_gate, listeners)) or (tail(topic) not in FINAL and not listeners):
+        if _is_gated(topic, uses):
             continue
-        found: dict[object, Use] = {}
-        for use in uses:
-            sure = use.node.started.by_default is True and not use.conditional_source and not use.node.started.context
-            if use.role == "publisher" and is_velocity(topic, use.type) and sure:
-                found.setdefault(_who(use.node), use)
-        several = list(found.values())[:COMPARED]
-        apart = not all(together(one.node, other.node) for one, other in combinations(several, 2))
-        if len(several) > 1 and not apart and not any(is_gate(use.node) for use in several):
+        several = _sources(uses)
+        if not all(coexist(one.node, other.node) for one, other in combinations(several, 2)):
+            continue
+        if len(several) > 1 and not any(is_gate(use.node) for use in several):
             yield several
-        elif not apart and (past := _past_the_gate(several)):
+        elif past := _past_the_gate(several):
             yield past
+
+
+def _is_gated(topic: str, uses: list[Use]) -> bool:
+    """Whether something chooses among the publishers of a topic, or may do so unseen."""
+    listeners = [use.node for use in uses if use.role == "subscription"]
+    return any(map(is_gate, listeners)) or (tail(topic) not in FINAL and not listeners)
+
+
+def _sources(uses: list[Use]) -> list[Use]:
+    """The publishers of velocities that surely start, one for each node."""
+    found: dict[object, Use] = {}
+    for use in uses:
+        started = use.node.started
+        sure = started.by_default is True and not use.conditional_source and not started.context
+        if sure and use.role == "publisher" and is_velocity(use.topic, use.type):
+            found.setdefault(_who(use.node), use)
+    return list(found.values())[:COMPARED]
 
 
 def _past_the_gate(several: list[Use]) -> list[Use]:
@@ -100,14 +110,11 @@ def _by_hand(node: LaunchedNode) -> bool:
     return any(BY_HAND.search(literal_text(word) or "") for word in words)
 
 
-def has_stop_hardware(robot: Robot) -> bool:
+def has_stop_hardware(sources: Iterable[Source]) -> bool:
     """Whether sources, parameters or launch files speak of hardware that may stop the robot."""
-    sources = robot.of_kind(
-        "python-node", "params", "launch-python", "launch-xml", "launch-yaml", "udev-rules", "ros-package"
-    )
-    return any(HARDWARE.search(source.text) for source in sources) or robot.topics.cpp_mentions(HARDWARE)
+    return any(HARDWARE.search(source.text) for source in sources)
 
 
 def _who(node: LaunchedNode) -> object:
     package = literal_text(node.started.package) or ""
-    return TOGETHER if package.startswith(TOGETHER) else node.fqn or id(node)
+    return TOGETHER if package.startswith(TOGETHER) else node.fqn or node

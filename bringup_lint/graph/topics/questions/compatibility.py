@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from typing import NamedTuple
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.topics.resolved.endpoint_use import Use
     from bringup_lint.model.node_source import Qos
 
 
@@ -17,6 +18,16 @@ class Conflict(NamedTuple):
     """``reliability``, ``durability``, ``deadline``, ``liveliness`` or ``lease duration``."""
     offered: str
     asked: str
+
+
+def types_differ(publisher: Use, subscription: Use) -> bool:
+    return None not in (publisher.type, subscription.type) and publisher.type != subscription.type
+
+
+def conflicts_of(publisher: Use, subscription: Use) -> Iterator[Conflict]:
+    """Where the publisher offers less than the subscription asks for, as far as both are known."""
+    if publisher.qos is not None and subscription.qos is not None:
+        yield from conflicts(publisher.qos, subscription.qos)
 
 
 def conflicts(publisher: Qos, subscription: Qos) -> Iterator[Conflict]:
@@ -41,5 +52,5 @@ def _longer(offered: float | None, asked: float | None) -> bool:
     return offered == 0 or offered > asked
 
 
-def _seconds(duration: float) -> str:
-    return "none" if duration in (0, float("inf")) else f"{duration:g} s"
+def _seconds(duration: float | None) -> str:
+    return "none" if duration in (None, 0, float("inf")) else f"{duration:g} s"

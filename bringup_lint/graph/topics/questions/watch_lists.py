@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import ast
 import re
+from collections.abc import Callable
 from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 
+from bringup_lint.discover.starters import STARTING
 from bringup_lint.graph.topics.resolved.node_names import NodeNames
 from bringup_lint.model.node_source import NodeSource
 from bringup_lint.source import Located
@@ -16,7 +19,9 @@ from bringup_lint.source import Span
 from bringup_lint.spelling import nearest
 
 if TYPE_CHECKING:
-    from bringup_lint.robot import Robot
+    from bringup_lint.graph.files import Files
+    from bringup_lint.graph.nodes.nodes import Nodes
+    from bringup_lint.graph.params.params import Params
 
 LIST = re.compile(
     r"(?:\w+[._])?(?:monitor|watch|expect|requir|critical|supervis|heartbeat|essential|mandatory)\w*?_?nodes?(?:_names|_list)?"
@@ -27,7 +32,6 @@ LIST = re.compile(
 _GREP = re.compile(
     r"ros2\s+node\s+list[^|\n;&]*\|\s*grep(?P<options>(?:\s+-\w+)*)\s+(?P<quote>[\"']?)(?P<name>/?[A-Za-z]\w*(?:/\w+)*)(?P=quote)(?=[\s;&|)]|$)"
 )
-SCRIPTS = ("shell-script", "systemd-unit", "systemd-dropin", "dockerfile", "compose")
 _NAME = re.compile(r"/?[A-Za-z_]\w*(?:/\w+)*")
 SHORTEST = 4
 
@@ -40,21 +44,34 @@ class Watched(NamedTuple):
     """What the list is called, or the name itself."""
 
 
-def watched(robot: Robot) -> Iterator[Watched]:
-    """Every list of nodes in Python sources, parameter files and scripts."""
-    for file in robot.nodes.judged:
-        if not robot.nodes.purpose(file.source):
-            given = {name for node in robot.topics.of_source(file.source) for name in node.given.values}
-            yield from (found for found in _of_python(file) if str(found.where) not in given)
-    for file in robot.params.judged:
-        for parameter in file.parameters:
+@dataclass(frozen=True, eq=False)
+class WatchLists:
+    """Where lists of nodes are written. ``given``: the names of the parameters that launch files give to the nodes of a
+    source."""
+
+    files: Files
+    nodes: Nodes
+    params: Callable[[], Params]
+    given: Callable[[Source], set[str]]
+
+    def all(self) -> Iterator[Watched]:
+        """Every list of nodes in Python sources, parameter files and the files of runners."""
+        for file in self.nodes.judged:
+            if not self.nodes.purpose(file.source):
+                given = self.given(file.source)
+                yield from (found for found in _of_python(file) if str(found.where) not in given)
+        yield from self._of_params()
+        for source in self.files.of_kind(*sorted(STARTING)):
+            if source.judged and not source.template and "node" in source.text:
+                yield from _of_script(source)
+
+    def _of_params(self) -> Iterator[Watched]:
+        params = self.params()
+        for _, parameter in params.parameters:
             if LIST.fullmatch(parameter.name.rpartition(".")[2]) and parameter.value.type == "string_array":
-                names = [_unquoted(item.text, item.span) for item in robot.params.items(parameter)]
+                names = [_unquoted(item.text, item.span) for item in params.items(parameter)]
                 if names:
                     yield Watched(names, True, parameter.key)
-    for source in robot.of_kind(*SCRIPTS):
-        if source.judged and not source.template and "node" in source.text:
-            yield from _of_script(source)
 
 
 def _unquoted(text: str, span: Span) -> Located:
@@ -64,6 +81,8 @@ def _unquoted(text: str, span: Span) -> Located:
 
 
 def _of_python(file: NodeSource) -> Iterator[Watched]:
+    if file.tree is None:
+        return
     for node in ast.walk(file.tree):
         if isinstance(node, ast.Assign) and len(node.targets) == 1:
             target = node.targets[0]
@@ -80,14 +99,11 @@ def _list(file: NodeSource, name: str, value: ast.expr, where: ast.expr) -> Iter
     if not LIST.fullmatch(name.rpartition(".")[2]):
         return
     items = value.keys if isinstance(value, ast.Dict) else getattr(value, "elts", [])
-    names = [_text(file, item) for item in items if isinstance(item, ast.Constant) and isinstance(item.value, str)]
+    texts = [item for item in items if isinstance(item, ast.Constant) and isinstance(item.value, str)]
+    names = [_unquoted(str(item.value), file.span_of(item)) for item in texts]
     if names and len(names) == len(items):
         span = file.span_of(where)
         yield Watched(names, True, Located(name, span))
-
-
-def _text(file: NodeSource, item: ast.Constant) -> Located:
-    return _unquoted(item.value, file.span_of(item))
 
 
 def _of_script(source: Source) -> Iterator[Watched]:

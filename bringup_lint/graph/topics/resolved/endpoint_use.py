@@ -48,6 +48,10 @@ class Use:
     """The value in the configuration that decides its quality of service."""
 
     @property
+    def verb(self) -> str:
+        return "publishes" if self.role == "publisher" else "subscribes to"
+
+    @property
     def qos_place(self) -> Span:
         """Where its quality of service is written: a parameter, the profile, or the node in the launch file."""
         if self.qos_parameter is not None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from dataclasses import dataclass
 from dataclasses import field
 from typing import TYPE_CHECKING
@@ -16,7 +17,10 @@ from bringup_lint.model.launch import Other
 
 if TYPE_CHECKING:
     from bringup_lint.graph.commands.ros_command import Ros
-    from bringup_lint.graph.topics.topics import Topics
+    from bringup_lint.graph.environment.ros import RosEnvironment
+    from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.topics.resolved.endpoint_use import LaunchedNode
+    from bringup_lint.graph.topics.sources.code import Code
 
 PUBLIC = re.compile(
     r"nav2_\w+|slam_toolbox|teleop_twist_\w+|joy|robot_localization|foxglove_bridge|rosbridge_server|ros2_socketcan"
@@ -47,25 +51,61 @@ def _words(text: str) -> set[str]:
     return set(_WORD.findall(text.lower())) - _COMMON
 
 
-def node_names(topics: Topics) -> NodeNames:
-    names = NodeNames()
-    for expansion in topics.robot.launch.expansions:
-        _expansion(topics, expansion, names)
-    for process in topics.robot.ros.launchers:
-        for launching in process.starts:
-            _command(topics, launching.ros, names)
-    return names
+@dataclass(frozen=True, eq=False)
+class _Finder:
+    launch: Launch
+    resolved: Callable[[Started], LaunchedNode]
+    code: Callable[[Started], Code | None]
+    names: NodeNames
+
+    def take_expansion(self, expansion: Expansion) -> None:
+        self.names.open |= any(isinstance(action, Other) for action, _ in expansion.actions)
+        for include in expansion.includes:
+            if include.target is None:
+                target = place(include.file)
+                _outside(target.package if target is not None else None, self.names)
+        for started in expansion.nodes:
+            if started.is_node:
+                self.take_node(started)
+
+    def take_node(self, started: Started) -> None:
+        package = literal_text(started.package)
+        name = self.resolved(started).fqn or full_name(started, self.launch.role(started))
+        code = self.code(started)
+        if name is not None:
+            self.names.known.add(name)
+        elif started.name is not None or package is None:
+            self.names.open = True
+        else:
+            program = literal_text(started.executable) or literal_text(started.plugin) or ""
+            self.names.unnamed |= _words(f"{package} {program}")
+        if package == "controller_manager" or (code is not None and code.several):
+            self.names.open = True
+        elif package is not None and PUBLIC.fullmatch(package):
+            self.names.public = True
+
+    def take_command(self, ros: Ros) -> None:
+        if ros.kind == "launch" and self.launch.named(ros.package, ros.target) is None:
+            _outside(ros.package, self.names)
+        elif ros.kind in ("run", "node"):
+            self.names.unnamed |= _words(f"{ros.package or ''} {ros.target or ''}")
+            self.names.public |= bool(ros.package and PUBLIC.fullmatch(ros.package))
 
 
-def _expansion(topics: Topics, expansion: Expansion, names: NodeNames) -> None:
-    names.open |= any(isinstance(action, Other) for action, _ in expansion.actions)
-    for include in expansion.includes:
-        if include.target is None:
-            target = place(include.file)
-            _outside(target.package if target is not None else None, names)
-    for started in expansion.nodes:
-        if started.is_node:
-            _node(topics, started, names)
+def node_names(
+    launch: Launch,
+    ros: RosEnvironment,
+    resolved: Callable[[Started], LaunchedNode],
+    code: Callable[[Started], Code | None],
+) -> NodeNames:
+    """``resolved`` and ``code``: the node that a launch action starts, and what the tree holds of its sources."""
+    finder = _Finder(launch, resolved, code, NodeNames())
+    for expansion in launch.expansions:
+        finder.take_expansion(expansion)
+    for process in ros.launchers:
+        for start in process.starts:
+            finder.take_command(start.ros)
+    return finder.names
 
 
 def _outside(package: str | None, names: NodeNames) -> None:
@@ -75,28 +115,3 @@ def _outside(package: str | None, names: NodeNames) -> None:
         names.unnamed |= _words(package)
     else:
         names.open = True
-
-
-def _node(topics: Topics, started: Started, names: NodeNames) -> None:
-    package = literal_text(started.package)
-    name = topics.node(started).fqn or full_name(started, topics.robot.launch.role(started))
-    code = topics.code(started)
-    if name is not None:
-        names.known.add(name)
-    elif started.name is not None or package is None:
-        names.open = True
-    else:
-        program = literal_text(started.executable) or literal_text(started.plugin) or ""
-        names.unnamed |= _words(f"{package} {program}")
-    if package == "controller_manager" or (code is not None and code.several):
-        names.open = True
-    elif package is not None and PUBLIC.fullmatch(package):
-        names.public = True
-
-
-def _command(topics: Topics, ros: Ros, names: NodeNames) -> None:
-    if ros.kind == "launch" and topics.robot.launch.named(ros.package, ros.target) is None:
-        _outside(ros.package, names)
-    elif ros.kind in ("run", "node"):
-        names.unnamed |= _words(f"{ros.package or ''} {ros.target or ''}")
-        names.public |= bool(ros.package and PUBLIC.fullmatch(ros.package))

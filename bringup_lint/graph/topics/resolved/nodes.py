@@ -16,6 +16,7 @@ from bringup_lint.graph.topics.resolved.names import full_complaint
 from bringup_lint.graph.topics.resolved.names import refusal
 from bringup_lint.graph.topics.resolved.parameters import Given
 from bringup_lint.graph.topics.resolved.parameters import GivenParameters
+from bringup_lint.graph.topics.resolved.parameters import ParameterSources
 from bringup_lint.graph.topics.resolved.parameters import given_parameters
 from bringup_lint.graph.topics.resolved.parameters import names
 from bringup_lint.graph.topics.resolved.process_arguments import RosArguments
@@ -37,22 +38,24 @@ if TYPE_CHECKING:
     from bringup_lint.model.node_source import Endpoint
     from bringup_lint.model.node_source import Qos
     from bringup_lint.parsers.rviz import Display
-    from bringup_lint.robot import Robot
 
 TOPICS = ("publisher", "subscription")
 
 
-def launched(robot: Robot, started: Started, code: Code | None, displays: list[Display]) -> LaunchedNode:
-    """``code``: what the sources of the tree say about what is started; ``displays``: what RViz is told to show."""
-    reader = _Reader(robot, started, code)
-    node = reader.node()
+def resolved_node(
+    started: Started, code: Code | None, displays: list[Display], sources: ParameterSources
+) -> LaunchedNode:
+    """``code``: what the sources of the tree say about what is started; ``displays``: what RViz is told to show;
+    ``sources``: where parameters come from."""
+    resolver = _Resolver(started, code, sources)
+    node = resolver.node()
     for display in displays:
-        reader.add_display(node, display)
+        resolver.add_display(node, display)
     return node
 
 
-class _Reader:
-    def __init__(self, robot: Robot, started: Started, code: Code | None) -> None:
+class _Resolver:
+    def __init__(self, started: Started, code: Code | None, sources: ParameterSources) -> None:
         self.started = started
         self.code = code
         self.arguments: RosArguments = ros_arguments(started)
@@ -68,7 +71,7 @@ class _Reader:
             space = None
         self.namespace = node_namespace(self.rules, space, own)
         fqn = f"{self.namespace.rstrip('/')}/{self.name}" if self.name and self.namespace else None
-        self.given: GivenParameters = given_parameters(robot, started, fqn, self.arguments)
+        self.given: GivenParameters = given_parameters(sources, started, fqn, self.arguments)
 
     def node(self) -> LaunchedNode:
         node = LaunchedNode(self.started, self.name, self.namespace, given=self.given)
@@ -78,7 +81,7 @@ class _Reader:
             for endpoint in self.code.endpoints:
                 if endpoint.role in TOPICS:
                     node.complete &= self.from_source(node, endpoint)
-            settle(node)
+            drop_ambiguous(node)
             return node
         if self.known is None:
             return node
@@ -162,7 +165,7 @@ class _Reader:
         return Use(role, name, type_, qos, node, where, written, by)
 
 
-def settle(node: LaunchedNode) -> None:
+def drop_ambiguous(node: LaunchedNode) -> None:
     """What a node makes in one way or another, as a parameter decides, is not known: types and profiles that differ."""
     groups: dict[tuple[str, str], list[Use]] = {}
     for use in node.uses:
@@ -177,7 +180,7 @@ def settle(node: LaunchedNode) -> None:
 
 
 def _rules(started: Started, arguments: RosArguments) -> Iterator[Remapping]:
-    """Those of the command line stand before those of launch."""
+    """Those of the command line come before those of launch."""
     yield from arguments.remappings
     for source, target in started.remappings:
         before, after = text_of(source), text_of(target)

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from collections.abc import Iterator
 from dataclasses import dataclass
 from dataclasses import field
 from typing import TYPE_CHECKING
+from typing import Any
 from typing import NamedTuple
 
 from bringup_lint.graph.launch.resolve import text_of
@@ -21,13 +23,18 @@ from bringup_lint.model.params import matches
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
-    from bringup_lint.robot import Robot
+    from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.params.params import Params
+    from bringup_lint.model.params import ParameterFile as File
+
+
+Plain = str | int | float | bool | list[Any] | None
 
 
 class Given(NamedTuple):
     """A value, None when it is not known, and where it is written."""
 
-    value: str | int | float | bool | list | None
+    value: Plain
     where: Span
 
 
@@ -42,7 +49,25 @@ class GivenParameters:
         self.open = True
 
 
-def given_parameters(robot: Robot, node: Started, fqn: str | None, arguments: RosArguments) -> GivenParameters:
+@dataclass(frozen=True, eq=False)
+class ParameterSources:
+    """Where the values of parameters come from besides the node in the launch file."""
+
+    launch: Launch
+    params: Callable[[], Params]
+
+    def file(self, value: Value) -> File | None:
+        """The parameter file that a value names, when all of it is known."""
+        path = path_of(self.launch, value.file if isinstance(value, ParameterFile) else value)
+        found = self.params().at_path(path) if path is not None else None
+        if found is None or found.uncertain or not found.accepted or found.source.template:
+            return None
+        return found
+
+
+def given_parameters(
+    sources: ParameterSources, node: Started, fqn: str | None, arguments: RosArguments
+) -> GivenParameters:
     """What a node is given when its launch file is started without arguments."""
     found = GivenParameters(open=not arguments.known)
     for name, text, where in arguments.parameters:
@@ -50,12 +75,12 @@ def given_parameters(robot: Robot, node: Started, fqn: str | None, arguments: Ro
     for source in node.parameters:
         if isinstance(source, DictValue):
             _inline(found, source, "")
-        elif not _file(robot, found, source, fqn):
+        elif not _take_file(found, sources.file(source), fqn):
             found.forget()
     return found
 
 
-def _plain(text: str) -> str | None:
+def _plain(text: str) -> Plain:
     """A word that YAML reads as the text it is; everything else is left open."""
     from bringup_lint.parsers.param_scalar import scalar
 
@@ -79,12 +104,9 @@ def _inline(found: GivenParameters, values: DictValue, prefix: str) -> None:
         found.forget()
 
 
-def _file(robot: Robot, found: GivenParameters, source: Value, fqn: str | None) -> bool:
+def _take_file(found: GivenParameters, file: File | None, fqn: str | None) -> bool:
     """Whether what a file gives is known."""
-    value = source.file if isinstance(source, ParameterFile) else source
-    path = path_of(robot.launch, value)
-    file = robot.params.at_path(path) if path is not None else None
-    if file is None or file.uncertain or not file.accepted or file.source.template:
+    if file is None:
         return False
     for block in file.blocks:
         if fqn is None and "*" not in block.name:

@@ -14,15 +14,15 @@ from bringup_lint.parsers.cpp_node import parse
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
-    from bringup_lint.robot import Robot
+    from bringup_lint.graph.files import Files
 
 FILES = 40
 """Files of one program that are read."""
 
 
 class CppCode:
-    def __init__(self, robot: Robot) -> None:
-        self.robot = robot
+    def __init__(self, files: Files) -> None:
+        self._files = files
         self._known: dict[tuple[str, str], Code | None] = {}
         self._read: dict[str, CppNode | None] = {}
 
@@ -74,12 +74,12 @@ class CppCode:
                 yield found
 
     def _parse(self, path: str) -> CppNode | None:
-        if path not in set(self.robot.tree.named(os.path.basename(path))):
+        if path not in set(self._files.tree.named(os.path.basename(path))):
             return None
-        source = self.robot.tree.read(path, judged=True)
+        source = self._files.tree.read(path, judged=True)
         if source is None or source.template or "Node" not in source.text:
             return None
-        return next(iter(self.robot.parsed(parse, [source])), None)
+        return next(iter(self._files.parsed(parse, [source])), None)
 
 
 def _plugin_of(build: Build, library: str) -> str | None:

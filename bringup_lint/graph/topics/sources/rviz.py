@@ -11,8 +11,9 @@ from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.params.loads import path_of
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.files import Files
+    from bringup_lint.graph.launch.launch import Launch
     from bringup_lint.parsers.rviz import Display
-    from bringup_lint.robot import Robot
 
 OPTIONS = ("-d", "--display-config")
 
@@ -20,8 +21,9 @@ OPTIONS = ("-d", "--display-config")
 class Displays:
     """The RViz configurations of the tree, each read once."""
 
-    def __init__(self, robot: Robot) -> None:
-        self.robot = robot
+    def __init__(self, files: Files, launch: Launch) -> None:
+        self._files = files
+        self._launch = launch
         self._read: dict[str, list[Display]] = {}
 
     def of(self, started: Started) -> list[Display]:
@@ -31,7 +33,7 @@ class Displays:
         values = list(started.arguments)
         for at, value in enumerate(values[:-1]):
             if text_of(value) in OPTIONS:
-                path = path_of(self.robot.launch, values[at + 1])
+                path = path_of(self._launch, values[at + 1])
                 return self._at(path) if path is not None else []
         return []
 
@@ -39,8 +41,8 @@ class Displays:
         from bringup_lint.parsers.rviz import parse
 
         if path not in self._read:
-            there = path in set(self.robot.tree.named(os.path.basename(path)))
-            source = self.robot.tree.read(path) if there else None
-            read = self.robot.parsed(parse, [source] if source is not None and not source.template else [])
+            there = path in set(self._files.tree.named(os.path.basename(path)))
+            source = self._files.tree.read(path) if there else None
+            read = self._files.parsed(parse, [source] if source is not None and not source.template else [])
             self._read[path] = read[0] if read else []
         return self._read[path]
