@@ -55,9 +55,7 @@ LAYERS = (
 )
 """From the top down. The layers of one line do not import each other; ``""`` is the version of the package."""
 LEVEL = {name: level for level, names in enumerate(LAYERS) for name in names}
-TAKE_A_ROBOT = frozenset("graph.nodes graph.topics".split())
-"""Layers that still have to be given what they ask, one by one; nothing may be added."""
-HAVE_CIRCLES = frozenset("graph.environment graph.params graph.topics".split())
+HAVE_CIRCLES = frozenset("graph.environment graph.params".split())
 """Layers whose files still import each other in a circle; nothing may be added."""
 
 
@@ -74,18 +72,12 @@ def test_imports_point_down(path: Path) -> None:
     own = layer_of(module)
     assert own or module in ("", "graph"), f"{module} is in no layer"
     for other in import_graph()[module]:
-        if other == "robot" and own in TAKE_A_ROBOT:
-            continue
         theirs = layer_of(other)
         assert theirs == own or LEVEL[theirs] > LEVEL[own], f"{own} may not import {other}"
 
 
 def test_no_circle_of_files() -> None:
-    graph = {
-        module: others - {"robot"} if layer_of(module) in TAKE_A_ROBOT else others
-        for module, others in import_graph().items()
-    }
-    found = circles(graph)
+    found = circles(import_graph())
     for members in found:
         layers = set(map(layer_of, members))
         assert len(layers) == 1 and layers <= HAVE_CIRCLES, f"a circle of imports: {sorted(members)}"
@@ -96,9 +88,7 @@ def test_no_circle_of_files() -> None:
 def test_only_the_top_knows_the_robot() -> None:
     """A module of the graph says what it asks: files, or single layers."""
     below = [path for path in paths() if LEVEL[layer_of(name_of(path))] > LEVEL["robot"]]
-    found = {layer_of(name_of(path)) for path in below if any(uses_of_robot(path))}
-    assert not found - TAKE_A_ROBOT, [use for path in below for use in uses_of_robot(path)]
-    assert found == TAKE_A_ROBOT, f"done: delete {sorted(TAKE_A_ROBOT - found)} from TAKE_A_ROBOT"
+    assert not [use for path in below for use in uses_of_robot(path)]
 
 
 def test_the_documentation_lists_the_layers() -> None:
