@@ -1,10 +1,63 @@
-"""Shell text as far as a linter needs it: simple commands in order."""
+"""Shell text as far as a linter needs it: commands with their words and redirections, and the structure around them."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 from bringup_lint.source import Located
+from bringup_lint.source import Span
+
+
+class Word(Located):
+    """A word without its quotes, which knows where they were."""
+
+    __slots__ = ("quotes",)
+
+    quotes: tuple[str, ...]
+    """For each of the ``pieces`` the quote around it: ``'`` (nothing is expanded), ``"``, or nothing."""
+
+    def __new__(
+        cls,
+        text: str,
+        span: Span,
+        pieces: tuple[tuple[int, int], ...] | None = None,
+        quotes: tuple[str, ...] = (),
+    ) -> Word:
+        self = super().__new__(cls, text, span, pieces)
+        assert isinstance(self, Word)
+        self.quotes = quotes
+        return self
+
+
+class HereDocument(NamedTuple):
+    """The lines between ``<<WORD`` and WORD."""
+
+    text: Located
+    """As it is written, with the end of its last line."""
+    quoted: bool
+    """Nothing in it is expanded."""
+    tabs: bool
+    """``<<-``: the tabs at the start of a line are left out."""
+
+
+class Redirect(NamedTuple):
+    """``> FILE``, ``<<WORD`` and the like."""
+
+    operator: str
+    descriptor: str
+    """The number before the operator; empty for the usual one."""
+    target: Located | None
+    document: HereDocument | None = None
+
+    @property
+    def writes(self) -> bool:
+        """Whether standard output goes to the file."""
+        return self.operator in (">", ">>", ">|", "&>", "&>>") and self.descriptor in ("", "1")
+
+    @property
+    def appends(self) -> bool:
+        return self.operator in (">>", "&>>")
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,7 +71,8 @@ class Command:
     ends: str = ""
     """What ends it: ``;``, ``&&``, ``||``, ``|``, ``&``, a newline, or nothing."""
     depth: int = 0
-    """How many compound commands (if, while, functions, subshells) it stands in."""
+    """How many compound commands (if, while, functions, subshells) it is in."""
+    redirects: tuple[Redirect, ...] = ()
 
     @property
     def name(self) -> str:
@@ -49,3 +103,7 @@ class Block:
     """Arrays that a command assigns: name and number of words."""
     arithmetic: str = ""
     """The text of ``((...))``."""
+    redirects: tuple[Redirect, ...] = ()
+    """The redirections of a compound command."""
+    ends: str = ""
+    """What ends a compound command, as in ``Command``."""

@@ -1,67 +1,36 @@
-"""Shell scripts, as far as a linter needs them: words, quotes, operators, here-documents and compound commands
-(POSIX.1-2017, chapter 2; bash(1)). Nothing is expanded; what cannot be read is passed over."""
+"""Shell scripts as far as a linter needs them: simple commands, and the loops, branches and functions around them
+(POSIX.1-2017, 2.9; bash(1), "Compound Commands"). Nothing is expanded; what cannot be read is passed over."""
 
 from __future__ import annotations
 
-import re
+from collections.abc import Iterable
 from collections.abc import Iterator
-from typing import NamedTuple
+from dataclasses import replace
 
+from bringup_lint.model.shell import Block
 from bringup_lint.model.shell import Command
+from bringup_lint.model.shell import Redirect
+from bringup_lint.parsers.shell_tokens import ASSIGNMENT
+from bringup_lint.parsers.shell_tokens import HERE
+from bringup_lint.parsers.shell_tokens import REDIRECTS
+from bringup_lint.parsers.shell_tokens import Token
+from bringup_lint.parsers.shell_tokens import tokens
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
-_OPENING = frozenset({"if", "while", "until", "for", "case", "select", "{", "then", "else", "elif", "do"})
-_OPENS = frozenset({"if", "while", "until", "for", "case", "select", "{"})
-_CLOSES = frozenset({"fi", "done", "esac", "}"})
-_PREFIXES = _OPENING | {"!", "time"}
-ASSIGNMENT = re.compile(r"[A-Za-z_][A-Za-z0-9_]*\+?=")
-_OPERATOR = re.compile(r"&&|\|\||;;&?|;&|\|&|&>>?|<<<|<<-?|<>|<&|>&|>>|>\||[;&|<>()\n]")
-REDIRECTS = frozenset({"<", ">", ">>", "<&", ">&", "<>", ">|", "&>", "&>>", "<<<"})
-_PLAIN = re.compile(r"[^ \t\r\n\\'\"`$;&|<>()#]+")
+_DEPTH = 40
+_SEPARATORS = frozenset({";", "\n", "&", "&&", "||", "|"})
+_ENDS_BRANCH = frozenset({";;", ";&", ";;&"})
 
 
-class Token(NamedTuple):
-    text: Located
-    operator: bool
+def blocks(script: Located) -> tuple[Block, ...]:
+    """The statements of a script. Never raises; what cannot be read is passed over."""
+    return _Reader(tokens(script)).statements(frozenset(), 0)
 
 
 def commands(script: Located) -> list[Command]:
-    """The simple commands of a script, in the order in which they stand. Never raises."""
-    found: list[Command] = []
-    words: list[Located] = []
-    assignments: list[Located] = []
-    depth = 0
-    skip_word = False
-    for token in tokens(script):
-        text = str(token.text)
-        if not token.operator:
-            if skip_word:
-                skip_word = False
-            elif not words and text in _CLOSES and token.text.span.text == text:
-                depth = max(depth - 1, 0)
-            elif not words and text in _PREFIXES and token.text.span.text == text:
-                depth += text in _OPENS
-            elif not words and ASSIGNMENT.match(text):
-                assignments.append(token.text)
-            else:
-                words.append(token.text)
-            continue
-        if text in REDIRECTS:
-            skip_word = True
-            if words and words[-1].isdigit() and words[-1].span.end == token.text.span.start:
-                words.pop()
-            continue
-        if text == "(" and words:
-            words, assignments = [], []
-            continue
-        if words or assignments:
-            found.append(Command(tuple(words), tuple(assignments), text if text not in "()" else ";", depth))
-        words, assignments = [], []
-        depth = depth + 1 if text == "(" else max(depth - (text == ")"), 0)
-    if words or assignments:
-        found.append(Command(tuple(words), tuple(assignments), "", depth))
-    return found
+    """The simple commands of a script, in the order in which they appear. Never raises."""
+    return list(flatten(blocks(script)))
 
 
 def shell_commands(source: Source) -> list[Command]:
@@ -76,126 +45,226 @@ def words(line: Located) -> Iterator[Located]:
         yield from command.words
 
 
-def tokens(script: Located) -> Iterator[Token]:
-    text = str(script)
-    at, size = 0, len(text)
-    heredocs: list[tuple[str, bool]] = []
-    while at < size:
-        char = text[at]
-        if char in " \t\r":
-            at += 1
-        elif text.startswith("\\\n", at):
-            at += 2
-        elif char == "#":
-            at = _line_end(text, at)
-        elif operator := _OPERATOR.match(text, at):
-            yield Token(script.part(at, operator.end()), True)
-            at = operator.end()
-            if operator[0] in ("<<", "<<-"):
-                at, delimiter = _delimiter(text, at)
-                heredocs.append((delimiter, operator[0] == "<<-"))
-            elif char == "\n" and heredocs:
-                at = _skip_heredocs(text, at, heredocs)
-                heredocs = []
-        else:
-            end, word = _word(script, at)
-            yield Token(word, False)
-            at = end
+def flatten(found: Iterable[Block], depth: int = 0) -> Iterator[Command]:
+    """The simple commands of statements, each with the number of compound commands around it."""
+    for block in found:
+        if block.command is not None and (block.command.words or block.command.assignments):
+            yield replace(block.command, depth=depth) if depth else block.command
+        yield from flatten(block.condition, depth + 1)
+        for body in block.bodies:
+            yield from flatten(body, depth + 1)
 
 
-def _word(script: Located, start: int) -> tuple[int, Located]:
-    """The word at ``start``, its quotes removed, and where it ends."""
-    text = str(script)
-    size = len(text)
-    at = start
-    out: list[str] = []
-    pieces: list[tuple[int, int]] = []
-    length = 0
+class _Reader:
+    def __init__(self, found: list[Token]) -> None:
+        self.tokens = found
+        self.at = 0
 
-    def keep(begin: int, end: int) -> None:
-        nonlocal length
-        if end > begin:
-            pieces.append((length, script.origin(begin)))
-            out.append(text[begin:end])
-            length += end - begin
+    def peek(self, ahead: int = 0) -> Token | None:
+        at = self.at + ahead
+        return self.tokens[at] if at < len(self.tokens) else None
 
-    while at < size:
-        plain = _PLAIN.match(text, at)
-        if plain:
-            keep(at, plain.end())
-            at = plain.end()
-            continue
-        char = text[at]
-        if char == "\\":
-            if not text.startswith("\n", at + 1):
-                keep(at + 1, at + 2)
-            at += 2
-        elif char == "'":
-            end = _find(text, "'", at + 1)
-            keep(at + 1, end)
-            at = end + 1
-        elif char == '"':
-            end = _closing_quote(text, at + 1)
-            keep(at + 1, end)
-            at = end + 1
-        elif char == "`":
-            end = _find(text, "`", at + 1)
-            keep(at, end + 1)
-            at = end + 1
-        elif char == "$":
-            end = _expansion_end(text, at)
-            keep(at, end)
-            at = end
-        elif char == "#":
-            keep(at, at + 1)
-            at += 1
-        else:
-            break
-    at = min(at, size)
-    place = script.part(start, at)
-    return at, Located("".join(out), place.span, tuple(pieces) or None)
+    def is_operator(self, text: str, ahead: int = 0) -> bool:
+        token = self.peek(ahead)
+        return token is not None and token.operator and token.text == text
 
+    def keyword(self) -> str:
+        """The next word when it is plain, so that it may be a reserved word."""
+        token = self.peek()
+        if token is None or token.operator or token.text.span.text != token.text:
+            return ""
+        return str(token.text)
 
-def _expansion_end(text: str, at: int) -> int:
-    """Where the expansion that starts with ``$`` ends, brackets balanced."""
-    opening = text[at + 1 : at + 2]
-    closing = {"(": ")", "{": "}"}.get(opening)
-    if closing is None:
-        return at + 1
-    depth = 0
-    for end in range(at + 1, len(text)):
-        depth += (text[end] == opening) - (text[end] == closing)
-        if depth == 0:
-            return end + 1
-    return len(text)
+    def taken(self) -> str:
+        """The word before the place where reading goes on; empty past the end."""
+        return str(self.tokens[self.at - 1].text) if 0 < self.at <= len(self.tokens) else ""
 
-
-def _closing_quote(text: str, at: int) -> int:
-    while at < len(text) and text[at] != '"':
-        at += 2 if text[at] == "\\" else 1
-    return min(at, len(text))
-
-
-def _find(text: str, what: str, at: int) -> int:
-    found = text.find(what, at)
-    return len(text) if found == -1 else found
-
-
-def _line_end(text: str, at: int) -> int:
-    return _find(text, "\n", at)
-
-
-def _delimiter(text: str, at: int) -> tuple[int, str]:
-    match = re.compile(r"[ \t]*(?:'([^'\n]*)'|\"([^\"\n]*)\"|\\?([^ \t\r\n;&|<>()]*))").match(text, at)
-    return match.end(), next((group for group in match.groups() if group is not None), "")
-
-
-def _skip_heredocs(text: str, at: int, heredocs: list[tuple[str, bool]]) -> int:
-    for delimiter, tabs in heredocs:
-        while at < len(text):
-            end = _line_end(text, at)
-            line = text[at:end].rstrip("\r")
-            at = end + 1
-            if (line.lstrip("\t") if tabs else line) == delimiter:
+    def statements(self, stops: frozenset[str], depth: int) -> tuple[Block, ...]:
+        """Statements up to one of the stop words, which is taken."""
+        found: list[Block] = []
+        while (token := self.peek()) is not None:
+            text = str(token.text)
+            if (token.operator and text in stops) or self.keyword() in stops:
+                self.at += 1
                 break
-    return at
+            if token.operator and text in _SEPARATORS | _ENDS_BRANCH:
+                self.at += 1
+                continue
+            before = self.at
+            block = self.statement(depth)
+            if block is not None:
+                found.append(block)
+            if self.at == before:
+                self.at += 1
+        return tuple(found)
+
+    def statement(self, depth: int) -> Block | None:
+        block = self.command(depth)
+        if block is None or block.kind == "command":
+            return block
+        redirects = tuple(self.redirects([]))
+        return replace(block, redirects=redirects, ends=self.end())
+
+    def command(self, depth: int) -> Block | None:
+        word = self.keyword()
+        if depth > _DEPTH:
+            return self.simple()
+        if word in ("!", "time"):
+            self.at += 1
+            return self.statement(depth + 1)
+        if word in ("for", "select"):
+            return self.for_loop(depth)
+        if word in ("while", "until"):
+            self.at += 1
+            condition = self.statements(frozenset({"do"}), depth + 1)
+            return Block("loop", condition=condition, bodies=(self.statements(frozenset({"done"}), depth + 1),))
+        if word == "if":
+            return self.branches(depth)
+        if word == "case":
+            return self.case(depth)
+        if word == "{":
+            self.at += 1
+            return Block("group", bodies=(self.statements(frozenset({"}"}), depth + 1),))
+        if word == "function" or (self.is_operator("(", 1) and self.is_operator(")", 2)):
+            return self.function(depth)
+        if self.is_operator("("):
+            if self.is_operator("(", 1):
+                return Block("command", arithmetic=self.arithmetic())
+            self.at += 1
+            return Block("group", bodies=(self.statements(frozenset({")"}), depth + 1),))
+        return self.simple()
+
+    def arithmetic(self) -> str:
+        """The text between ``((`` and ``))``."""
+        start = self.tokens[self.at + 1].text.span
+        self.at += 2
+        end = start
+        while (token := self.peek()) is not None and not (self.is_operator(")") and self.is_operator(")", 1)):
+            end = token.text.span
+            self.at += 1
+        self.at += 2
+        return start.source.text[start.end : end.end]
+
+    def for_loop(self, depth: int) -> Block:
+        self.at += 1
+        name, items = "", []
+        if self.is_operator("(") and self.is_operator("(", 1):
+            start = self.tokens[self.at].text
+            self.arithmetic()
+            end = self.tokens[min(self.at, len(self.tokens)) - 1].text
+            source = start.span.source
+            items = [source.located(start.span.start, end.span.end)]
+        elif (token := self.peek()) is not None and not token.operator:
+            name = str(token.text)
+            self.at += 1
+            if self.keyword() == "in":
+                self.at += 1
+                while (token := self.peek()) is not None and not token.operator:
+                    items.append(token.text)
+                    self.at += 1
+            else:
+                items = [token.text.part(0, 0)] if token.text else []
+        self.statements(frozenset({"do"}), depth + 1)
+        return Block("for", name=name, items=tuple(items), bodies=(self.statements(frozenset({"done"}), depth + 1),))
+
+    def branches(self, depth: int) -> Block:
+        self.at += 1
+        condition: list[Block] = []
+        bodies: list[tuple[Block, ...]] = []
+        condition += self.statements(frozenset({"then"}), depth + 1)
+        while True:
+            start = self.at
+            bodies.append(self.statements(frozenset({"elif", "else", "fi"}), depth + 1))
+            ended = self.taken() if self.at > start else "fi"
+            if ended == "elif":
+                condition += self.statements(frozenset({"then"}), depth + 1)
+            elif ended != "else":
+                return Block("branches", condition=tuple(condition), bodies=tuple(bodies))
+
+    def case(self, depth: int) -> Block:
+        while (token := self.peek()) is not None and self.keyword() != "in":
+            self.at += 1
+        self.at += 1
+        bodies = []
+        while (token := self.peek()) is not None and self.keyword() != "esac":
+            if token.operator and token.text == ")":
+                self.at += 1
+                bodies.append(self.statements(_ENDS_BRANCH | {"esac"}, depth + 1))
+                if self.taken() == "esac":
+                    return Block("branches", bodies=tuple(bodies))
+            else:
+                self.at += 1
+        self.at += 1
+        return Block("branches", bodies=tuple(bodies))
+
+    def function(self, depth: int) -> Block:
+        if self.keyword() == "function":
+            self.at += 1
+        token = self.peek()
+        name = str(token.text) if token else ""
+        self.at += 1
+        while (token := self.peek()) is not None and token.operator and token.text in ("(", ")", "\n"):
+            self.at += 1
+        if self.keyword() == "{":
+            self.at += 1
+            return Block("function", name=name, bodies=(self.statements(frozenset({"}"}), depth + 1),))
+        body = self.statement(depth + 1)
+        return Block("function", name=name, bodies=((body,) if body else (),))
+
+    def simple(self) -> Block | None:
+        words: list[Located] = []
+        assignments: list[Located] = []
+        arrays: list[tuple[str, int]] = []
+        redirects: list[Redirect] = []
+        while (token := self.peek()) is not None:
+            text = str(token.text)
+            if not token.operator:
+                if not words and ASSIGNMENT.match(text):
+                    if text.endswith("=") and self.is_operator("(", 1):
+                        arrays.append((text.rstrip("=").rstrip("+"), self.array()))
+                        continue
+                    assignments.append(token.text)
+                else:
+                    words.append(token.text)
+                self.at += 1
+            elif text in REDIRECTS or text in HERE:
+                redirects += self.redirects(words)
+            else:
+                break
+        if not (words or assignments or arrays or redirects):
+            return None
+        command = Command(tuple(words), tuple(assignments), self.end(), redirects=tuple(redirects))
+        return Block("command", command, arrays=tuple(arrays))
+
+    def end(self) -> str:
+        """The operator that ends the command before it."""
+        token = self.peek()
+        text = str(token.text) if token is not None and token.operator else ""
+        return ";" if text in ("(", ")") else text
+
+    def redirects(self, before: list[Located]) -> Iterator[Redirect]:
+        """The redirections here; a number right before the operator, the last word of ``before``, belongs to it."""
+        while (token := self.peek()) is not None and token.operator:
+            operator = str(token.text)
+            if operator not in REDIRECTS and operator not in HERE:
+                return
+            self.at += 1
+            number = ""
+            if before and before[-1].isdigit() and before[-1].span.end == token.text.span.start:
+                number = str(before.pop())
+            target = None
+            after = self.peek()
+            if operator in REDIRECTS and after is not None and not after.operator:
+                target = after.text
+                self.at += 1
+            yield Redirect(operator, number, target, token.document)
+
+    def array(self) -> int:
+        """The number of words of ``NAME=(...)``."""
+        self.at += 2
+        count = 0
+        while (token := self.peek()) is not None and not (token.operator and token.text == ")"):
+            count += not token.operator
+            self.at += 1
+        self.at += 1
+        return count

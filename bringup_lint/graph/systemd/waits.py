@@ -26,7 +26,7 @@ from bringup_lint.graph.systemd.loops import rounds
 from bringup_lint.graph.systemd.process import Process
 from bringup_lint.model.shell import Block
 from bringup_lint.model.shell import Command
-from bringup_lint.parsers.shell_blocks import blocks
+from bringup_lint.parsers.shell import blocks
 from bringup_lint.parsers.systemd_values import nowhere
 from bringup_lint.source import Located
 from bringup_lint.source import Span

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from bringup_lint.discover.walk import discover
 from bringup_lint.graph.systemd.waits import longest_wait
-from bringup_lint.parsers.shell_blocks import blocks
+from bringup_lint.parsers.shell import blocks
 from bringup_lint.parsers.systemd_values import nowhere
 from bringup_lint.robot import Robot
 
