@@ -51,7 +51,7 @@ from bringup_lint.api import rule
 @rule("warning", fix="safe", symptoms=["failed to shutdown: rcl_shutdown already called on the given context"])
 def shutdown_double(robot: Robot) -> Iterator[Finding]:
     for file in robot.nodes.programs:
-        for call, spin in nodes.doubles(robot.nodes.ending(file)):
+        for call, spin in nodes.double_shutdown(robot.nodes.ending(file)):
             name = file.span_of(call.func)
             change = fix("call rclpy.try_shutdown()", (name, f"{name.text[: -len('shutdown')]}try_shutdown"))
             yield finding(

@@ -50,7 +50,7 @@ def shutdown_only_keyboardinterrupt(robot: Robot) -> Iterator[Finding]:
     for file in robot.nodes.programs:
         if robot.nodes.stopped_by(file) == {"SIGINT"}:
             continue
-        for caught, spin in nodes.uncaught(robot.nodes.ending(file)):
+        for caught, spin in nodes.unhandled_shutdown(robot.nodes.ending(file)):
             place = file.span_of(caught)
             alone = place.source.text[: place.start].rstrip().endswith("except")
             both = f"{place.text}, ExternalShutdownException"
