@@ -16,6 +16,7 @@ from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import Callback
 from bringup_lint.model.node_source import Group
 from bringup_lint.model.node_source import NodeClass
+from bringup_lint.model.python import PlacedNode
 
 DEPTH = 3
 SHORT = 0.1
@@ -37,7 +38,7 @@ class Blocking(NamedTuple):
     callback: Callback
     name: str
     """The method or function that is the callback."""
-    call: ast.AST
+    call: PlacedNode
     what: str
     """What it is, in words: ``time.sleep(2)``."""
     how_long: str

@@ -14,6 +14,7 @@ from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import Callback
 from bringup_lint.model.node_source import NodeClass
+from bringup_lint.model.python import PlacedNode
 
 STOPS = frozenset({"KeyboardInterrupt", "ExternalShutdownException"})
 """The exceptions by which a spin ends when a signal comes."""
@@ -41,7 +42,7 @@ class StopAfterShutdown(NamedTuple):
 
     sending: Sending
     how: str
-    place: ast.AST
+    place: PlacedNode
     spin: Spin | None
 
 
@@ -212,7 +213,7 @@ class HandlerNeverRuns(NamedTuple):
 
     ``place``: ``signal.signal(...)``, or the option that leaves the signals to Python."""
 
-    place: ast.AST
+    place: PlacedNode
     signals: frozenset[str]
     spin: Spin
     wakers: list[Callback]
