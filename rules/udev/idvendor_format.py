@@ -2,7 +2,7 @@
 
 ## What it finds
 `idVendor` or `idProduct` (also `ID_VENDOR_ID`, `ID_MODEL_ID`) that is not exactly four lower-case hexadecimal
-digits, or the two numbers of a known device in each other's place.
+digits, or the swapped numbers of a known device.
 
 ## Why it matters on a robot
 udev compares text: `10C4`, `0x10c4` and `403` do not match `10c4` and `0403`. The rule never fires.
@@ -55,7 +55,7 @@ def idvendor_format(robot: Robot) -> Iterator[Finding]:
             vendor, product = line.swapped_usb_id
             yield finding(
                 vendor.value,
-                f"idVendor {vendor.value} and idProduct {product.value} are in each other's place: the rule never fires",
+                f"idVendor {vendor.value} and idProduct {product.value} are swapped: the rule never fires",
                 advice=f'write idVendor=="{product.value}" and idProduct=="{vendor.value}"',
                 related=[note(product.value, "this is the number of the vendor")],
             )
