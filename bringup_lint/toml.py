@@ -12,5 +12,4 @@ def read_toml(text: str) -> dict[str, Any]:
         import tomllib
     else:
         import tomli as tomllib
-    parsed: dict[str, Any] = tomllib.loads(text)
-    return parsed
+    return tomllib.loads(text)

@@ -6,6 +6,7 @@ import re
 
 from bringup_lint.graph.nodes.edits import import_edits
 from bringup_lint.graph.nodes.edits import swap
+from bringup_lint.graph.nodes.edits import tried_shutdown
 from bringup_lint.graph.nodes.questions.blocking import awaits_asyncio
 from bringup_lint.graph.nodes.questions.blocking import blocking
 from bringup_lint.graph.nodes.questions.blocking import deadlocks
@@ -14,13 +15,14 @@ from bringup_lint.graph.nodes.questions.motion import moves
 from bringup_lint.graph.nodes.questions.safe_state import commands
 from bringup_lint.graph.nodes.questions.safe_state import fed_without_condition
 from bringup_lint.graph.nodes.questions.safe_state import has_safe_state
-from bringup_lint.graph.nodes.questions.safe_state import publish_after_deactivate
+from bringup_lint.graph.nodes.questions.safe_state import is_watched_relay
 from bringup_lint.graph.nodes.questions.safe_state import relays
+from bringup_lint.graph.nodes.questions.safe_state import silenced
 from bringup_lint.graph.nodes.questions.safe_state import uncovered_sigterm
-from bringup_lint.graph.nodes.questions.stopping import double_shutdown
-from bringup_lint.graph.nodes.questions.stopping import handler_never_runs
-from bringup_lint.graph.nodes.questions.stopping import stop_after_shutdown
-from bringup_lint.graph.nodes.questions.stopping import unhandled_shutdown
+from bringup_lint.graph.nodes.questions.stopping import doubles
+from bringup_lint.graph.nodes.questions.stopping import starved
+from bringup_lint.graph.nodes.questions.stopping import too_late
+from bringup_lint.graph.nodes.questions.stopping import uncaught
 from bringup_lint.graph.nodes.questions.undefined_names import dict_ranges
 from bringup_lint.graph.nodes.questions.undefined_names import range_text
 from bringup_lint.graph.nodes.questions.undefined_names import undefined
@@ -31,21 +33,23 @@ __all__ = [
     "commands",
     "deadlocks",
     "dict_ranges",
-    "double_shutdown",
+    "doubles",
     "fed_without_condition",
-    "handler_never_runs",
     "has_safe_state",
     "import_edits",
+    "is_watched_relay",
     "lowered",
     "moves",
-    "publish_after_deactivate",
     "range_text",
     "relays",
-    "stop_after_shutdown",
+    "silenced",
+    "starved",
     "swap",
+    "too_late",
+    "tried_shutdown",
+    "uncaught",
     "uncovered_sigterm",
     "undefined",
-    "unhandled_shutdown",
     "valid_node_name",
     "waits",
 ]

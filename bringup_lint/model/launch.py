@@ -91,7 +91,7 @@ class Node(Process):
     """Started as ``LifecycleNode``: launch itself offers its transitions."""
     autostart: Value | None = None
     container: bool = False
-    components: tuple[ComposableNode | Other, ...] = ()
+    components: tuple[ComposableNode, ...] = ()
 
 
 @dataclass(eq=False, slots=True, kw_only=True)
@@ -116,7 +116,7 @@ class LoadComponents(Action):
 
     target: Value | None = None
     target_key: int | None = None
-    components: tuple[ComposableNode | Other, ...] = ()
+    components: tuple[ComposableNode, ...] = ()
 
 
 @dataclass(eq=False, slots=True, kw_only=True)

@@ -9,7 +9,6 @@ from collections.abc import Callable
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
-from typing import TypeGuard
 from typing import Union
 from typing import get_args
 
@@ -199,10 +198,6 @@ Value = Union[
     Unknown,
 ]
 VALUE_TYPES = get_args(Value)
-
-
-def is_value(thing: object) -> TypeGuard[Value]:
-    return isinstance(thing, VALUE_TYPES)
 
 
 @dataclass(eq=False, slots=True)

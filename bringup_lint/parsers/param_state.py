@@ -147,8 +147,7 @@ class State:
             raise Refused("value-before-parameters", f"Cannot have a value before {HEADER}")
         if not text and style not in ("'", '"'):
             raise Refused("no-value", "No value")
-        if value is not None:
-            self.store(value)
+        self.store(value)
         if not self.in_list:
             self.is_key = True
 
@@ -164,9 +163,7 @@ class State:
             entry.slots[f"{value.type}_array"] = []
         elif self.list_type != value.type:
             raise Refused("mixed-list", f"Sequence should be of same type. Value type '{value.type}' do not belong")
-        items = entry.slots.setdefault(f"{value.type}_array", [])
-        if isinstance(items, list):
-            items.append(value.data)
+        entry.slots.setdefault(f"{value.type}_array", []).append(value.data)
 
     def key(self, name: str) -> None:
         if self.in_parameters:

@@ -3,7 +3,8 @@
 ## What it finds
 Calls in a callback, or in the methods that it calls, that keep the executor busy:
 
-- `time.sleep` of 0.1 s or more, `requests.*`, `subprocess.run` and similar functions, `input()`, reads of a serial
+- `time.sleep` of 0.1 s or more, `requests.*`, `subprocess.run` and similar functions (not for programs that return
+  at once, such as `systemctl poweroff`), `input()`, reads of a serial
   port without a timeout, and `while True`.
 - Calls that wait for the executor itself: `client.call()`, `Rate.sleep()`, `rclpy.spin_until_future_complete(self,
   ...)`.
@@ -46,6 +47,8 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 WORK = ("subscription", "timer", "service", "action", "client")
+URGENT = frozenset({"subscription", "timer", "action"})
+"""What must not wait: a service may answer a few seconds later."""
 
 
 @rule("warning", tags=["CWE-833"])
@@ -60,7 +63,10 @@ def blocking_in_callback(robot: Robot) -> Iterator[Finding]:
                 if found.how_long and callback.group is not None and callback.group.reentrant is not False:
                     continue
             stuck = nodes.deadlocks(found, threads)
-            if not shared if found.how_long and not found.nested else not stuck:
+            harmless = (
+                URGENT.isdisjoint(each.role for each in shared) if found.how_long and not found.nested else not stuck
+            )
+            if harmless:
                 continue
             others = f"{len(shared)} other callback{'s' if len(shared) > 1 else ''}"
             where = f"{found.name}()" if callback.function is None else found.name

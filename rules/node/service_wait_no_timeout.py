@@ -1,7 +1,8 @@
 """The node silently waits for a service without a timeout.
 
 ## What it finds
-`wait_for_service()` or `wait_for_server()` without a timeout in the constructor of a node or in a callback.
+`wait_for_service()` or `wait_for_server()` without a timeout in a callback, or in the constructor of a node when no
+message before it says what the node waits for.
 
 ## Why it matters on a robot
 If the other node does not start, or has another name or domain, this node hangs. Its process exists and `ros2 node
@@ -40,12 +41,15 @@ from bringup_lint.api import rule
 @rule("warning")
 def service_wait_no_timeout(robot: Robot) -> Iterator[Finding]:
     for file, node in robot.nodes.with_callbacks:
-        for call, service, where in nodes.waits(robot.nodes.ending(file), node):
+        for call, service, where, logged in nodes.waits(robot.nodes.ending(file), node):
+            at_start = where == "__init__"
+            if logged and at_start:
+                continue
             what = f"'{service}'" if service else "the service"
+            silently = "" if logged else " without any message"
             yield finding(
                 file.span_of(call),
-                f"If {what} never appears, the node hangs "
-                + ("at start without any message" if where == "__init__" else f"in {where}() without any message"),
+                f"If {what} never appears, the node hangs {'at start' if at_start else f'in {where}()'}{silently}",
                 advice="wait with timeout_sec= in a loop that logs what it waits for",
                 related=[note(service, "declared here")] if isinstance(service, Located) else [],
                 severity=nodes.lowered(robot.nodes.purpose(file.source), "warning"),

@@ -2,7 +2,9 @@
 
 ## What it finds
 `rclpy.shutdown()` in a `finally`, in an `except KeyboardInterrupt`, or after such a `try`, when rclpy handles the
-signals itself and neither `rclpy.ok()` nor another `try` guards the call.
+signals itself and neither `rclpy.ok()` nor another `try` guards the call. Where the same `try` does not catch
+`ExternalShutdownException` either, `node/shutdown-only-keyboardinterrupt` reports both. Info unless a unit, a
+container or a launch file of the robot starts the program.
 
 ## Why it matters on a robot
 On SIGINT and SIGTERM rclpy shuts the context down before the `finally` runs. The second shutdown raises an
@@ -51,15 +53,18 @@ from bringup_lint.api import rule
 @rule("warning", fix="safe", symptoms=["failed to shutdown: rcl_shutdown already called on the given context"])
 def shutdown_double(robot: Robot) -> Iterator[Finding]:
     for file in robot.nodes.programs:
-        for call, spin in nodes.double_shutdown(robot.nodes.ending(file)):
-            name = file.span_of(call.func)
-            change = fix("call rclpy.try_shutdown()", (name, f"{name.text[: -len('shutdown')]}try_shutdown"))
+        ending = robot.nodes.ending(file)
+        uncaught = () if robot.nodes.stopped_by(file) == {"SIGINT"} else nodes.uncaught(ending)
+        told = {each.spin for each in uncaught}
+        for call, spin in nodes.doubles(ending):
+            if spin in told:
+                continue
             yield finding(
                 file.span_of(call),
                 "'rcl_shutdown already called': Ctrl-C and a stop by systemd end in this exception and status 1, "
                 "because the signal has already shut the context down",
                 advice="call rclpy.try_shutdown()",
                 related=[note(file.span_of(spin.call), "the signal ends this spin")],
-                fix=change if name.text.endswith(".shutdown") else None,
-                severity="info" if robot.nodes.purpose(file.source) or robot.nodes.by_hand(file.source) else None,
+                fix=fix("call rclpy.try_shutdown()", *nodes.tried_shutdown(ending, call)),
+                severity=None if robot.nodes.is_stopped(file) else "info",
             )

@@ -5,7 +5,7 @@ A program whose node publishes velocities or efforts (`cmd_vel`, `*_command`, ..
 no `finally` or `except` that publishes, no signal handler, no `on_deactivate` or `on_shutdown` that publishes. A
 program that leaves SIGTERM to the operating system (`SignalHandlerOptions.NO` without a handler) is also reported.
 The finding is info when the tree has a mux, smoother or controller with its own timeout, when the node only relays
-commands, and when it is a lifecycle node.
+commands, when a relay with a timer in the tree receives the topic, and when it is a lifecycle node.
 
 ## Why it matters on a robot
 A motor controller that gets no message keeps the last one. When the unit is stopped or the node crashes, the robot
@@ -74,7 +74,12 @@ def shutdown_no_safe_state(robot: Robot) -> Iterator[Finding]:
         message = "The node exits without a stop command: the robot keeps its last velocity"
         if init is not None:
             message = "SIGTERM ends the node at once and no finally runs: the robot keeps its last velocity"
-        calm = robot.nodes.gate is not None or all(nodes.relays(node) for node in made) or made[0].is_lifecycle
+        calm = (
+            robot.nodes.gate is not None
+            or all(nodes.relays(node) for node in made)
+            or made[0].is_lifecycle
+            or any(nodes.is_watched_relay(node, command) for node in robot.nodes.classes if node not in made)
+        )
         yield finding(
             place,
             message,

@@ -66,7 +66,8 @@ WHY = {
 def shutdown_publish_after_context(robot: Robot) -> Iterator[Finding]:
     for file in robot.nodes.programs:
         told = set()
-        for late in nodes.stop_after_shutdown(robot.nodes.ending(file)):
+        purpose = robot.nodes.purpose(file.source)
+        for late in nodes.too_late(robot.nodes.ending(file)):
             endpoint, place = late.sending.endpoint, file.span_of(late.place)
             if late.how not in WHY or place in told:
                 continue
@@ -83,5 +84,10 @@ def shutdown_publish_after_context(robot: Robot) -> Iterator[Finding]:
                 "signal.signal(signal.SIGTERM, signal.default_int_handler), and give the node a timer",
                 related=steps,
                 chain=robot.nodes.chain_to(file, note(place, f"the {what} comes too late")),
-                severity=nodes.lowered(robot.nodes.purpose(file.source), "error" if moves else "warning"),
+                severity=_severity(robot.nodes.ending(file).is_raw_terminal, purpose, moves),
             )
+
+
+def _severity(raw_terminal: bool, purpose: str, moves: bool) -> str:
+    """In a raw terminal Ctrl-C is not a signal: the message is sent then, and lost only on SIGTERM."""
+    return "info" if raw_terminal else nodes.lowered(purpose, "error" if moves else "warning")

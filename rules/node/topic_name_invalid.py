@@ -10,6 +10,7 @@ name:
 - a substitution other than `{node}`, `{ns}` and `{namespace}`
 - more than 247 characters after expansion
 
+The default of a parameter that gives the name counts only where no parameter or launch file sets that parameter.
 Parameters that set the name of a topic are checked too, and so are the remappings of launch files, which may
 contain neither `__` nor a substitution.
 
@@ -59,6 +60,8 @@ ROLES = {"publisher": "topic", "subscription": "topic", "service": "service", "c
 def topic_name_invalid(robot: Robot) -> Iterator[Finding]:
     for endpoint in robot.topics.endpoints:
         if endpoint.role not in ROLES or endpoint.name is None:
+            continue
+        if endpoint.parameter is not None and robot.topics.is_given(str(endpoint.parameter)):
             continue
         reason = topics.refusal(endpoint.name)
         if reason is not None:

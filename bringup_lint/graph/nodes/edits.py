@@ -6,6 +6,7 @@ import ast
 
 from bringup_lint.finding import Edit
 from bringup_lint.finding import Fix
+from bringup_lint.graph.nodes.sources.ending import Ending
 from bringup_lint.model.node_source import NodeSource
 from bringup_lint.source import Span
 
@@ -14,19 +15,24 @@ def import_edits(file: NodeSource, module: str, name: str) -> list[tuple[Span, s
     """The edit that imports a name, or the module of that name; none when the file has it."""
     if file.imports.get(name) in (f"{module}.{name}", module or name):
         return []
-    body = file.tree.body if file.tree is not None else []
-    imports = [node for node in body if isinstance(node, (ast.Import, ast.ImportFrom))]
+    imports = [node for node in file.tree.body if isinstance(node, (ast.Import, ast.ImportFrom))]
     ours = [node for node in imports if _sorts_before(node, module)]
     line = f"from {module} import {name}\n" if module else f"import {name}\n"
     if ours:
-        return [(_line_after(file, ours[-1]), line)]
-    first = imports[0] if imports else next(iter(body), None)
+        return [(_behind(file, ours[-1]), line)]
+    first = imports[0] if imports else next(iter(file.tree.body), None)
     start = file.span_of(first).start if first is not None else 0
     return [(Span(file.source, start, start), line)]
 
 
+def tried_shutdown(ending: Ending, call: ast.Call) -> list[tuple[Span, str]]:
+    """The edit that makes ``rclpy.try_shutdown()`` of ``rclpy.shutdown()``; none for the bare imported function."""
+    name = ending.file.span_of(call.func)
+    return [(name, f"{name.text[: -len('shutdown')]}try_shutdown")] if name.text.endswith(".shutdown") else []
+
+
 def swap(file: NodeSource, first: ast.stmt, second: ast.stmt) -> Fix | None:
-    """Move a statement after a later one of its block; None when either shares a line, or gives a value."""
+    """Move a statement behind a later one of its block; None when either shares a line, or gives a value."""
     if not isinstance(first, ast.Expr) or not isinstance(second, ast.Expr):
         return None
     upper, lower = _lines(file, first), _lines(file, second)
@@ -57,8 +63,8 @@ def _sorts_before(node: ast.Import | ast.ImportFrom, module: str) -> bool:
     return not node.level and (node.module or "").partition(".")[0] == root and (node.module or "") <= module
 
 
-def _line_after(file: NodeSource, node: ast.stmt) -> Span:
-    """The start of the line after a statement."""
+def _behind(file: NodeSource, node: ast.stmt) -> Span:
+    """The start of the line behind a statement."""
     end = file.source.text.find("\n", file.span_of(node).end)
     at = len(file.source.text) if end < 0 else end + 1
     return Span(file.source, at, at)

@@ -19,6 +19,7 @@ from bringup_lint.graph.nodes.resolved.programs import program_of
 from bringup_lint.graph.nodes.sources.ending import Ending
 from bringup_lint.graph.nodes.sources.modules import Modules
 from bringup_lint.graph.nodes.sources.syntax import Syntax
+from bringup_lint.graph.purpose import Purpose
 from bringup_lint.graph.runners.runner import RunnerKind
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
@@ -45,6 +46,7 @@ _STARTERS = (
     *("systemd-unit", "systemd-dropin", "compose", "dockerfile", "shell-script"),
     *("launch-python", "launch-xml", "launch-yaml", "env-file", "cmake", "setup-py"),
 )
+_RUNNERS = ("systemd-unit", "systemd-dropin", "compose", "dockerfile", "supervisord", "cron")
 _TEST = re.compile(r"(?:^|[/_-])tests?(?:[/_.-]|$)|(?:^|/)(?:testing|integration_tests?)/", re.I)
 _EXAMPLE = re.compile(
     r"(?:^|[/_-])(?:examples?|demos?|tutorials?|samples?)(?:[/_.-]|$)|(?:^|/)(?:docs?|tools?|benchmarks?)/", re.I
@@ -90,11 +92,17 @@ class Nodes:
         return self._modules.by_source[node.source]
 
     def purpose(self, source: Source) -> str:
-        """``test``, ``example``, ``simulation`` or an empty string, by the path of the file in its package."""
+        """``test``, ``example``, ``simulation`` or another purpose, by the path of the file in its package; an empty
+        string for what runs on the robot."""
         if source not in self._purposes:
-            path = self._path(source)
-            self._purposes[source] = next((name for name, words in _PURPOSES if words.search(path)), "")
+            self._purposes[source] = self._purpose(source)
         return self._purposes[source]
+
+    def _purpose(self, source: Source) -> str:
+        path = self._path(source)
+        general = self.files.purpose(source)
+        other = general.value if general is not Purpose.ROBOT else ""
+        return next((name for name, words in _PURPOSES if words.search(path)), other)
 
     @cached_property
     def _purposes(self) -> dict[Source, str]:
@@ -169,6 +177,31 @@ class Nodes:
         launches = (each for each in self._runners().launches if each.runner.kind is not RunnerKind.SCRIPT)
         return list(dict.fromkeys(each.runner for each in launches if actions & self._actions(each)))
 
+    def is_deployed(self, file: NodeSource) -> bool:
+        """Whether a launch file of the robot, or a runner that is not a person, runs a file as a program."""
+        if any(self.files.purpose(each.file.source) is Purpose.ROBOT for each in self.launched(file)):
+            return True
+        if file.source in self._run_directly or self.runners(file):
+            return True
+        return any(file.source.basename in each.text for each in self.files.of_kind(*_RUNNERS))
+
+    def is_stopped(self, file: NodeSource) -> bool:
+        """Whether something of the robot starts a program that is not for tests, examples or a person at its keys, and
+        so stops it as well."""
+        return self.is_deployed(file) and not self.purpose(file.source) and not self.ending(file).reads_keys
+
+    @cached_property
+    def _run_directly(self) -> frozenset[Source]:
+        """The files that ``ros2 run`` starts for a unit, a container or the like."""
+        found: set[Source] = set()
+        for runner in self._runners().all:
+            if runner.kind is RunnerKind.SCRIPT:
+                continue
+            named = (each.ros for each in runner.starts if each.ros.package and each.ros.target)
+            programs = (self.program(str(ros.package), str(ros.target)) for ros in named)
+            found |= {program.file.source for program in programs if program is not None}
+        return frozenset(found)
+
     def _actions(self, launching: Launching) -> set[Action]:
         """The actions of all nodes that a command starts."""
         if launching.file is None:
@@ -212,7 +245,7 @@ class Nodes:
     @cached_property
     def programs(self) -> list[NodeSource]:
         """The judged sources but tests: those whose ends are looked at."""
-        return [file for file in self.judged if self.purpose(file.source) != "test"]
+        return [file for file in self.judged if self.purpose(file.source) not in ("test", "ci", "archive")]
 
     @property
     def with_callbacks(self) -> Iterator[tuple[NodeSource, NodeClass]]:

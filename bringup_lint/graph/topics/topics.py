@@ -115,6 +115,11 @@ class Topics:
         running.simulated = any(self.launch.simulated(expansion.entry) for expansion in expansions)
         return running
 
+    def is_given(self, parameter: str) -> bool:
+        """Whether a parameter file, launch file or command of the tree names a parameter, for whatever node."""
+        kinds = (*STARTING, *LAUNCH, "params", "shell-script")
+        return any(parameter in source.text for source in self.files.of_kind(*kinds))
+
     @property
     def refused(self) -> Iterator[tuple[LaunchedNode, Span, str, str]]:
         """Names in parameters and remappings of launched nodes that rcl does not take: the node, the place, the name,

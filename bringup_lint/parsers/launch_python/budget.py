@@ -7,7 +7,6 @@ from bringup_lint.model.launch_values import Literal
 from bringup_lint.model.launch_values import Unknown
 from bringup_lint.model.launch_values import Value
 from bringup_lint.model.launch_values import children
-from bringup_lint.source import Span
 
 TEXT = 4_000_000
 """Code points of a launch file."""
@@ -34,7 +33,7 @@ def bounded(value: Value) -> Value:
     if isinstance(value, Literal):
         return value
     count = 0
-    todo: list[Value] = [value]
+    todo = [value]
     while todo:
         inner = todo.pop()
         count += 1
@@ -45,7 +44,7 @@ def bounded(value: Value) -> Value:
     return value
 
 
-def concat(parts: list[Value], span: Span) -> Value:
+def concat(parts: list[Value], span) -> Value:
     """Text in a row; nested rows are made flat, and a row of one is that one."""
     flat: list[Value] = []
     for part in parts:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Callable
 from typing import Any
 
 from bringup_lint.model.launch_values import Literal
@@ -25,7 +24,6 @@ from bringup_lint.parsers.launch_python.objects import Sequence
 from bringup_lint.parsers.launch_python.objects import Symbol
 from bringup_lint.parsers.launch_python.operators import binary
 from bringup_lint.parsers.launch_python.operators import compare
-from bringup_lint.parsers.launch_python.operators import joined
 from bringup_lint.parsers.launch_python.operators import performed
 from bringup_lint.parsers.launch_python.operators import subscript
 from bringup_lint.parsers.launch_python.operators import unary
@@ -154,7 +152,10 @@ def _joined(state: State, node: ast.JoinedStr) -> Any:
             parts.append(Literal(Located(part.value, where), where))
     if not parts:
         return Literal(Located("", span), span)
-    return joined(parts, span)
+    if all(type(part) is Literal for part in parts):
+        text = "".join(str(part.value) for part in parts)
+        return Literal(Located(text, span), span)
+    return budget.concat(parts, span)
 
 
 def _ternary(state: State, node: ast.IfExp) -> Any:
@@ -164,8 +165,8 @@ def _ternary(state: State, node: ast.IfExp) -> Any:
         return evaluate(state, node.body)
     if outcome is False:
         return evaluate(state, node.orelse)
-    body, otherwise = evaluate(state, node.body), evaluate(state, node.orelse)
-    return Options([((outcome,), body), ((negated(outcome),), otherwise)], span)
+    options = [((outcome,), evaluate(state, node.body)), ((negated(outcome),), evaluate(state, node.orelse))]
+    return Options(options, span)
 
 
 def _bool(state: State, node: ast.BoolOp) -> Any:
@@ -256,7 +257,7 @@ def _yield(state: State, node: ast.Yield | ast.YieldFrom) -> Any:
     return Unknown("sent value", span)
 
 
-_HANDLERS: dict[type[ast.expr], Callable[[State, Any], Any]] = {
+_HANDLERS = {
     ast.Constant: _constant,
     ast.Name: _name,
     ast.Attribute: _attribute,

@@ -8,7 +8,6 @@ from bringup_lint.model.launch import Action
 from bringup_lint.model.launch import ComposableNode
 from bringup_lint.model.launch import LoadComponents
 from bringup_lint.model.launch import Node
-from bringup_lint.model.launch import Other
 from bringup_lint.model.launch import Process
 from bringup_lint.model.launch_values import Value
 from bringup_lint.parsers.launch_python import freeze
@@ -18,7 +17,6 @@ from bringup_lint.parsers.launch_python.objects import Function
 from bringup_lint.parsers.launch_python.objects import Mapping
 from bringup_lint.parsers.launch_python.objects import Options
 from bringup_lint.parsers.launch_python.objects import Sequence
-from bringup_lint.parsers.launch_python.state import Builder
 from bringup_lint.parsers.launch_python.state import State
 from bringup_lint.parsers.launch_python.substitutions import parameter
 
@@ -135,7 +133,7 @@ def _lifecycle_node(state: State, args: Arguments) -> Any:
 
 def _container(state: State, args: Arguments) -> Any:
     fields = _node_fields(state, args)
-    components = _components(state, args.get("composable_node_descriptions"))
+    components = freeze.actions(state, args.get("composable_node_descriptions"))
     return Node(container=True, components=components, **fields)
 
 
@@ -147,18 +145,11 @@ def _load(state: State, args: Arguments) -> Any:
         conditions=conditions(args),
         target=freeze.optional_text(state, target) if named else None,
         target_key=None if named else target.key,
-        components=_components(state, args.get("composable_node_descriptions", 0)),
+        components=freeze.actions(state, args.get("composable_node_descriptions", 0)),
     )
 
 
-def _components(state: State, thing: Any) -> tuple[ComposableNode | Other, ...]:
-    return tuple(
-        action if isinstance(action, (ComposableNode, Other)) else Other(span=action.span, why="not a component")
-        for action in freeze.actions(state, thing)
-    )
-
-
-def _component(lifecycle: bool) -> Builder:
+def _component(lifecycle: bool):
     def builder(state: State, args: Arguments) -> Any:
         remappings, more = freeze.pairs(state, args.get("remappings"))
         return ComposableNode(

@@ -6,7 +6,8 @@ import ast
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from bringup_lint.graph.nodes.questions.stopping import statements_of
+from bringup_lint.graph.nodes.questions.short_programs import is_short
+from bringup_lint.graph.nodes.questions.stopping import handed
 from bringup_lint.graph.nodes.sources.ending import Ending
 from bringup_lint.graph.nodes.sources.sending import called
 from bringup_lint.graph.nodes.sources.syntax import Syntax
@@ -16,7 +17,6 @@ from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import Callback
 from bringup_lint.model.node_source import Group
 from bringup_lint.model.node_source import NodeClass
-from bringup_lint.model.python import PlacedNode
 
 DEPTH = 3
 SHORT = 0.1
@@ -28,7 +28,8 @@ _REQUESTS = frozenset(
     f"requests.{verb}" for verb in ("get", "post", "put", "delete", "patch", "head", "options", "request")
 )
 _OPENS = frozenset({*_REQUESTS, "urllib.request.urlopen"})
-_SPINS = frozenset({"rclpy.spin", "rclpy.spin_until_future_complete"})
+_SPINS = {"rclpy.spin": 99, "rclpy.spin_until_future_complete": 3, "rclpy.spin_once": 99}
+"""Functions that run the executor, and the position of their time-out."""
 _SERIAL_READS = frozenset({"read", "readline", "readlines", "read_until"})
 
 
@@ -38,7 +39,7 @@ class Blocking(NamedTuple):
     callback: Callback
     name: str
     """The method or function that is the callback."""
-    call: PlacedNode
+    call: ast.AST
     what: str
     """What it is, in words: ``time.sleep(2)``."""
     how_long: str
@@ -58,12 +59,12 @@ def code_of(ending: Ending, cls: NodeClass, callback: Callback) -> tuple[str, li
     method = cls.methods.get(callback.name)
     if method is not None:
         return callback.name, body_of(method.node)
-    return callback.name, statements_of(ending, ast.Name(callback.name), None)
+    return callback.name, handed(ending, ast.Name(callback.name), None)
 
 
 def reached(syntax: Syntax, body: list[ast.AST], cls: NodeClass) -> Iterator[ast.AST]:
     """The syntax that a callback runs: its own, and that of the methods and functions of the file that it calls."""
-    seen: set[ast.AST] = set()
+    seen: set[int] = set()
     todo = [(body, 0)]
     while todo:
         statements, depth = todo.pop()
@@ -71,8 +72,8 @@ def reached(syntax: Syntax, body: list[ast.AST], cls: NodeClass) -> Iterator[ast
             yield node
             if isinstance(node, ast.Call) and depth < DEPTH and _is_plain(node):
                 for function, owner in called(syntax, node, cls):
-                    if function not in seen and (owner is None or owner.source is cls.source):
-                        seen.add(function)
+                    if id(function) not in seen and (owner is None or owner.source is cls.source):
+                        seen.add(id(function))
                         todo.append((body_of(function), depth + 1))
 
 
@@ -95,17 +96,17 @@ def deadlocks(found: Blocking, threads: str) -> bool:
 
 def blocking(ending: Ending, cls: NodeClass) -> Iterator[Blocking]:
     """The calls that block in the callbacks of a class."""
-    seen: set[ast.AST] = set()
+    seen: set[int] = set()
     for callback in cls.callbacks:
         if callback.role == "shutdown":
             continue
         name, body = code_of(ending, cls, callback)
         for node in reached(ending.syntax, body, cls):
-            if node in seen:
+            if id(node) in seen:
                 continue
             found = _blocks(ending, node, cls)
             if found is not None:
-                seen.add(node)
+                seen.add(id(node))
                 clients = [each for each in cls.all_endpoints if each.role.endswith("client")]
                 nested = found[0].startswith("rclpy.spin")
                 if nested and not any(each.callback_group is None for each in clients):
@@ -123,12 +124,13 @@ def _blocks(ending: Ending, node: ast.AST, cls: NodeClass) -> tuple[str, str] | 
     name = ending.syntax.qualified(node)
     if name == "time.sleep":
         return _sleep(ending, node)
-    if name in _PROGRAMS and not _has(node, "timeout"):
+    if name in _PROGRAMS and not _has(node, "timeout") and not is_short(ending, node):
         return name, "as long as the program runs"
     if name in _OPENS:
         return _open(ending, node, name)
     if name in _SPINS and _is_of(node, cls):
-        return f"{name}(self)", _timeout(ending, node, 2)
+        until = "until another callback is ready" if name == "rclpy.spin_once" else ""
+        return f"{name}(self)", _timeout(ending, node, _SPINS[name]) or until
     if isinstance(node.func, ast.Name) and node.func.id == "input" and ending.file.imports.get("input") is None:
         return "input()", "until somebody types"
     if isinstance(node.func, ast.Attribute) and isinstance(node.func.value, ast.Attribute):
@@ -200,7 +202,7 @@ def _method(ending: Ending, call: ast.Call, owner: ast.Attribute, cls: NodeClass
     """``self.x.method()``."""
     if not isinstance(owner.value, ast.Name) or owner.value.id != "self":
         return None
-    kept, name = f"self.{owner.attr}", call.func.attr if isinstance(call.func, ast.Attribute) else ""
+    kept, name = f"self.{owner.attr}", call.func.attr
     clients = [each for each in cls.all_endpoints if each.role == "client" and each.attribute == kept]
     if name == "call" and clients:
         return f"{kept}.call()", _timeout(ending, call, 1)
@@ -245,15 +247,15 @@ def awaits_asyncio(ending: Ending, cls: NodeClass) -> Iterator[tuple[Callback, s
     """``await asyncio.sleep(...)`` and the like in callbacks: callback, its name, the call, the function's name."""
     if any((ending.syntax.qualified(call) or "") in _LOOPS for call in ending.syntax.calls):
         return
-    seen: set[ast.AST] = set()
+    seen: set[int] = set()
     for callback in cls.callbacks:
         name, body = code_of(ending, cls, callback)
         for node in reached(ending.syntax, body, cls):
-            if not isinstance(node, ast.Await) or not isinstance(node.value, ast.Call) or node in seen:
+            if not isinstance(node, ast.Await) or not isinstance(node.value, ast.Call) or id(node) in seen:
                 continue
             wanted = ending.syntax.qualified(node.value) or ""
             if wanted in _NEED_A_LOOP and not _is_zero(node.value):
-                seen.add(node)
+                seen.add(id(node))
                 yield callback, name, node.value, wanted
 
 
@@ -276,6 +278,8 @@ class Waiting(NamedTuple):
     call: ast.Call
     service: str | None
     where: str
+    logged: bool
+    """A message right before it says what the node waits for."""
 
 
 def waits(ending: Ending, cls: NodeClass) -> Iterator[Waiting]:
@@ -283,10 +287,10 @@ def waits(ending: Ending, cls: NodeClass) -> Iterator[Waiting]:
     init = cls.methods.get("__init__")
     places = [("__init__", body_of(init.node))] if init is not None else []
     places += [code_of(ending, cls, callback) for callback in cls.callbacks]
-    seen: set[ast.AST] = set()
+    seen: set[int] = set()
     for where, body in places:
         for node in reached(ending.syntax, body, cls):
-            if not isinstance(node, ast.Call) or node.args or node.keywords or node in seen:
+            if not isinstance(node, ast.Call) or node.args or node.keywords or id(node) in seen:
                 continue
             function = node.func
             if not isinstance(function, ast.Attribute) or function.attr not in ("wait_for_service", "wait_for_server"):
@@ -294,5 +298,28 @@ def waits(ending: Ending, cls: NodeClass) -> Iterator[Waiting]:
             kept = ast.unparse(function.value)
             found = [each for each in cls.all_endpoints if each.attribute == kept and each.role.endswith("client")]
             if found:
-                seen.add(node)
-                yield Waiting(node, found[0].name, where)
+                seen.add(id(node))
+                yield Waiting(node, found[0].name, where, _is_announced(ending.syntax, node))
+
+
+_LOGS = frozenset({"info", "warn", "warning", "error", "debug", "fatal"})
+
+
+def _is_announced(syntax: Syntax, call: ast.Call) -> bool:
+    """Whether one of the two statements before a call logs or prints something."""
+    for outer, _ in syntax.within(call):
+        if not isinstance(outer, ast.stmt):
+            continue
+        above = next(syntax.above(outer), None)
+        block = getattr(*above) if above is not None else None
+        if isinstance(block, list):
+            at = block.index(outer)
+            return any(_is_message(each) for each in own_calls(block[max(0, at - 2) : at]))
+    return False
+
+
+def _is_message(call: ast.Call) -> bool:
+    function = call.func
+    if isinstance(function, ast.Name):
+        return function.id == "print"
+    return isinstance(function, ast.Attribute) and function.attr in _LOGS

@@ -5,7 +5,6 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Iterator
-from collections.abc import Sequence
 from typing import NamedTuple
 
 from bringup_lint.graph.nodes.questions.motion import moves
@@ -15,7 +14,6 @@ from bringup_lint.graph.nodes.sources.sending import published
 from bringup_lint.graph.nodes.sources.sending import sendings
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import body_of
-from bringup_lint.graph.nodes.sources.syntax import nodes_of
 from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import Function
@@ -37,6 +35,13 @@ def relays(node: NodeClass) -> bool:
     return any(each.type in wanted or moves(each) for each in heard)
 
 
+def is_watched_relay(node: NodeClass, command: Endpoint) -> bool:
+    """Whether a node passes a command on and has a timer, which can end it when no more come."""
+    heard = [each for each in node.all_endpoints if each.role == "subscription" and each.name and command.name]
+    named = any(str(each.name).strip("/") == str(command.name).strip("/") for each in heard)
+    return named and bool(node.all_timers) and bool(commands(node))
+
+
 def has_safe_state(ending: Ending, nodes: list[NodeClass]) -> bool:
     """Whether a file does anything at the end that could be a stop command, well or badly."""
     if ending.handlers or any(is_on_shutdown(call) for call in ending.syntax.calls):
@@ -53,7 +58,7 @@ def has_safe_state(ending: Ending, nodes: list[NodeClass]) -> bool:
 
 def _last_blocks(ending: Ending) -> Iterator[list[ast.stmt]]:
     """What runs when something else is over: ``finally``, ``except``, and the statements behind a spin."""
-    for node in nodes_of(ending.file):
+    for node in ast.walk(ending.file.tree):
         if isinstance(node, ast.Try):
             yield node.finalbody
             yield from (handler.body for handler in node.handlers)
@@ -63,7 +68,7 @@ def _last_blocks(ending: Ending) -> Iterator[list[ast.stmt]]:
                 yield ending.syntax.after(outer)
 
 
-def _is_stop(syntax: Syntax, block: Sequence[ast.AST], cls: NodeClass | None) -> bool:
+def _is_stop(syntax: Syntax, block: list[ast.AST], cls: NodeClass | None) -> bool:
     if next(sendings(syntax, block, cls), None) is not None:
         return True
     for call in own_calls(block):
@@ -73,7 +78,7 @@ def _is_stop(syntax: Syntax, block: Sequence[ast.AST], cls: NodeClass | None) ->
     return False
 
 
-class PublishAfterDeactivate(NamedTuple):
+class Reordered(NamedTuple):
     """``deactivate`` stands before ``publish`` in a transition of a lifecycle node."""
 
     method: Function
@@ -82,27 +87,21 @@ class PublishAfterDeactivate(NamedTuple):
     endpoint: Endpoint
 
 
-def publish_after_deactivate(syntax: Syntax, node: NodeClass) -> Iterator[PublishAfterDeactivate]:
+def silenced(syntax: Syntax, node: NodeClass) -> Iterator[Reordered]:
     """The messages that a lifecycle publisher drops, because it was deactivated before."""
     for name in ("on_deactivate", "on_shutdown", "on_cleanup", "on_error"):
         method = node.methods.get(name)
-        if method is not None:
-            yield from _dropped(syntax, node, method)
-
-
-def _dropped(syntax: Syntax, node: NodeClass, method: Function) -> Iterator[PublishAfterDeactivate]:
-    """The first message of a transition that comes after a deactivation, when there is one."""
-    first: ast.stmt | None = None
-    for statement in method.node.body:
-        sent = [each.endpoint for each in sendings(syntax, [statement], node)]
-        silent = [each for each in sent if each.lifecycle and first is not None and _covers(first, each)]
-        if first is not None and silent:
-            yield PublishAfterDeactivate(method, first, statement, silent[0])
-            return
-        if first is None and any(_deactivates(call) for call in own_calls([statement])):
-            if not isinstance(statement, (ast.Expr, ast.Assign)):
-                return
-            first = statement
+        first: ast.stmt | None = None
+        for statement in method.node.body if method is not None else ():
+            sent = [each.endpoint for each in sendings(syntax, [statement], node)]
+            silent = [each for each in sent if each.lifecycle and first is not None and _covers(first, each)]
+            if silent:
+                yield Reordered(method, first, statement, silent[0])
+                break
+            if first is None and any(_deactivates(call) for call in own_calls([statement])):
+                if not isinstance(statement, (ast.Expr, ast.Assign)):
+                    break
+                first = statement
 
 
 def _deactivates(call: ast.Call) -> bool:
@@ -112,7 +111,7 @@ def _deactivates(call: ast.Call) -> bool:
 def _covers(statement: ast.stmt, endpoint: Endpoint) -> bool:
     """Whether a deactivation is of the whole node, or of this publisher."""
     for call in own_calls([statement]):
-        if _deactivates(call) and isinstance(call.func, ast.Attribute):
+        if _deactivates(call):
             owner = call.func.value
             return isinstance(owner, ast.Call) or ast.unparse(owner) == endpoint.attribute
     return False

@@ -15,7 +15,6 @@ from typing import NamedTuple
 from bringup_lint.graph.nodes.sources.sending import called
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import body_of
-from bringup_lint.graph.nodes.sources.syntax import nodes_of
 from bringup_lint.graph.nodes.sources.syntax import own_calls
 
 _SINGLE = "rclpy.executors.SingleThreadedExecutor"
@@ -30,6 +29,9 @@ _OWN_SIGNALS = (
     "signal.pthread_sigmask",
 )
 
+
+_RAW = ("tty.setraw", "curses.raw")
+_KEYS = ("termios", "tty", "curses", "getch", "getkey", "readchar", "sshkeyboard", "msvcrt", "pynput")
 
 UNKNOWN = ("foxy", "galactic")
 """Distributions whose rclpy handles signals in another way (before rclpy 3, Humble)."""
@@ -86,6 +88,16 @@ class Ending:
         return {"NO": "none", "ALL": "rclpy"}.get(chosen.rpartition("SignalHandlerOptions.")[2])
 
     @cached_property
+    def is_raw_terminal(self) -> bool:
+        """Whether Ctrl-C reaches the program as a character, and not as a signal."""
+        return any(self.syntax.qualified(call) in _RAW for call in self.syntax.calls)
+
+    @cached_property
+    def reads_keys(self) -> bool:
+        """Whether a person at a terminal runs it, and presses keys."""
+        return self.is_raw_terminal or any((name or "").startswith(_KEYS) for name in self.file.imports.values())
+
+    @cached_property
     def handlers(self) -> list[Handler]:
         found = []
         for call in self.syntax.calls:
@@ -133,19 +145,19 @@ class Ending:
 
     def spins_in(self, nodes: list[ast.stmt]) -> Iterator[Spin]:
         """The spins that statements run: their own, and those of the functions of the file that they call."""
-        by_call = {spin.call: spin for spin in self.spins}
+        by_call = {id(spin.call): spin for spin in self.spins}
         for call in own_calls(nodes):
-            if call in by_call:
-                yield by_call[call]
+            if id(call) in by_call:
+                yield by_call[id(call)]
                 continue
             for function, _ in called(self.syntax, call, None):
-                yield from (by_call[inner] for inner in own_calls(body_of(function)) if inner in by_call)
+                yield from (by_call[id(inner)] for inner in own_calls(body_of(function)) if id(inner) in by_call)
 
     @cached_property
     def tries(self) -> list[tuple[ast.Try, list[Spin]]]:
         """The ``try`` statements around a spin."""
         found = []
-        for node in nodes_of(self.file):
+        for node in ast.walk(self.file.tree):
             if not isinstance(node, ast.Try) or self._in_thread(node):
                 continue
             if spins := list(self.spins_in(node.body)):

@@ -44,6 +44,8 @@ class Use:
     """Made inside a library class, such as a ``TransformListener``."""
     conditional: bool = False
     lifecycle: bool = False
+    method: str | None = None
+    """The function that makes it."""
     qos_parameter: Span | None = None
     """The value in the configuration that decides its quality of service."""
 

@@ -109,6 +109,7 @@ class _Resolver:
             return False
         use.given = given
         use.implied, use.conditional, use.lifecycle = endpoint.implied, endpoint.conditional, endpoint.lifecycle
+        use.method = endpoint.method
         node.uses.append(overridden(use, self.given))
         return True
 
@@ -143,9 +144,9 @@ class _Resolver:
             yield topic.name, None
         elif "*" in topic.parameter:
             for name in names(self.given, topic.parameter):
-                given = self.given.values[name]
-                if isinstance(given.value, str) and given.value:
-                    yield given.value, given.where
+                value, where = self.given.values[name]
+                if isinstance(value, str) and value:
+                    yield value, where
         else:
             value, where = self.parameter(topic.parameter, None)
             if value is not None:
@@ -165,12 +166,19 @@ class _Resolver:
         return Use(role, name, type_, qos, node, where, written, by)
 
 
+def _all_made(uses: list[Use]) -> bool:
+    """Whether a node surely makes all of these: one function does, under no condition."""
+    return not any(use.conditional for use in uses) and len({use.method for use in uses}) == 1
+
+
 def drop_ambiguous(node: LaunchedNode) -> None:
     """What a node makes in one way or another, as a parameter decides, is not known: types and profiles that differ."""
     groups: dict[tuple[str, str], list[Use]] = {}
     for use in node.uses:
         groups.setdefault((use.role, use.topic), []).append(use)
     for uses in groups.values():
+        if node.node_class is not None and _all_made(uses):
+            continue
         if len({use.type for use in uses}) > 1:
             for use in uses:
                 use.type = None
