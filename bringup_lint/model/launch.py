@@ -8,6 +8,7 @@ from dataclasses import field
 from itertools import count
 from typing import NamedTuple
 
+from bringup_lint.model.launch_tag import Tag
 from bringup_lint.model.launch_values import Argument
 from bringup_lint.model.launch_values import Choice
 from bringup_lint.model.launch_values import Condition
@@ -273,6 +274,8 @@ class LaunchFile:
     imports: list[Import] = field(default_factory=list)
     calls: list[Call] = field(default_factory=list)
     bare_excepts: list[Span] = field(default_factory=list)
+    tag: Tag | None = None
+    """The root of an XML or YAML file, as it is written."""
     ros1: list[Located] = field(default_factory=list)
     """Names that only ROS 1 launch knows."""
 

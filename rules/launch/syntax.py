@@ -1,7 +1,8 @@
 """A launch file cannot be parsed.
 
 ## What it finds
-Python launch files with a syntax error, and XML and YAML launch files that are not well-formed.
+Python launch files with a syntax error, XML and YAML launch files that are not well-formed (also `--` inside an XML
+comment), and YAML launch files that are no list of tags.
 
 ## Why it matters on a robot
 `ros2 launch` stops before it starts a single node. A unit that runs it fails at every boot.
@@ -31,15 +32,13 @@ import sys
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Problem
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 IGNORED = {
     "doctype",
-    "control-character",
-    "late-declaration",
-    "bad-comment",
     "no-launch-root",
     "too-large",
     "alias-bomb",
@@ -54,10 +53,23 @@ def syntax(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         for problem in file.problems[:1]:
             newer = sys.version_info < (3, 12) and "f-string" in problem.detail
-            if problem.code not in IGNORED and not (newer and robot.target.ros not in OLD):
+            ignored = problem.code in IGNORED or _other_version(problem)
+            if not ignored and not (newer and robot.target.ros not in OLD):
                 detail = f" ({problem.detail})" if problem.detail else ""
                 yield finding(
                     problem.where,
                     f"The launch file has a syntax error{detail}: nothing starts",
                     advice="correct the line",
                 )
+        for refused in robot.launch.refusals(file):
+            if refused.code == "shape":
+                yield finding(
+                    refused.where,
+                    f"The launch file has a syntax error ({refused.message}): nothing starts",
+                    advice="correct the line",
+                )
+
+
+def _other_version(problem: Problem) -> bool:
+    """Python reads XML of any version."""
+    return problem.code == "bad-declaration" and "version=" in problem.span.text

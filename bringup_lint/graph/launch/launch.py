@@ -21,6 +21,8 @@ from bringup_lint.graph.launch.expand import ACTIONS
 from bringup_lint.graph.launch.expand import Expander
 from bringup_lint.graph.launch.expansion import Expansion
 from bringup_lint.graph.launch.expansion import Included
+from bringup_lint.graph.launch.grammar import Refusal
+from bringup_lint.graph.launch.grammar import refusals
 from bringup_lint.graph.launch.lifecycle import full_name
 from bringup_lint.graph.launch.lifecycle import managers
 from bringup_lint.graph.launch.references import Reference
@@ -46,6 +48,7 @@ from bringup_lint.model.launch_values import Condition
 from bringup_lint.model.launch_values import ParameterFile
 from bringup_lint.model.launch_values import Value
 from bringup_lint.model.launch_values import walk
+from bringup_lint.source import Located
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
@@ -221,6 +224,26 @@ class Launch:
         """The files that a launch file names through a package or beside itself, when launched without arguments."""
         return references(self.expansion(file), file, self.find)
 
+    def refusals(self, file: LaunchFile) -> list[Refusal]:
+        """What launch refuses in an XML or YAML file; without names that an extension in the tree may define."""
+        found = self._refusals.get(id(file))
+        if found is None:
+            found = [each for each in refusals(file, self._tree_files.target.ros) if not _is_ros1(each, file)]
+            if any(each.extension for each in found) and self._extends_launch:
+                found = [each for each in found if not each.extension]
+            self._refusals[id(file)] = found
+        return found
+
+    @cached_property
+    def _refusals(self) -> dict[int, list[Refusal]]:
+        return {}
+
+    @cached_property
+    def _extends_launch(self) -> bool:
+        """Whether a package of the tree adds tags or substitutions to launch."""
+        builds = self._tree_files.of_kind("setup-py", "setup-cfg")
+        return any("launch.frontend.launch_extension" in source.text for source in builds)
+
     def files_of(self, package: Package) -> list[LaunchFile]:
         """The launch files that lie in a package."""
         return self._by_package.get(id(package), [])
@@ -385,6 +408,14 @@ class Launch:
             for action in walk_actions(file.actions):
                 if isinstance(action, kind):
                     yield file, action
+
+
+def _is_ros1(refusal: Refusal, file: LaunchFile) -> bool:
+    """Whether a construct of ROS 1 is the cause, which is found as such."""
+    where = refusal.where.span if isinstance(refusal.where, Located) else refusal.where
+    if any(name.span.start == where.start for name in file.ros1):
+        return True
+    return refusal.code == "missing" and any(name in ("type", "value") for name in file.ros1)
 
 
 def _substitutes(file: LaunchFile) -> bool:

@@ -1,0 +1,48 @@
+"""A tag of an XML or YAML launch file has an attribute that launch does not know.
+
+## What it finds
+Attributes and keys that a tag does not have, misspelt or from another tag, and those that exclude each other. Silent
+for the root and for `<choice>`, where launch ignores them.
+
+## Why it matters on a robot
+`ros2 launch` stops before it starts a single node. A unit that runs it fails at every boot.
+
+## Bad
+```xml
+<node pkg="demo" exec="driver" respwn="true"/>
+```
+
+## Good
+```xml
+<node pkg="demo" exec="driver" respawn="true"/>
+```
+
+## When to ignore it
+When the robot runs a newer distribution than the one that the tree names.
+
+## References
+- ros2/launch, `Entity.assert_entity_completely_parsed`
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule("error", fix="unsafe", symptoms=["Unexpected attribute(s) found in", "Unexpected key(s) found in"])
+def unknown_attribute(robot: Robot) -> Iterator[Finding]:
+    for file in robot.launch.judged:
+        for refused in robot.launch.refusals(file):
+            if refused.code == "attribute":
+                near = refused.near[0] if len(refused.near) == 1 else ""
+                yield finding(
+                    refused.where,
+                    f"{refused.message}: launch refuses the file",
+                    advice=f"write {near}" if near else "remove it",
+                    confidence="medium" if refused.extension else None,
+                    fix=fix(f"write {near}", (refused.where, near), safe=False) if near else None,
+                )
