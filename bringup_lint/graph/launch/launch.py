@@ -21,8 +21,6 @@ from bringup_lint.graph.launch.expand import ACTIONS
 from bringup_lint.graph.launch.expand import Expander
 from bringup_lint.graph.launch.expansion import Expansion
 from bringup_lint.graph.launch.expansion import Included
-from bringup_lint.graph.launch.grammar import Refusal
-from bringup_lint.graph.launch.grammar import refusals
 from bringup_lint.graph.launch.lifecycle import full_name
 from bringup_lint.graph.launch.lifecycle import managers
 from bringup_lint.graph.launch.references import Reference
@@ -53,6 +51,7 @@ from bringup_lint.source import Source
 
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
+    from bringup_lint.graph.launch.grammar import Refusal
 
 _VIEW = re.compile(r"(?:^|[/_.-])(?:display|view\w*|rviz\w*)(?:$|[/_.-])")
 """Paths of launch files that only show something."""
@@ -228,6 +227,8 @@ class Launch:
         """What launch refuses in an XML or YAML file; without names that an extension in the tree may define."""
         found = self._refusals.get(id(file))
         if found is None:
+            from bringup_lint.graph.launch.grammar import refusals
+
             found = [each for each in refusals(file, self._tree_files.target.ros) if not _is_ros1(each, file)]
             if any(each.extension for each in found) and self._extends_launch:
                 found = [each for each in found if not each.extension]
