@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from bringup_lint.graph.environment.env_files import UsedEnvFile
 from bringup_lint.graph.environment.ros import RosProcess
+from bringup_lint.graph.environment.ros import Setting
 
 __all__ = [
     "RosProcess",
+    "Setting",
     "UsedEnvFile",
 ]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from bringup_lint.facts.ros.distros import at_least
 from bringup_lint.facts.ros.distros import distro_end
 from bringup_lint.facts.ros.distros import distros_since
+from bringup_lint.facts.ros.variables import variables
 from bringup_lint.parsers import json5
 from bringup_lint.parsers.ros_values import DISCOVERY_RANGES
 from bringup_lint.parsers.ros_values import EPHEMERAL_DOMAINS
@@ -30,4 +31,5 @@ __all__ = [
     "domain_id",
     "highest_port",
     "json5",
+    "variables",
 ]

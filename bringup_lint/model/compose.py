@@ -38,6 +38,8 @@ class Variable(NamedTuple):
 
     name: Located
     value: Located | None
+    in_list: bool = False
+    """Written as ``- NAME=value``, where compose takes everything after the sign as it is."""
 
 
 class Volume(NamedTuple):
@@ -150,7 +152,7 @@ class Service:
         for line in _scalars(node) if isinstance(node, Sequence) else ():
             name, equals, _ = line.value.partition("=")
             text = line.value.part(len(name) + 1, len(line.value)) if equals else None
-            found[name] = Variable(line.value.part(0, len(name)), text)
+            found[name] = Variable(line.value.part(0, len(name)), text, True)
         return found
 
     @cached_property

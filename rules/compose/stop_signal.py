@@ -3,7 +3,8 @@
 ## What it finds
 A service that runs `ros2 launch` and is stopped by SIGTERM: it has no `stop_signal`, and its image has no
 `STOPSIGNAL`. The image is known if it is an official one, or if a Dockerfile of the tree builds it, be it for another
-service, in a bake file or in a script. Images from elsewhere are not reported.
+service, in a bake file or in a script. Images from elsewhere are not reported; neither are those whose own CMD runs
+`ros2 launch`: `docker/stopsignal` reports them.
 
 ## Why it matters on a robot
 On SIGTERM `ros2 launch` exits without stopping its nodes. Ten seconds later Docker kills everything that is left.
@@ -29,6 +30,7 @@ When a wrapper in the image translates SIGTERM into SIGINT.
 - https://github.com/ros2/launch/issues/666
 """
 
+import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -36,7 +38,10 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.docker import Stage
 from bringup_lint.api.yaml import first_key
+
+LAUNCH = re.compile(r"\bros2[\s\",\[\]]+launch\b")
 
 
 @rule("warning", fix="safe", symptoms=["exited with code 137"])
@@ -47,9 +52,17 @@ def stop_signal(robot: Robot) -> Iterator[Finding]:
             continue
         if robot.compose.stop_signal(service) not in ("SIGTERM", "TERM", "15"):
             continue
+        if _said_in_dockerfile(robot.compose.stage(service)):
+            continue
         yield finding(
             launch,
             f"docker stop sends SIGTERM to '{service.name}': ros2 launch exits before its nodes, and Docker kills them",
             advice="add stop_signal: SIGINT",
             fix=fix("add stop_signal: SIGINT", first_key(service.body, "stop_signal: SIGINT")),
         )
+
+
+def _said_in_dockerfile(stage: Stage | None) -> bool:
+    """Whether the image itself runs ros2 launch, so that docker/stopsignal reports it."""
+    starts = [stage.last("CMD"), stage.last("ENTRYPOINT")] if stage is not None else []
+    return any(each is not None and LAUNCH.search(each.value) for each in starts)

@@ -4,7 +4,8 @@
 A last stage with `USER root` as its last USER, or without USER on an image that certainly runs as root (the
 official ROS, Ubuntu, Debian and Python images). Not checked: builder stages, images that other Dockerfiles of the tree
 build on, images that start systemd, and images whose services in compose files all set `user:`. Silent if the
-Dockerfile or the entry script mentions gosu, su-exec, setpriv, runuser or fixuid, which drop privileges.
+Dockerfile or the entry script mentions gosu, su-exec, setpriv, runuser or fixuid, which drop privileges. An image
+without USER, CMD and ENTRYPOINT that no service runs is info.
 
 ## Why it matters on a robot
 An intruder in one node is root in the container. If the host uses another user, Fast DDS's shared memory cannot be
@@ -76,7 +77,13 @@ def _of(stage: Stage, services: list[Service]) -> Iterator[Finding]:
             f"The container runs as root{far}; {why}" if far else f"The container runs as root: {why}",
             advice="create a user and end the file with USER",
             related=related,
+            severity=None if services or _runs(stage) else "info",
         )
+
+
+def _runs(stage: Stage) -> bool:
+    """Whether the image says what it runs; else it is a base, or a place to work in."""
+    return stage.last("CMD") is not None or stage.last("ENTRYPOINT") is not None
 
 
 def _starts_systemd(stage: Stage) -> bool:

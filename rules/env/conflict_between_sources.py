@@ -2,9 +2,10 @@
 
 ## What it finds
 ROS_DOMAIN_ID or RMW_IMPLEMENTATION with different values in units that start together, in services of one compose
-file, or in nodes of their launch files. Also a launch file that overrides the value that the unit or service gets
-from another file. Not reported: unknown values, a launch file that gives its own nodes several values, and
-processes that bridge domains.
+file, or in nodes of their launch files. Units and the services of a compose file belong together if there is one such
+group and one file, and docker starts the services at boot on the network of the host. Also a launch file that overrides
+the value that the unit or service gets from another file. Not reported: unknown values, a launch file that gives its
+own nodes several values, and processes that bridge domains.
 
 ## Why it matters on a robot
 The processes do not see each other. Each part works on its own, and the topics of the other part are silently
@@ -42,6 +43,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.environment import RosProcess
+from bringup_lint.api.systemd import Unit
 from bringup_lint.api.systemd import Variable
 
 BRIDGE = re.compile(r"bridge|domain", re.I)
@@ -116,5 +118,17 @@ def _together(robot: Robot) -> Iterable[list[RosProcess]]:
         if by_hand or (process.launched and robot.ros.is_development(process.where)):
             continue
         key = crew_of[id(process.unit)] if process.unit else (process.launcher or process).source.name
+        if len(crews) == 1 and _comes_up_beside(robot, process, crews[0]):
+            key = 0
         groups.setdefault(key, []).append(process)
     return groups.values()
+
+
+def _comes_up_beside(robot: Robot, process: RosProcess, crew: Iterable[Unit]) -> bool:
+    """Whether a service of the only compose file runs on the network of the robot whose only units these are: docker
+    starts it at boot, as systemd starts them."""
+    service = process.service
+    if service is None or not service.is_on_host_network or len(robot.compose.files) != 1:
+        return False
+    boots = service.restart in ("always", "unless-stopped")
+    return boots and all(robot.same_robot(service.source, unit.where.source) for unit in crew)

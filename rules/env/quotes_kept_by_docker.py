@@ -2,7 +2,8 @@
 
 ## What it finds
 A file with quoted values that a unit reads with EnvironmentFile= and that a `docker run --env-file` in the tree
-also reads. Compose removes the quotes and is not reported.
+also reads. Compose removes the quotes of env files and is not reported. In the list form of `environment:` it does
+not: `- NAME="value"` keeps them.
 
 ## Why it matters on a robot
 In the container the quotes are part of the value: an RMW implementation called "rmw_cyclonedds_cpp", with its
@@ -28,6 +29,7 @@ When the program in the container does not use the variable.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -37,6 +39,25 @@ from bringup_lint.api import rule
 
 @rule("warning", fix="safe")
 def quotes_kept_by_docker(robot: Robot) -> Iterator[Finding]:
+    yield from _of_env_files(robot)
+    for service in robot.compose.services:
+        for variable in service.environment.values():
+            value = variable.value
+            if value is not None and variable.in_list and value[:1] in ("'", '"') and len(value) > 1:
+                if value[-1] == value[0] and value[0] not in value[1:-1]:
+                    yield _of_list(variable.name, value)
+
+
+def _of_list(name: Located, value: Located) -> Finding:
+    return finding(
+        value,
+        f"Compose keeps the quotes of {name} as part of the value",
+        advice=f"write {name}={value[1:-1]}, or quote the whole entry",
+        fix=fix("remove the quotes", (value, value[1:-1])) if value[1:-1].isascii() and " " not in value else None,
+    )
+
+
+def _of_env_files(robot: Robot) -> Iterator[Finding]:
     for file in robot.env_files:
         reader = file.docker_run
         if reader is None:

@@ -43,8 +43,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.systemd.units import Units
     from bringup_lint.model.compose import Service
 
-OF_ROS = re.compile(r"(?:ROS|RMW|CYCLONEDDS|FASTRTPS|FASTDDS|RCUTILS|ZENOH)_\w+")
-"""Names of variables that ROS 2 or its middleware reads."""
+OF_ROS = re.compile(r"(?:ROS|RMW|CYCLONE|CYCLONE_?DDS|FAST_?RTPS|FAST_?DDS|RCUTILS|ZENOH)_\w+")
+"""Names of variables that ROS 2 or its middleware reads, and such as are taken for them."""
 
 _LOGIN_NAMES = (".bashrc", ".bash_profile", ".profile", ".zshrc", "bash.bashrc")
 _LOGIN = re.compile(r"/(?:\.bashrc|\.(?:bash_)?profile|\.zshrc|bash\.bashrc)$|/profile\.d/[^/]+$|/etc/environment$")

@@ -1,0 +1,84 @@
+"""A variable of ROS or its middleware is misspelt.
+
+## What it finds
+A variable that nobody reads, whose name is that of a known one but for an underscore or a letter, and whose value is
+what the known one takes: the file of a DDS configuration, a number for a domain, the name of a middleware. Silent if
+something else in the tree reads the variable by this name.
+
+## Why it matters on a robot
+The setting has no effect, and nothing says so: the middleware runs with its defaults, on every interface and with
+multicast, or the robot is in domain 0 with everybody else.
+
+## Bad
+```yaml
+environment:
+  CYCLONE_DDS_URI: file:///config/cyclonedds.xml
+```
+
+## Good
+```yaml
+environment:
+  CYCLONEDDS_URI: file:///config/cyclonedds.xml
+```
+
+## When to ignore it
+When a program outside of the tree reads the variable by this name.
+
+## References
+- https://docs.ros.org/en/rolling/How-To-Guides/DDS-tuning.html
+- https://fast-dds.docs.eprosima.com/en/latest/fastdds/env_vars/env_vars.html
+"""
+
+import re
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+from bringup_lint.api.environment import Setting
+from bringup_lint.api.ros import variables
+from bringup_lint.api.spelling import nearest
+
+VALUES = {
+    "domain": re.compile(r"\d{1,3}|\$\{?\w+(?::?-\d{1,3}\}|\}?)"),
+    "rmw": re.compile(r"rmw_\w+"),
+    "file": re.compile(r"(?:file://)?[^\s<]+\.(?:xml|json5?|env)|<\S.*", re.S),
+}
+
+
+@rule("error")
+def misspelt_variable(robot: Robot) -> Iterator[Finding]:
+    strange: dict[str, list[Setting]] = {}
+    for setting in robot.ros.settings:
+        if setting.name not in variables():
+            strange.setdefault(setting.name, []).append(setting)
+    for name, settings in strange.items():
+        meant = _meant(name)
+        fitting = [each for each in settings if meant and VALUES[variables()[meant]].fullmatch(each.value.strip("\"'"))]
+        if meant is None or not fitting or _is_read(robot, name):
+            continue
+        first, *others = fitting
+        yield finding(
+            first.value,
+            f"Nothing reads {name}: this setting has no effect",
+            advice=f"write {meant}",
+            related=[note(other.value, "the same name") for other in others],
+        )
+
+
+def _meant(name: str) -> str | None:
+    """The one variable with a typed value that a name is taken for."""
+    typed = [known for known, value in variables().items() if value]
+    plain = name.replace("_", "")
+    same = [known for known in typed if known.replace("_", "") == plain]
+    near = same or [known for known in nearest(name, variables()) if known in typed]
+    return near[0] if len(near) == 1 else None
+
+
+def _is_read(robot: Robot, name: str) -> bool:
+    """Whether something of the tree asks for a variable of this name."""
+    in_code = rf"(?:get(?:env)?\(|environ\[|Variable\(|\bname=)\s*[\"']{name}[\"']"
+    asks = re.compile(rf"\$\{{?{name}\b|\(env {name}\b|{in_code}")
+    return robot.files.mentions(asks)
