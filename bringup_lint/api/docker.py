@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from bringup_lint.graph.images import can_be_pulled
+from bringup_lint.graph.runners.runner import Runner
 from bringup_lint.model.dockerfile import Stage
 from bringup_lint.model.dockerfile import runs_as_root
 from bringup_lint.model.image_build import image_name
 from bringup_lint.parsers.dockerfile import commands_of
 
 __all__ = [
+    "Runner",
     "Stage",
     "can_be_pulled",
     "commands_of",

@@ -50,11 +50,11 @@ VALUES = {
 
 @rule("error")
 def misspelt_variable(robot: Robot) -> Iterator[Finding]:
-    strange: dict[str, list[Setting]] = {}
+    strange: dict[tuple[str, str], list[Setting]] = {}
     for setting in robot.ros.settings:
         if setting.name not in variables():
-            strange.setdefault(setting.name, []).append(setting)
-    for name, settings in strange.items():
+            strange.setdefault((setting.name, setting.value.span.path), []).append(setting)
+    for (name, _), settings in strange.items():
         meant = _meant(name)
         fitting = [each for each in settings if meant and VALUES[variables()[meant]].fullmatch(each.value.strip("\"'"))]
         if meant is None or not fitting or _is_read(robot, name):

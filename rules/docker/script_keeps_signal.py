@@ -1,0 +1,86 @@
+"""An entry script does not pass the stop signal on.
+
+## What it finds
+A script of the tree that a container starts and that runs ROS in the foreground without `exec`, or in the background
+while it keeps the container running with `sleep infinity` or `tail -f`. Silent if the script sets a `trap`, and under
+an init program that signals the whole group (`dumb-init`, `tini -g`).
+
+## Why it matters on a robot
+docker stop signals the first process only. That is the shell, which waits for ROS and does not pass the signal on:
+after the grace period Docker kills all nodes at once, and no driver stops its motors. A script that sleeps also hides
+the end of ROS: the container keeps running, and no restart policy acts.
+
+## Bad
+```sh
+source /opt/ros/jazzy/setup.bash
+ros2 launch base base.launch.py
+```
+
+## Good
+```sh
+source /opt/ros/jazzy/setup.bash
+exec ros2 launch base base.launch.py
+```
+
+## When to ignore it
+When the nodes may be killed at any time, as in a container that only records.
+
+## References
+- https://docs.docker.com/reference/dockerfile/#exec-form-entrypoint-example
+- bash(1), "SIGNALS"
+"""
+
+import re
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+from bringup_lint.api.docker import Runner
+from bringup_lint.api.systemd import Ros
+from bringup_lint.api.systemd import Step
+
+GROUP = re.compile(r"dumb-init|tini\b.*\s-g\b")
+FOREVER = re.compile(r"\bsleep\s+(?:infinity|inf)\b|\btail\s+-[fF]\b")
+
+
+@rule("warning", symptoms=["exited with code 137"])
+def script_keeps_signal(robot: Robot) -> Iterator[Finding]:
+    found: dict[object, tuple[Step, Ros, list[Runner]]] = {}
+    for runner in robot.runners.all:
+        for step, ros in _kept(runner) if runner.in_container else ():
+            found.setdefault(ros.where.span, (step, ros, []))[2].append(runner)
+    for step, ros, runners in found.values():
+        related = [note(runner.where, f"{runner.name} starts the script") for runner in runners]
+        script = step.script.basename if step.script is not None else "the script"
+        if step.command.background:
+            message = (
+                f"{script} sleeps while ROS runs in the background: its end is not noticed, and no signal reaches it"
+            )
+            advice = "start it last, with exec, and remove the sleep"
+        else:
+            message = f"{script} runs ROS without exec: docker stop signals the shell, and Docker kills the nodes"
+            advice = "write exec in front of it"
+        yield finding(ros.where, message, advice=advice, related=related)
+
+
+def _kept(runner: Runner) -> Iterator[tuple[Step, Ros]]:
+    for line in runner.main:
+        if GROUP.search(" ".join(line.argv)) or GROUP.search(str(line.line)):
+            continue
+        for step, ros in line.ros:
+            if step.script is not None and ros.kind in ("launch", "run") and not _is_handed_on(step):
+                yield step, ros
+
+
+def _is_handed_on(step: Step) -> bool:
+    """The program replaces its shell, or the script passes signals on itself; what ends at once needs neither."""
+    words = step.command.words
+    text = step.script.text if step.script is not None else ""
+    if str(words[0]) == "exec" or step.command.depth or re.search(r"^\s*trap\b", text, re.M):
+        return True
+    if step.command.background:
+        return not FOREVER.search(text)
+    return step.command.ends in ("|", "||")
