@@ -40,6 +40,11 @@ from bringup_lint.api import rule
 @rule("warning", fix="safe")
 def quotes_kept_by_docker(robot: Robot) -> Iterator[Finding]:
     yield from _of_env_files(robot)
+    if robot.of_kind("compose"):
+        yield from _of_services(robot)
+
+
+def _of_services(robot: Robot) -> Iterator[Finding]:
     for service in robot.compose.services:
         for variable in service.environment.values():
             value = variable.value
