@@ -15,6 +15,7 @@ from bringup_lint.config import ConfigError
 from bringup_lint.finding import Confidence
 from bringup_lint.finding import Finding
 from bringup_lint.finding import Severity
+from bringup_lint.finding.origin import at_origin
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.registry import Registry
 from bringup_lint.registry import Rule
@@ -100,7 +101,7 @@ def _run_rule(
     try:
         for found in rule.check(robot) or ():
             if found.source.judged:
-                yield from _for_purpose(replace(found, rule=rule.id), robot, purposes)
+                yield from _for_purpose(at_origin(replace(found, rule=rule.id)), robot, purposes)
     except Exception as error:
         failures.append(_internal(Source(rule.path.name), f"rule {rule.id}", error))
 

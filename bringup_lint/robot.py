@@ -94,6 +94,10 @@ class Robot:
         purposes: Mapping[str, str] | None = None,
     ) -> None:
         self.files = Files(tree, configured_ros, configured_systemd, purposes or {}, today or date.today())
+        if self.files.of_kind("shell-script"):
+            from bringup_lint.graph.installed.installed import join_installed
+
+            join_installed(self.files)
         self.launch_commands: tuple[str, ...] = ()
         """For a comparison with the running graph: what was launched, as after ``ros2 launch``."""
 

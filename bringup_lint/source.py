@@ -39,6 +39,8 @@ class Source:
     """Where the symbolic link points, as written in it; None for a plain file."""
     uid: int | None = None
     gid: int | None = None
+    origin: Origin | None = None
+    """Where the text comes from when another file of the tree writes this one."""
 
     @cached_property
     def line_starts(self) -> list[int]:
@@ -106,6 +108,43 @@ class Span(NamedTuple):
     @property
     def text(self) -> str:
         return self.source.text[self.start : self.end]
+
+
+class Piece(NamedTuple):
+    """From ``at`` on, a text comes from a stretch of another; both go on side by side unless something was expanded."""
+
+    at: int
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, eq=False)
+class Origin:
+    """Where the text of a file comes from that another file writes, such as a here-document of a script."""
+
+    whole: Span
+    """What writes the file."""
+    pieces: tuple[Piece, ...]
+    """Ascending, from the first character on."""
+    certain: bool = True
+    """Whether it is surely written: not only under a condition."""
+    verbatim: bool = False
+    """Whether an edit of the text is the same edit there."""
+
+    def span(self, start: int, end: int) -> Span:
+        """The stretch of the writing file that a stretch of the text comes from."""
+        if not self.pieces or end <= 0:
+            return self.whole
+        first = self._place(start, 0)
+        return Span(self.whole.source, first, max(first, self._place(end - 1, 1) if end > start else first))
+
+    def _place(self, at: int, after: int) -> int:
+        number = max(bisect_right(self.pieces, (at, float("inf"))) - 1, 0)
+        piece = self.pieces[number]
+        length = self.pieces[number + 1].at - piece.at if number + 1 < len(self.pieces) else piece.end - piece.start
+        if length == piece.end - piece.start:
+            return min(piece.start + max(at - piece.at, 0) + after, piece.end)
+        return piece.end if after else piece.start
 
 
 class Located(str):

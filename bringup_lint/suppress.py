@@ -89,7 +89,7 @@ def ignores_in(sources: Iterable[Source], is_name_of: Callable[[str, str], bool]
     """Read the suppression comments of all judged sources."""
     ignores = Ignores(is_name_of=is_name_of)
     for source in sources:
-        if source.judged and MARK in source.text:
+        if source.judged and source.origin is None and MARK in source.text:
             ignores.by_source[id(source)] = list(_read(source))
     return ignores
 

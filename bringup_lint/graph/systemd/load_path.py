@@ -56,13 +56,19 @@ def place_of(source: Source, folder: str | None = None) -> Place:
     if path is not None:
         directory = (folder or path).rpartition("/")[0]
         if directory in SYSTEM_PATH:
-            return Place(source.name.removesuffix(path.lstrip("/")), "system", SYSTEM_PATH.index(directory))
+            return Place(_root(source, path), "system", SYSTEM_PATH.index(directory))
         for rank, suffix in enumerate(USER_PATH):
             if directory == suffix or (suffix.startswith("/.") and directory.endswith(suffix)):
-                return Place(source.name.removesuffix(path.lstrip("/")), "user", rank)
+                return Place(_root(source, path), "user", rank)
     directory = (source.name if folder is None else source.name.rpartition("/")[0]).rpartition("/")[0]
     manager = "user" if _USER_FOLDER.search(directory) else "system"
     return Place(directory, manager, None)
+
+
+def _root(source: Source, path: str) -> str:
+    """The overlay of a file; the folder of a file that is installed from another one."""
+    inside = path.lstrip("/")
+    return source.name.removesuffix(inside) if source.name.endswith(inside) else source.name.rpartition("/")[0]
 
 
 def order(place: Place) -> int:

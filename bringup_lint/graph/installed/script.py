@@ -1,0 +1,213 @@
+"""What a script does, command by command: what it writes, copies and runs, and whether it surely does."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from collections.abc import Iterator
+from dataclasses import dataclass
+from dataclasses import field
+from typing import NamedTuple
+
+from bringup_lint.graph.commands.shells import SHELLS
+from bringup_lint.graph.commands.shells import shell_input
+from bringup_lint.graph.commands.wrappers import program_name
+from bringup_lint.graph.commands.wrappers import unwrapped
+from bringup_lint.graph.installed.text import Text
+from bringup_lint.graph.installed.text import document
+from bringup_lint.graph.installed.text import echoed
+from bringup_lint.graph.installed.text import plain
+from bringup_lint.graph.installed.text import printed
+from bringup_lint.model.shell import Block
+from bringup_lint.model.shell import Command
+from bringup_lint.model.shell import Redirect
+from bringup_lint.parsers.shell import blocks
+from bringup_lint.parsers.shell import flatten
+from bringup_lint.source import Located
+from bringup_lint.source import Source
+
+STEPS = 20_000
+"""Statements that are looked at in one script."""
+_DEPTH = 8
+_AS_ROOT = re.compile(r"\$\{?\w*sudo\w*\}?|run_sudo|as_root|maybe_sudo", re.I)
+_TESTS = ("[", "[[", "test", "grep", "command", "which", "getent", "id", "dpkg", "systemctl")
+_DECLARING = ("export", "local", "readonly", "declare", "typeset")
+_LITERAL = re.compile(r"[^{}\n]*")
+
+
+class Run(NamedTuple):
+    """One command that a script runs."""
+
+    command: Command
+    words: tuple[Located, ...]
+    """Without ``sudo`` and the like."""
+    certain: bool
+    """Not only under a condition."""
+    values: dict[str, str | None]
+    """The variables at this place."""
+    given: Text | None = None
+    """What it reads from its standard input, where that is known."""
+    by_root: bool = False
+    """``sudo`` or the like is before it."""
+
+    @property
+    def name(self) -> str:
+        return program_name(self.words[0]) if self.words else ""
+
+    def text(self, word: Located) -> str:
+        """A word with the variables that are known."""
+        return plain(word, self.values)
+
+    @property
+    def arguments(self) -> list[str]:
+        return [self.text(word) for word in self.words[1:]]
+
+
+class Written(NamedTuple):
+    """A file that a script writes."""
+
+    path: str
+    """As the script names it, with placeholders for what is not known."""
+    text: Text | None
+    """None: it is not known."""
+    appends: bool
+    where: Located
+    certain: bool
+
+
+def runs(source: Source) -> Iterator[Run | Written]:
+    """What a script does, in its order."""
+    statements = blocks(source.located(0, len(source.text)))
+    reader = _Reader(_constants(statements))
+    yield from reader.all(statements, True, 0)
+    for name, body in list(reader.functions.items()):
+        if name not in reader.called:
+            yield from reader.all(body, False, 1)
+
+
+def _constants(statements: tuple[Block, ...]) -> dict[str, str | None]:
+    """The variables of the script: None for all that are not assigned one literal value."""
+    found: dict[str, set[str | None]] = {}
+    for command in flatten(statements):
+        words = command.assignments
+        if command.name in _DECLARING:
+            words = command.words[1:]
+        elif command.name == "read":
+            for word in command.words[1:]:
+                found.setdefault(str(word), set()).add(None)
+        elif command.words:
+            continue
+        for word in words:
+            name, equals, _ = word.partition("=")
+            if equals:
+                known = {key: next(iter(values)) for key, values in found.items() if len(values) == 1}
+                value = plain(word.part(len(name) + 1, len(word)), known) if name.isidentifier() else None
+                literal = value if value is not None and _LITERAL.fullmatch(value) else None
+                found.setdefault(name.rstrip("+"), set()).add(literal)
+    return {name: next(iter(values)) if len(values) == 1 else None for name, values in found.items()}
+
+
+@dataclass
+class _Reader:
+    values: dict[str, str | None]
+    functions: dict[str, tuple[Block, ...]] = field(default_factory=dict)
+    called: set[str] = field(default_factory=set)
+    budget: int = STEPS
+
+    def all(self, statements: Iterable[Block], certain: bool, depth: int) -> Iterator[Run | Written]:
+        piped: Text | None = None
+        guarded = False
+        for block in statements:
+            self.budget -= 1
+            if self.budget < 0 or depth > _DEPTH:
+                return
+            yield from self.one(block, certain and not guarded, piped, depth)
+            ends = block.command.ends if block.command else block.ends
+            piped = self.output(block, piped) if ends == "|" else None
+            tested = block.command is not None and block.command.name in _TESTS
+            guarded = ends == "||" or (ends in ("&&", "|") and (guarded or (tested and ends == "&&")))
+
+    def one(self, block: Block, certain: bool, piped: Text | None, depth: int) -> Iterator[Run | Written]:
+        if block.kind == "function":
+            self.functions[block.name] = block.bodies[0]
+        elif block.command is not None:
+            yield from self.command(block.command, certain, piped, depth)
+        elif block.kind in ("branches", "for", "loop"):
+            yield from self.all(block.condition, certain, depth + 1)
+            for body in block.bodies:
+                yield from self.all(body, False, depth + 1)
+        elif block.kind == "group":
+            yield from self.all(block.bodies[0], certain, depth + 1)
+            yield from self.redirected(block.redirects, lambda: self.output(block, None), certain)
+
+    def command(self, command: Command, certain: bool, piped: Text | None, depth: int) -> Iterator[Run | Written]:
+        words = command.words
+        by_root = False
+        while words and (_AS_ROOT.fullmatch(words[0]) or unwrapped(words) != words):
+            by_root |= bool(_AS_ROOT.fullmatch(words[0])) or program_name(words[0]) == "sudo"
+            words = words[1:] if _AS_ROOT.fullmatch(words[0]) else unwrapped(words)
+        given = self.given(command, piped)
+        yield Run(command, words, certain, self.values, given, by_root)
+        name = program_name(words[0]) if words else ""
+        if name == "tee":
+            yield from self.tee(words, given, certain)
+        elif name in SHELLS:
+            yield from self.shell(words, certain, depth)
+        elif name in self.functions and name not in self.called:
+            self.called.add(name)
+            yield from self.all(self.functions[name], certain, depth + 1)
+        yield from self.redirected(command.redirects, lambda: self.printed(words, given), certain)
+
+    def shell(self, words: tuple[Located, ...], certain: bool, depth: int) -> Iterator[Run | Written]:
+        read = shell_input(words[1:])
+        if read is not None and read.text is not None:
+            yield from self.all(blocks(read.text), certain, depth + 1)
+
+    def tee(self, words: tuple[Located, ...], given: Text | None, certain: bool) -> Iterator[Written]:
+        appends = any(re.fullmatch(r"-[a-z]*a[a-z]*|--append", word) for word in words[1:])
+        for word in words[1:]:
+            if not word.startswith("-"):
+                yield Written(plain(word, self.values), given, appends, word, certain)
+
+    def redirected(self, redirects: Iterable[Redirect], output: object, certain: bool) -> Iterator[Written]:
+        for each in redirects:
+            if each.writes and each.target is not None and each.target != "/dev/null":
+                text = output() if callable(output) else None
+                yield Written(plain(each.target, self.values), text, each.appends, each.target, certain)
+
+    def given(self, command: Command, piped: Text | None) -> Text | None:
+        for each in command.redirects:
+            if each.document is not None:
+                return document(each.document, self.values)
+            if each.operator == "<<<" and each.target is not None:
+                return echoed([each.target], self.values)
+            if each.operator == "<":
+                return None
+        return piped
+
+    def printed(self, words: tuple[Located, ...], given: Text | None) -> Text | None:
+        """What a command writes to its standard output; None where it is not known."""
+        name = program_name(words[0]) if words else ""
+        if name == "echo":
+            return echoed(words[1:], self.values)
+        if name == "printf":
+            return printed(words[1:], self.values)
+        if name in ("cat", "tee") and (name == "tee" or not [word for word in words[1:] if word != "-"]):
+            return given
+        return None
+
+    def output(self, block: Block, piped: Text | None) -> Text | None:
+        if block.command is not None:
+            words = block.command.words
+            while words and (_AS_ROOT.fullmatch(words[0]) or unwrapped(words) != words):
+                words = words[1:] if _AS_ROOT.fullmatch(words[0]) else unwrapped(words)
+            return self.printed(words, self.given(block.command, piped))
+        if block.kind != "group":
+            return None
+        whole = Text()
+        for each in block.bodies[0]:
+            text = self.output(each, None)
+            if text is None:
+                return None
+            whole.extend(text)
+        return whole
