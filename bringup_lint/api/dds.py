@@ -7,6 +7,7 @@ from bringup_lint.graph.dds.addresses import is_address
 from bringup_lint.graph.dds.cyclonedds_discovery import bad_addresses
 from bringup_lint.graph.dds.cyclonedds_discovery import contacts_itself
 from bringup_lint.graph.dds.cyclonedds_discovery import domain_number
+from bringup_lint.graph.dds.cyclonedds_discovery import finds_itself
 from bringup_lint.graph.dds.cyclonedds_discovery import has_peers
 from bringup_lint.graph.dds.cyclonedds_discovery import least_buffers
 from bringup_lint.graph.dds.cyclonedds_discovery import multicast_off
@@ -43,17 +44,24 @@ from bringup_lint.graph.dds.network import may_exist
 from bringup_lint.graph.dds.network import named_interfaces
 from bringup_lint.graph.dds.network import networks
 from bringup_lint.graph.dds.network import subnets
+from bringup_lint.graph.dds.selection import Selection
 from bringup_lint.graph.dds.selection import user_of
 from bringup_lint.model.cyclonedds import Configuration
+from bringup_lint.model.cyclonedds import Domain
+from bringup_lint.model.cyclonedds import Setting
 from bringup_lint.parsers.cyclonedds_values import words as words_of
 
 __all__ = [
     "Configuration",
+    "Domain",
+    "Selection",
+    "Setting",
     "accepted_by",
     "address_of",
     "bad_addresses",
     "contacts_itself",
     "domain_number",
+    "finds_itself",
     "first_named",
     "first_of",
     "has_peers",

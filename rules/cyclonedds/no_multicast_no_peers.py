@@ -1,8 +1,11 @@
 """Multicast is off and there are no peers, so nothing is discovered.
 
 ## What it finds
-`AllowMulticast` is `false` (or every interface has `multicast="false"`), and no `Peer` is listed. On Jazzy
-and later the finding is a warning, because `ROS_STATIC_PEERS` and the LOCALHOST discovery range add peers.
+`AllowMulticast` is `false`, and no `Peer` is listed. On Iron and later the finding is a warning, because
+`ROS_STATIC_PEERS` and the LOCALHOST discovery range add peers.
+
+Not reported where the library adds the computer's own address: on the loopback interface and with
+`multicast="false"` at the interface (up to 0.10), and from 11 on unless `AddLocalhost` is `false`.
 
 ## Why it matters on a robot
 Without multicast, a participant contacts only the peers that are listed. The robot starts, and no node
@@ -32,6 +35,7 @@ discovers another one, not even on the same computer.
 If the peers come from `ROS_STATIC_PEERS`, or from a second file in `CYCLONEDDS_URI` that is not in the tree.
 
 ## References
+- Cyclone DDS 0.10.5, q_init.c; 11.0.1, ddsi_init.c, tested with the real library
 - Cyclone DDS, configuration guide, "Discovery addresses"; rmw_cyclonedds, discovery options (Iron and later)
 """
 
@@ -41,15 +45,18 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.dds import finds_itself
 from bringup_lint.api.dds import has_peers
 from bringup_lint.api.dds import multicast_off
 
 
 @rule("error")
 def no_multicast_no_peers(robot: Robot) -> Iterator[Finding]:
-    for _configuration, domain in robot.dds.domains:
+    if robot.target.ros and not robot.dds.cyclonedds.known:
+        return
+    for configuration, domain in robot.dds.domains:
         setting = multicast_off(domain)
-        if setting is None or has_peers(domain):
+        if setting is None or has_peers(domain) or finds_itself(domain, configuration.version):
             continue
         message = "Without multicast and without peers nothing is discovered, not even on this robot"
         yield finding(

@@ -42,6 +42,22 @@ def on_loopback_only(domain: Domain) -> bool:
     return bool(names) and all(each is not None and each.effective in LOOPBACK for each in names)
 
 
+def finds_itself(domain: Domain, version: str) -> bool:
+    """Whether the library adds the computer's own address where no peer is listed.
+
+    Up to 0.10 it does for an interface that cannot do multicast, or may not by its own attribute (``q_init.c``,
+    "If multicast was enabled but not available"); from 11 on wherever no interface may use multicast for discovery,
+    unless AddLocalhost forbids it (``ddsi_init.c``, decide_participant_index_and_add_localhost_to_peers).
+    """
+    if version == "11":
+        forbidden = domain.get("Discovery/Peers@AddLocalhost")
+        return forbidden is None or (forbidden.effective or "").lower() != "false"
+    switches = [domain.of(each, "multicast") for each in domain.found(INTERFACE)]
+    if any(each is not None and (each.effective or "").lower() == "false" for each in switches):
+        return True
+    return on_loopback_only(domain)
+
+
 def peers(domain: Domain) -> Iterator[Located]:
     """The addresses of all peers, one by one; those that depend on the environment are left out."""
     for setting in domain.all(PEER):
@@ -53,11 +69,7 @@ def peers(domain: Domain) -> Iterator[Located]:
 
 def has_peers(domain: Domain) -> bool:
     """Whether a peer is listed, or may be through a variable."""
-    listed = (
-        *domain.all(PEER),
-        *domain.all("Discovery/Peers/Group/Peer@Address"),
-        *domain.all("Discovery/Peers@AddLocalhost"),
-    )
+    listed = (*domain.all(PEER), *domain.all("Discovery/Peers/Group/Peer@Address"))
     return any(setting.effective != "" for setting in listed)
 
 
