@@ -5,12 +5,14 @@ from __future__ import annotations
 from fnmatch import fnmatchcase as matches
 
 from bringup_lint.graph.sros2.enclaves import enclave_of
+from bringup_lint.model.sros2 import Grant
 from bringup_lint.model.sros2 import TopicRule
 from bringup_lint.model.sros2 import moment
 from bringup_lint.model.sros2_policy import PolicyEnclave
 from bringup_lint.model.sros2_policy import Right
 
 __all__ = [
+    "Grant",
     "PolicyEnclave",
     "Right",
     "TopicRule",

@@ -116,6 +116,8 @@ def _domains(element: Element | None, remarks: list[Remark]) -> Domains | None:
     if element is None:
         return None
     domains = Domains(element)
+    if not element.children:
+        remarks.append(Remark(Code.MISSING, element.name, "id", element=element))
     for child in element.children:
         ends: tuple[Located | None, Located | None]
         if child.local == "id":

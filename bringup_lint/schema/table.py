@@ -75,7 +75,7 @@ def listed(words: Sequence[str]) -> str:
 def _item(row: Mapping[str, str], status: str, version: str) -> Item:
     return Item(
         row["path"],
-        row["type"],
+        for_version(row["type"], version),
         for_version(row.get("allowed", ""), version),
         tuple(row["aliases"].split(",")) if row.get("aliases") else (),
         row.get("required") == "yes",

@@ -2,7 +2,8 @@
 
 ## What it finds
 More than one enclave with an explicit right to publish the same velocity topic, in a tree whose launch files
-do not mention a multiplexer, smoother, collision monitor or gate.
+do not mention a multiplexer, smoother, collision monitor or gate. Enclaves of programs that forward what others
+publish, such as a bridge or a relay, are not counted, by their names.
 
 ## Why it matters on a robot
 Two sources of commands conflict, and a single compromised one drives the robot.
@@ -38,6 +39,8 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
 
+FORWARDS = re.compile(r"bridge|mux|relay|gate|smoother|collision|arbiter|filter|proxy")
+
 
 @rule("warning")
 def permissions_cmd_vel_publishers(robot: Robot) -> Iterator[Finding]:
@@ -45,16 +48,23 @@ def permissions_cmd_vel_publishers(robot: Robot) -> Iterator[Finding]:
         return
     publishers: dict[str, dict[str, Located]] = {}
     for _, grant in robot.sros2.ros_grants:
-        for rule_ in grant.allowed:
-            for topic in rule_.publish:
-                if re.fullmatch(r"rt/(?:[\w/]+/)?cmd_vel(?:_\w+)?", topic):
-                    publishers.setdefault(str(topic), {}).setdefault(str(grant.enclave), topic)
-    for name, enclaves in publishers.items():
-        if len(enclaves) > 1:
-            first, *others = enclaves.values()
-            yield finding(
-                others[0],
-                f"{' and '.join(enclaves)} may both publish {name}: their commands conflict, and both drive the robot",
-                advice="give each source its own input topic, and only one gate the right to publish the command",
-                related=[note(each, "and this one") for each in (first, *others[1:])],
-            )
+        topics = (topic for rule_ in grant.allowed for topic in rule_.publish)
+        if FORWARDS.search(grant.enclave):
+            continue
+        for topic in topics:
+            if re.fullmatch(r"rt/(?:[\w/]+/)?cmd_vel(?:_\w+)?", topic):
+                publishers.setdefault(str(topic), {}).setdefault(str(grant.enclave), topic)
+    together: dict[tuple[str, ...], list[Located]] = {}
+    for enclaves in publishers.values():
+        together.setdefault(tuple(enclaves), []).extend(enclaves.values())
+    for names, places in together.items():
+        if len(names) < 2:
+            continue
+        topics = list(dict.fromkeys(str(each) for each in places))
+        what = topics[0] if len(topics) == 1 else f"{topics[0]} and {len(topics) - 1} more"
+        yield finding(
+            places[1],
+            f"{' and '.join(names)} may both publish {what}: their commands conflict, and both drive the robot",
+            advice="give each source its own input topic, and only one gate the right to publish the command",
+            related=[note(each, "and this one") for each in places if each is not places[1]],
+        )

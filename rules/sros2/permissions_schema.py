@@ -45,9 +45,13 @@ CODES = (Code.MISSING, Code.MISSING_ATTRIBUTE, Code.UNKNOWN, Code.DUPLICATE)
 def permissions_schema(robot: Robot) -> Iterator[Finding]:
     for permissions in robot.sros2.permissions:
         for remark in permissions.remarks:
-            if remark.code not in CODES or remark.detail in ("default", "topic"):
+            if remark.code not in CODES or remark.detail == "default":
                 continue
-            if remark.code in (Code.MISSING, Code.MISSING_ATTRIBUTE):
+            rejected = "the document is rejected"
+            if remark.code is Code.MISSING and remark.detail == "topic":
+                message, advice = f"{remark.where} is empty", "add a topic, or delete it"
+                rejected = "Fast DDS rejects the document"
+            elif remark.code in (Code.MISSING, Code.MISSING_ATTRIBUTE):
                 message, advice = f"{remark.where} has no {remark.detail}", f"add {remark.detail}"
             elif remark.code == Code.UNKNOWN:
                 message, advice = f"{remark.detail} is not an element of permissions", "delete it"
@@ -55,6 +59,6 @@ def permissions_schema(robot: Robot) -> Iterator[Finding]:
                 message, advice = f"{remark.detail} appears twice", "delete one of the two"
             yield finding(
                 remark.where,
-                f"{message}: the document is rejected, no node of the enclave starts",
+                f"{message}: {rejected}, no node of the enclave starts",
                 advice=f"{advice}, and sign the document again",
             )

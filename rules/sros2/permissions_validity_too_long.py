@@ -1,7 +1,7 @@
 """Permissions are valid for more than 398 days.
 
 ## What it finds
-A grant whose validity is longer than 398 days. sros2 writes ten years.
+A grant whose validity is longer than 398 days. sros2 writes ten years. The enclaves of a keystore are one finding.
 
 ## Why it matters on a robot
 A key that is copied from the robot works until its permissions expire: nothing else revokes it.
@@ -34,19 +34,35 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.sros2 import Grant
 from bringup_lint.api.sros2 import moment
 
 
 @rule("warning", tags=["CWE-324"])
 def permissions_validity_too_long(robot: Robot) -> Iterator[Finding]:
-    for _, grant in robot.sros2.ros_grants:
-        start, end = moment(grant.not_before), moment(grant.not_after)
-        days = (end - start).days if start and end else 0
-        if days > 398:
-            span = f"{round(days / 365.25)} years" if days > 700 else f"{days} days"
-            yield finding(
-                grant.not_after,
-                f"{grant.enclave} is valid for {span}: a stolen key can be used that long",
-                advice="sign permissions for at most a year, and renew them with a job on the signing machine",
-                related=[note(grant.not_before, "the validity begins here")],
+    keystores: dict[str, list[Grant]] = {}
+    for document, grant in robot.sros2.ros_grants:
+        if _days(grant) > 398:
+            keystores.setdefault(document.source.name.partition("enclaves/")[0], []).append(grant)
+    for first, *others in keystores.values():
+        days = _days(first)
+        span = f"{round(days / 365.25)} years" if days > 700 else f"{days} days"
+        who = f"{first.enclave} is"
+        if others:
+            who = (
+                f"{first.enclave} and {others[0].enclave if len(others) == 1 else f'{len(others)} other enclaves'} are"
             )
+        yield finding(
+            first.not_after,
+            f"{who} valid for {span}: a stolen key can be used that long",
+            advice="sign permissions for at most a year, and renew them with a job on the signing machine",
+            related=[
+                note(first.not_before, "the validity begins here"),
+                *(note(each.not_after, f"the same for {each.enclave}") for each in others),
+            ],
+        )
+
+
+def _days(grant: Grant) -> int:
+    start, end = moment(grant.not_before), moment(grant.not_after)
+    return (end - start).days if start and end else 0
