@@ -37,6 +37,7 @@ class Tree:
     problems: list[Problem] = field(default_factory=list)
     _paths: dict[str, list[str]] = field(default_factory=dict)
     _on_demand: dict[str, Source | None] = field(default_factory=dict)
+    _by_reference: dict[str, Source | None] = field(default_factory=dict)
     _indexes: dict[str, frozenset[bytes]] = field(default_factory=dict)
     _heads: dict[tuple[str, int], str] = field(default_factory=dict)
 
@@ -104,12 +105,17 @@ class Tree:
             return None
         if self.root is not None:
             path = resolve_inside(self.root, robot_path)
-            return self.read(str(path)) if path and path.is_file() else None
+            return self._referred(str(path)) if path and path.is_file() else None
         walked = self._by_suffix(robot_path)
-        if walked is None:
-            return None
-        name = display_name(walked)
-        return next((source for source in self.sources if source.name == name), None) or self.read(walked)
+        return None if walked is None else self._referred(walked)
+
+    def _referred(self, path: str) -> Source | None:
+        """A file that another one names, whatever path led to it: one source, read once."""
+        if path not in self._by_reference:
+            name = display_name(path)
+            known = next((source for source in self.sources if source.name == name), None)
+            self._by_reference[path] = known or self.read(path)
+        return self._by_reference[path]
 
     def _by_suffix(self, robot_path: str) -> str | None:
         """The one file of the repository that shares the longest tail with the path; None when several do."""
@@ -127,12 +133,7 @@ class Tree:
         absolute = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(source.name)), path))
         if absolute not in self._paths.get(os.path.basename(absolute), ()):
             return None
-        name = display_name(absolute)
-        key = f"beside:{absolute}"
-        if key not in self._on_demand:
-            known = next((each for each in self.sources if each.name == name), None)
-            self._on_demand[key] = known or self.read(absolute)
-        return self._on_demand[key]
+        return self._referred(absolute)
 
     @staticmethod
     def real_path(path: str) -> str:

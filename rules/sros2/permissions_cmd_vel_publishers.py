@@ -48,10 +48,9 @@ def permissions_cmd_vel_publishers(robot: Robot) -> Iterator[Finding]:
         return
     publishers: dict[str, dict[str, Located]] = {}
     for _, grant in robot.sros2.ros_grants:
-        topics = (topic for rule_ in grant.allowed for topic in rule_.publish)
-        if FORWARDS.search(grant.enclave):
+        if FORWARDS.search(str(grant.enclave)):
             continue
-        for topic in topics:
+        for topic in (topic for rule_ in grant.allowed for topic in rule_.publish):
             if re.fullmatch(r"rt/(?:[\w/]+/)?cmd_vel(?:_\w+)?", topic):
                 publishers.setdefault(str(topic), {}).setdefault(str(grant.enclave), topic)
     together: dict[tuple[str, ...], list[Located]] = {}
@@ -60,8 +59,8 @@ def permissions_cmd_vel_publishers(robot: Robot) -> Iterator[Finding]:
     for names, places in together.items():
         if len(names) < 2:
             continue
-        topics = list(dict.fromkeys(str(each) for each in places))
-        what = topics[0] if len(topics) == 1 else f"{topics[0]} and {len(topics) - 1} more"
+        commands = list(dict.fromkeys(str(each) for each in places))
+        what = commands[0] if len(commands) == 1 else f"{commands[0]} and {len(commands) - 1} more"
         yield finding(
             places[1],
             f"{' and '.join(names)} may both publish {what}: their commands conflict, and both drive the robot",

@@ -11,6 +11,9 @@ _XML = re.compile(r"\.xml$", re.I)
 _SIGNED = re.compile(r"\.(?:p7s|smime)$", re.I)
 _NOISE = re.compile(r"<!--.*?(?:-->|$)|<\?.*?\?>|<!DOCTYPE[^>\[]*(?:\[.*?\]\s*)?>", re.S)
 _TAGS = re.compile(r"<(?:\w+:)?([A-Za-z_][\w.-]*)[^>]*>\s*<(?:\w+:)?([A-Za-z_][\w.-]*)")
+_GOVERNANCE = re.compile(r"(?:^|/)enclaves/governance\.xml$")
+_PERMISSIONS = re.compile(r"(?:^|/)enclaves/(?:[^/]+/)+permissions\.xml$")
+"""Where sros2 puts the documents of a keystore: they are that, whatever they hold."""
 _KEY = re.compile(r"(?:^|/)(?:private/[\w.-]*key[\w.-]*|enclaves/(?:[^/]+/)*key)\.(?:pem|p11)$")
 _CERTIFICATE = re.compile(r"(?:^|/)(?:public/[\w.-]*cert|enclaves/(?:[^/]+/)*cert)\.pem$")
 
@@ -26,9 +29,17 @@ def _below(path: str, head: Head) -> tuple[str, str]:
     return match[1], match[2]
 
 
+def _is_governance(path: str, head: Head) -> bool:
+    return bool(_GOVERNANCE.search(path)) or _below(path, head) == ("dds", "domain_access_rules")
+
+
+def _is_permissions(path: str, head: Head) -> bool:
+    return bool(_PERMISSIONS.search(path)) or _below(path, head) == ("dds", "permissions")
+
+
 KINDS = (
-    Kind("sros2-governance", lambda path, head: _below(path, head) == ("dds", "domain_access_rules")),
-    Kind("sros2-permissions", lambda path, head: _below(path, head) == ("dds", "permissions")),
+    Kind("sros2-governance", _is_governance),
+    Kind("sros2-permissions", _is_permissions),
     Kind("sros2-policy", lambda path, head: _below(path, head) == ("policy", "enclaves")),
     Kind("sros2-key", lambda path, head: bool(_KEY.search(path)) and "PRIVATE KEY" in head()),
     Kind("sros2-certificate", lambda path, head: bool(_CERTIFICATE.search(path)) and "CERTIFICATE" in head()),

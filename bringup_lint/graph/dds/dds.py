@@ -21,6 +21,8 @@ from bringup_lint.graph.dds.library import SERIES
 from bringup_lint.graph.dds.library import Library
 from bringup_lint.graph.dds.library import cyclonedds_of
 from bringup_lint.graph.dds.library import fastdds_of
+from bringup_lint.graph.dds.named import is_named
+from bringup_lint.graph.dds.named import named_files
 from bringup_lint.graph.dds.selection import URI
 from bringup_lint.graph.dds.selection import Selection
 from bringup_lint.graph.dds.selection import largest_coexisting_group
@@ -75,7 +77,14 @@ class Dds:
         return fastdds_of(self.distro)
 
     def _sources(self, kind: str) -> list[Source]:
-        return [source for source in self.files.of_kind(kind) if not source.template]
+        known = [source for source in self.files.of_kind(kind) if not source.template]
+        if not is_named(self.files, kind):
+            return known
+        if kind == "cyclonedds":
+            read = [source for each in self.selections for source in each.files]
+        else:
+            read = [source for _, _, source in self._profile_selections]
+        return known + named_files(self.files, self.ros, kind, read)
 
     @cached_property
     def configurations(self) -> list[Configuration]:
