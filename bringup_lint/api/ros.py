@@ -7,6 +7,7 @@ from bringup_lint.facts.ros.distros import distro_end
 from bringup_lint.facts.ros.distros import distros_since
 from bringup_lint.facts.ros.variables import variables
 from bringup_lint.parsers import json5
+from bringup_lint.parsers import ros_arguments
 from bringup_lint.parsers.ros_values import DISCOVERY_RANGES
 from bringup_lint.parsers.ros_values import EPHEMERAL_DOMAINS
 from bringup_lint.parsers.ros_values import FORMAT_TOKENS
@@ -31,5 +32,6 @@ __all__ = [
     "domain_id",
     "highest_port",
     "json5",
+    "ros_arguments",
     "variables",
 ]
