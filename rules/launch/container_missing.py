@@ -52,7 +52,7 @@ def container_missing(robot: Robot) -> Iterator[Finding]:
             continue
         for load in expansion.loads:
             text = launch.literal_text(load.target)
-            if text is None or text.rpartition("/")[2] in containers:
+            if text is None or load.by_default is False or text.rpartition("/")[2] in containers:
                 continue
             near = nearest(text.rpartition("/")[2], containers, 3) or sorted(containers)[:1]
             yield finding(

@@ -45,6 +45,8 @@ class Loaded(NamedTuple):
     """The container's name."""
     file: LaunchFile
     conditions: tuple[Condition, ...]
+    by_default: bool | None
+    """Whether it happens when no argument is passed."""
 
 
 class Declared(NamedTuple):

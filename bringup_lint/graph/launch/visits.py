@@ -210,7 +210,7 @@ def _node(self: Expander, action: Node, resolver: Resolver, symbolic: Resolver) 
 def _load(self: Expander, action: LoadComponents, resolver: Resolver, symbolic: Resolver) -> None:
     self.note_unbound(action.target)
     target = resolver.optional(action.target)
-    self.result.loads.append(Loaded(action, target, self.file, self.conditions))
+    self.result.loads.append(Loaded(action, target, self.file, self.conditions, self.by_default))
     container = self.containers.get(action.target_key) if action.target_key is not None else None
     self.components(action.components, container)
 
