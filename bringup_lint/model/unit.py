@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from dataclasses import field
 
@@ -9,6 +10,9 @@ from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
 from bringup_lint.source import Span
+
+
+_KEY = re.compile(r"(?:[A-Z]+[a-z]+)+[A-Z0-9]*")
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,6 +81,10 @@ class UnitFile:
     @property
     def type(self) -> str:
         return self.name.rpartition(".")[2]
+
+    def is_filled_in(self, key: str) -> bool:
+        """Whether a build or a deployment may make another key of this one: no macro is written in CamelCase."""
+        return bool(self.source.template) and not _KEY.fullmatch(key)
 
     @property
     def assignments(self) -> list[Assignment]:

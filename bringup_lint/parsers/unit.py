@@ -27,7 +27,9 @@ _TEMPLATE_LINE = re.compile(r"\{%.*%\}|\{#.*#\}|@\[.*\]|(?:m4_)?(?:ifdef|ifelse|
 
 def parse(source: Source) -> UnitFile:
     """Read a unit file or drop-in. Never raises; what systemd would drop is in ``problems``: ``bad-section-header``,
-    ``line-outside-section``, ``missing-equals``, ``continuation-at-end``, ``backslash-blank``."""
+    ``line-outside-section``, ``missing-equals``, ``continuation-at-end``, ``backslash-blank``.
+
+    In a template, a line without ``=`` is a macro that may open another section: what follows it belongs to none."""
     unit = UnitFile(source, *unit_name(source))
     unit.uncertain = bool(source.template) and has_control_flow(source.text)
     section: Section | None = None
@@ -37,6 +39,9 @@ def parse(source: Source) -> UnitFile:
             continue
         if text[0] == "[":
             section = _section(text, unit)
+            continue
+        if source.template and "=" not in text:
+            section, unit.uncertain = None, True
             continue
         _assignment(text, section, unit)
     return unit

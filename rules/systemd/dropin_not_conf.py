@@ -44,7 +44,7 @@ MEANT = re.compile(
 def dropin_not_conf(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("systemd-dropin"):
         name = source.basename
-        if ".conf" in name or MEANT.search(name) or not re.search(r"^\s*\[\w+\]\s*$", source.text, re.M):
+        if re.search(r"\.conf(?![a-z])", name) or MEANT.search(name) or not re.search(r"^\s*\[\w+\]\s*$", source.text, re.M):
             continue
         yield finding(
             source,

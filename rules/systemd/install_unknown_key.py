@@ -45,7 +45,7 @@ def install_unknown_key(robot: Robot) -> Iterator[Finding]:
         allowed = directives.sections_of_type(file.type)
         for assignment in file.assignments:
             key = assignment.key
-            if assignment.section != "Install" or not key or key.startswith("X-") or file.source.template:
+            if assignment.section != "Install" or not key or key.startswith("X-") or file.is_filled_in(key):
                 continue
             if any(directives.directive(name, key) for name in allowed):
                 continue

@@ -55,7 +55,7 @@ def kill_signal_not_sigint(robot: Robot) -> Iterator[Finding]:
         signal = service.kill_signal
         if not launches or not unit.complete or signal.value in ("SIGINT", None) or unit.get("Type") == "oneshot":
             continue
-        if service.in_container:
+        if service.in_container or (signal.at is None and unit.get("KillSignal")):
             continue
         change = (signal.at, "SIGINT") if signal.at else unit.new_line("Service", "KillSignal=SIGINT")
         yield finding(

@@ -7,6 +7,8 @@ One of these in a unit:
 - a key that it accepts but ignores;
 - one of the five start limit keys that [Service] still accepts although they belong in [Unit].
 
+A name that still has its effect is info.
+
 ## Why it matters on a robot
 The unit works on the release for which it was written. After an upgrade of the robot's operating system, the
 limit, the log destination or the dependency is gone, or its scale has changed.
@@ -79,8 +81,10 @@ def _key(line: Line, old: Legacy) -> Finding:
         message = f"{key}= in [{line.assignment.section}] is obsolete: it belongs in [{home}]"
         name = f"as {old.replacement}=" if old.replacement != key else ""
         advice = f"move it to [{home}] {name}".strip()
-        return finding(key, message, advice=advice, fix=fix(advice, *changes, safe=old.fix == "safe"))
+        change = fix(advice, *changes, safe=old.fix == "safe")
+        return finding(key, f"{message}, and still has its effect", advice=advice, fix=change, severity="info")
     if old.replacement:
         change = fix(f"rename to {old.replacement}", (key, old.replacement), safe=old.fix == "safe")
-        return finding(key, f"{key}= is obsolete ({old.note})", advice=f"use {old.replacement}=", fix=change)
+        message = f"{key}= is obsolete ({old.note}), and still has its effect"
+        return finding(key, message, advice=f"use {old.replacement}=", fix=change, severity="info")
     return finding(key, f"{key}= is obsolete", advice=old.note)

@@ -54,13 +54,15 @@ TOOLS = "cli"
 @rule("warning", fix="unsafe")
 def restart_missing(robot: Robot) -> Iterator[Finding]:
     units = robot.units
-    for unit in (*units.ros, *units.presumed_ros):
+    for unit in (*units.ros, *units.ros1, *units.presumed_ros):
         policy = units.restart(unit)
         if policy.restart != "no" or not unit.complete or unit.name in units.triggered:
             continue
+        if policy.restart_at is None and unit.get("Restart"):
+            continue
         if unit.get("Type") in ("oneshot", "forking") or not _stays(units, unit):
             continue
-        chosen, known = policy.restart_at is not None, unit in units.ros
+        chosen, known = policy.restart_at is not None, unit not in units.presumed_ros
         yield finding(
             policy.restart_at or unit.where,
             f"When the process of {unit.name} exits, nothing restarts it",

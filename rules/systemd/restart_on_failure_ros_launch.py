@@ -66,5 +66,6 @@ def restart_on_failure_ros_launch(robot: Robot) -> Iterator[Finding]:
             f"Restart={policy.restart} does not restart {unit.name}",
             advice="set Restart=always, and make launch shut down with a vital node or respawn the nodes itself",
             related=[note(programs[-1].where, "launches this file")],
+            confidence="high" if expansion is not None else "medium",
             fix=fix("set Restart=always", (policy.where, "always"), safe=False) if unit.editable else None,
         )

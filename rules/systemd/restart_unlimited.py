@@ -86,13 +86,21 @@ def restart_unlimited(robot: Robot) -> Iterator[Finding]:
         yield finding(
             where,
             _message(loop, policy, unit),
-            advice=f"set StartLimitIntervalSec= above {duration(policy.loop())} plus the time that "
-            f"{policy.burst or 5} starts take to fail, and StartLimitBurst=, both in [Unit]",
+            advice=_advice(loop, policy),
             related=_parts(policy, where),
             fix=_limit(unit, policy) if unit.editable and not policy.misplaced else None,
             severity="warning" if loop.intended else "info",
             confidence="high" if policy.never_trips else "medium",
         )
+
+
+def _advice(loop: Loop, policy: RestartPolicy) -> str:
+    if loop.outcome is Outcome.GIVES_UP:
+        return "set RestartSec= to a few seconds, and StartLimitIntervalSec= and StartLimitBurst= in [Unit] on purpose"
+    return (
+        f"set StartLimitIntervalSec= above {duration(policy.loop())} plus the time that "
+        f"{policy.burst or 5} starts take to fail, and StartLimitBurst=, both in [Unit]"
+    )
 
 
 def _where(policy: RestartPolicy) -> Place | None:

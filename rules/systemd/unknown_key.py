@@ -51,7 +51,7 @@ def unknown_key(robot: Robot) -> Iterator[Finding]:
                 continue
             for assignment in section.assignments:
                 key = assignment.key
-                if not key or key.startswith("X-") or file.source.template:
+                if not key or key.startswith("X-") or file.is_filled_in(key):
                     continue
                 if not any(directives.directive(name, key) for name in allowed):
                     yield _unknown(key, section.name)

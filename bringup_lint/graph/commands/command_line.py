@@ -17,7 +17,7 @@ from bringup_lint.model.shell import Command
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
-_ROS1_TEXT = re.compile(r"/opt/ros/(?:noetic|melodic|kinetic|lunar|jade|indigo)\b|\broslaunch\b|\broscore\b")
+_ROS1_TEXT = re.compile(r"/opt/ros/(?:noetic|melodic|kinetic|lunar|jade|indigo)\b|\b(?:roslaunch|rosrun|roscore)\b")
 _ROS_TEXT = re.compile(r"\bros2 |/opt/ros/|install/(?:local_)?setup\.(?:bash|sh)|component_container")
 _ON_FILES = ("security", "pkg", "interface", "extensions", "extension_points")
 """Verbs of ros2 that start no node."""

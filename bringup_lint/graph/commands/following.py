@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -21,6 +22,9 @@ from bringup_lint.model.shell import Command
 from bringup_lint.parsers.shell import commands
 from bringup_lint.source import Located
 from bringup_lint.source import Source
+
+_GENERATED = re.compile(r"/(?:install|devel|opt/ros/\w+)/(?:local_)?setup\.\w+\Z")
+"""Setup files that colcon, catkin and the packages of ROS write."""
 
 Find = Callable[[Located], Source | None]
 """The file of the tree that a path of a command means to whoever runs it."""
@@ -56,8 +60,15 @@ class _Follower:
             self.line.opaque = True
         elif "/" in words[0] and name != "ros2" and not INSTALLED_NODE.search(words[0]):
             yield from self.script(words[0], "", words[1:], depth)
-        elif name in ("source", ".") and len(words) > 1 and not SETUP_FILE.search(words[1]):
+        elif name in ("source", ".") and len(words) > 1 and self.is_own(words[1]):
             yield from self.script(words[1], "bash", (), depth)
+
+    def is_own(self, path: Located) -> bool:
+        """Whether a sourced file is the robot's own: a ``setup.sh`` is where the tree holds it outside install/."""
+        if not SETUP_FILE.search(path):
+            return True
+        generated = _GENERATED.search(path) or "$" in path or "%" in path
+        return not generated and self.find(path) is not None
 
     def shell(self, name: str, words: tuple[Located, ...], depth: int) -> Iterator[Step]:
         read = shell_input(words)

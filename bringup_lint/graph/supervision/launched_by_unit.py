@@ -14,14 +14,11 @@ from bringup_lint.graph.systemd.units import Units
 
 
 def expansion_of(ros: Ros, launch: Launch) -> Expansion | None:
-    """What ``ros2 launch PACKAGE FILE`` leads to; None when the file is not in the tree."""
-    if ros.kind != "launch" or ros.package is None or ros.target is None:
+    """What ``ros2 launch PACKAGE FILE`` or ``ros2 launch PATH`` leads to; None when the file is not in the tree."""
+    if ros.kind != "launch" or ros.target is None:
         return None
-    for file in launch.files:
-        owner = launch.workspace.owner(file.source)
-        if owner is not None and owner.name == ros.package and file.source.basename == ros.target:
-            return launch.expansion(file)
-    return None
+    file = launch.named(ros.package, ros.target)
+    return None if file is None else launch.expansion(file)
 
 
 def every_node_respawns(expansion: Expansion) -> bool:

@@ -49,7 +49,7 @@ def changes_user(process: Process) -> bool:
 
 def needless_root(process: Process, units: Units) -> NeedlessRoot | None:
     """What a command line runs that needs no root; None when it may need it."""
-    if process.mentions_ros:
+    if process.mentions_ros or process.is_ros1:
         return NeedlessRoot(Work.ROS, process.ros[0][1].where if process.ros else process.program)
     script = process.script_outside_tree
     if script is not None and process.unit in units.presumed_ros:

@@ -156,6 +156,14 @@ class Unit:
                 values.clear()
         return values
 
+    @property
+    def reset_lines(self) -> Iterator[Assignment]:
+        """The lines of list settings that a later empty assignment takes back."""
+        for (_, key), assignments in self._settings.items():
+            last = max((at for at, one in enumerate(assignments) if not one.value), default=0)
+            if key not in DEPENDENCIES:
+                yield from assignments[:last]
+
     def get(self, key: str, section: str | None = None) -> Located | None:
         """The value of a scalar setting as written: the last assignment, or None when it is unset or reset. For
         booleans, numbers and times see ``flag``, ``setting`` and ``seconds``."""

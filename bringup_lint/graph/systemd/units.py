@@ -46,6 +46,7 @@ from bringup_lint.model.unit import UnitFile
 _DDS_VARIABLE = re.compile(r"(?:ROS|RMW|CYCLONEDDS|FASTRTPS|FASTDDS|ZENOH)_(?!VERSION$|PYTHON_VERSION$)")
 
 
+_OF_ROS = re.compile(r"(?<![a-z])(?:micro)?ros(?:[12](?![0-9])|(?![a-z]))|launch|bring[-_ ]?up|\bnav2|moveit|gazebo", re.I)
 _WORD = re.compile(r"[\w:.\\@-]+")
 _WORD_START = re.compile(r"\b(?=\w)")
 _TYPE = re.compile(rf"\.(?:target|{'|'.join(SECTION_OF_TYPE)})")
@@ -85,9 +86,11 @@ class Units(NamedUnits):
     @cached_property
     def lines(self) -> list[Line]:
         """Every judged line with a key that its section knows, and what systemd finds wrong with its
-        value."""
+        value. Lines that the unit takes back later are left out."""
         target = self.files.target
-        return list(lines(self.unit_files, target.systemd if target.systemd_known else NEWEST))
+        reset = {line.span for unit in self.all for line in unit.reset_lines}
+        found = lines(self.unit_files, target.systemd if target.systemd_known else NEWEST)
+        return [line for line in found if line.assignment.span not in reset]
 
     def mount_name(self, unit: Unit, where: str) -> str:
         """The name that a mount or automount unit of this path must have."""
@@ -177,6 +180,12 @@ class Units(NamedUnits):
         return [unit for unit in self.services if any(process.mentions_ros for process in self.processes(unit))]
 
     @cached_property
+    def ros1(self) -> list[Unit]:
+        """The services that start something of ROS 1 and nothing of ROS 2."""
+        started = ((unit, self.processes(unit)) for unit in self.services if unit not in self.ros)
+        return [unit for unit, found in started if any(process.is_ros1 for process in found)]
+
+    @cached_property
     def dds(self) -> list[Unit]:
         """The services that take part in ROS 2's communication: they start it, or their environment
         configures it."""
@@ -190,8 +199,8 @@ class Units(NamedUnits):
 
     @cached_property
     def presumed_ros(self) -> list[Unit]:
-        """Services of a ROS 2 tree that run a shell script which the tree does not hold: most likely ROS
-        too."""
+        """Services of a ROS 2 tree that run a shell script which the tree does not hold, where a name or the
+        description speaks of ROS: most likely ROS too."""
         if not self.files.is_ros:
             return []
         return [
@@ -201,6 +210,7 @@ class Units(NamedUnits):
             and unit not in self.ros
             and unit.get("Type") != "oneshot"
             and any(process.script_outside_tree for process in self.started(unit))
+            and _speaks_of_ros(unit, self.started(unit))
         ]
 
     @cached_property
@@ -274,6 +284,11 @@ class Units(NamedUnits):
     def brought_in(self, near: Unit, name: str) -> list[Edge] | None:
         """The chain by which the named unit starts at boot, whatever ``near`` says."""
         return self.boot.brought_in(near, name)
+
+
+def _speaks_of_ros(unit: Unit, started: Iterable[Process]) -> bool:
+    texts = [unit.stem, unit.get("Description", "Unit") or "", *(str(process.line) for process in started)]
+    return any(_OF_ROS.search(text) for text in texts)
 
 
 def _unit_names(text: str) -> Iterator[str]:
