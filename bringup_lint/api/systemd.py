@@ -11,6 +11,8 @@ from bringup_lint.graph.commands.ros_command import Ros
 from bringup_lint.graph.systemd.capabilities import file_capabilities
 from bringup_lint.graph.systemd.cycles import Cycle
 from bringup_lint.graph.systemd.directories import paths
+from bringup_lint.graph.systemd.docker_clients import DockerStart
+from bringup_lint.graph.systemd.docker_clients import docker_starts
 from bringup_lint.graph.systemd.hidden_home import HiddenHome
 from bringup_lint.graph.systemd.hidden_home import hidden_home
 from bringup_lint.graph.systemd.identity import HomeOrigin
@@ -35,6 +37,7 @@ from bringup_lint.graph.systemd.network_online import ONLINE
 from bringup_lint.graph.systemd.network_online import TooEarly
 from bringup_lint.graph.systemd.network_online import edits_to_wait
 from bringup_lint.graph.systemd.network_online import too_early
+from bringup_lint.graph.systemd.open_access import open_access
 from bringup_lint.graph.systemd.process import Process
 from bringup_lint.graph.systemd.restart import RestartPolicy
 from bringup_lint.graph.systemd.restart_loop import Loop
@@ -60,6 +63,7 @@ __all__ = [
     "Command",
     "Cycle",
     "Defect",
+    "DockerStart",
     "Environment",
     "HiddenHome",
     "HomeOrigin",
@@ -89,6 +93,7 @@ __all__ = [
     "changes_user",
     "delete_lines",
     "directives",
+    "docker_starts",
     "duration",
     "edits_to_wait",
     "file_capabilities",
@@ -101,6 +106,7 @@ __all__ = [
     "missing_limits",
     "move_lines",
     "needless_root",
+    "open_access",
     "paths",
     "restart_loop",
     "sets_priority",

@@ -11,7 +11,6 @@ from bringup_lint.source import Problem
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 
-
 _KEY = re.compile(r"(?:[A-Z]+[a-z]+)+[A-Z0-9]*")
 
 

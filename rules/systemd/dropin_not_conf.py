@@ -44,7 +44,8 @@ MEANT = re.compile(
 def dropin_not_conf(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("systemd-dropin"):
         name = source.basename
-        if re.search(r"\.conf(?![a-z])", name) or MEANT.search(name) or not re.search(r"^\s*\[\w+\]\s*$", source.text, re.M):
+        is_conf = re.search(r"\.conf(?![a-z])", name)
+        if is_conf or MEANT.search(name) or not re.search(r"^\s*\[\w+\]\s*$", source.text, re.M):
             continue
         yield finding(
             source,

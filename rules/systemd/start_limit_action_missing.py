@@ -43,7 +43,13 @@ from bringup_lint.api.systemd import duration
 def start_limit_action_missing(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.ros:
         policy = robot.units.restart(unit)
-        if not unit.complete or not policy.restarts or not policy.limited or policy.never_trips or policy.leaves_no_time:
+        if (
+            not unit.complete
+            or not policy.restarts
+            or not policy.limited
+            or policy.never_trips
+            or policy.leaves_no_time
+        ):
             continue
         action = unit.get("StartLimitAction", "Unit") or unit.get("StartLimitAction", "Service")
         if unit.has("OnFailure") or unit.has("OnFailure", "Service") or (action and action != "none"):

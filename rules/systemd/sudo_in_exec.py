@@ -34,10 +34,14 @@ When sudoers allows exactly this command without a password, and a system unit c
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Process
+from bringup_lint.api.systemd import Step
+from bringup_lint.api.systemd import Unit
 
 
 @rule(
@@ -49,20 +53,33 @@ def sudo_in_exec(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         privileges = unit.flag("NoNewPrivileges")
         locked = privileges.at if privileges else None
-        for process in robot.units.processes(unit):
-            for step in process.steps:
-                words = [word for word in step.command.words[:2] if word.rpartition("/")[2] == "sudo"]
-                if not words or step.command.words[0] not in (words[0], "exec") or (step.script and not locked):
-                    continue
-                related = [note(locked, "prevents sudo from gaining privileges")] if locked else []
-                if step.script:
-                    related.append(note(process.program, f"{unit.name} starts the script here"))
-                yield finding(
-                    words[0],
-                    "sudo cannot work here: NoNewPrivileges= disables its set-user-ID bit"
-                    if locked
-                    else ("sudo in a service has no terminal to ask for a password, and NOPASSWD gives root away"),
-                    advice="let systemd do it: prefix this one command with '+', or set User= for the unit",
-                    related=related,
-                    severity="error" if locked else None,
-                )
+        found = [
+            (process, step, word)
+            for process in robot.units.processes(unit)
+            for step in process.steps
+            if (word := _sudo(step)) is not None and (locked or not step.script)
+        ]
+        if found:
+            yield _finding(unit, locked, found)
+
+
+def _sudo(step: Step) -> Located | None:
+    """The word ``sudo`` where it is the program of a command."""
+    words = [word for word in step.command.words[:2] if word.rpartition("/")[2] == "sudo"]
+    return words[0] if words and step.command.words[0] in (words[0], "exec") else None
+
+
+def _finding(unit: Unit, locked: Located | None, found: list[tuple[Process, Step, Located]]) -> Finding:
+    (process, step, word), *others = found
+    related = [note(locked, "prevents sudo from gaining privileges")] if locked else []
+    if step.script:
+        related.append(note(process.program, f"{unit.name} starts the script here"))
+    return finding(
+        word,
+        "sudo cannot work here: NoNewPrivileges= disables its set-user-ID bit"
+        if locked
+        else "sudo in a service has no terminal to ask for a password, and NOPASSWD gives root away",
+        advice="let systemd do it: prefix this one command with '+', or set User= for the unit",
+        related=[*related, *(note(other, "sudo here too") for _, _, other in others)],
+        severity="error" if locked else None,
+    )

@@ -21,6 +21,7 @@ from bringup_lint.graph.systemd.cycles import ROOTS
 from bringup_lint.graph.systemd.cycles import Cycle
 from bringup_lint.graph.systemd.cycles import ordering_cycles
 from bringup_lint.graph.systemd.dependencies import dependency_graph
+from bringup_lint.graph.systemd.endless import never_ends
 from bringup_lint.graph.systemd.environment import EnvironmentFile
 from bringup_lint.graph.systemd.environment import environment_files
 from bringup_lint.graph.systemd.environment import process_environment
@@ -42,11 +43,14 @@ from bringup_lint.graph.systemd.user_database import UserDatabase
 from bringup_lint.graph.systemd.waits import Wait
 from bringup_lint.graph.systemd.waits import longest_wait
 from bringup_lint.model.unit import UnitFile
+from bringup_lint.source import Located
 
 _DDS_VARIABLE = re.compile(r"(?:ROS|RMW|CYCLONEDDS|FASTRTPS|FASTDDS|ZENOH)_(?!VERSION$|PYTHON_VERSION$)")
 
 
-_OF_ROS = re.compile(r"(?<![a-z])(?:micro)?ros(?:[12](?![0-9])|(?![a-z]))|launch|bring[-_ ]?up|\bnav2|moveit|gazebo", re.I)
+_OF_ROS = re.compile(
+    r"(?<![a-z])(?:micro)?ros(?:[12](?![0-9])|(?![a-z]))|launch|bring[-_ ]?up|\bnav2|moveit|gazebo", re.I
+)
 _WORD = re.compile(r"[\w:.\\@-]+")
 _WORD_START = re.compile(r"\b(?=\w)")
 _TYPE = re.compile(rf"\.(?:target|{'|'.join(SECTION_OF_TYPE)})")
@@ -141,6 +145,11 @@ class Units(NamedUnits):
     def users(self) -> UserDatabase:
         """/etc/passwd and /etc/group of the tree."""
         return UserDatabase(self.files)
+
+    @memo
+    def never_ends(self, process: Process) -> Located | None:
+        """What of a command line runs until it is stopped; None when it may end."""
+        return never_ends(process, self.files)
 
     def longest_wait(self, process: Process) -> Wait:
         """How long a command line may wait, by the loops and sleeps of its shells and scripts."""

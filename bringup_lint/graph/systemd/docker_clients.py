@@ -1,0 +1,84 @@
+"""The Docker commands of services: what a unit asks the daemon for, and whether the client stays."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from bringup_lint.graph.commands.command_line import Step
+from bringup_lint.graph.commands.wrappers import program_name
+from bringup_lint.graph.commands.wrappers import unwrapped
+from bringup_lint.graph.systemd.process import Process
+from bringup_lint.source import Located
+
+_CLIENTS = frozenset({"docker", "nvidia-docker"})
+_COMPOSE = frozenset({"docker-compose"})
+_STARTING = frozenset({"run", "start", "up"})
+_DAEMON_OPTIONS = frozenset({"-H", "--host", "-c", "--context", "--config", "-l", "--log-level"})
+_COMPOSE_OPTIONS = frozenset({"-f", "--file", "-p", "--project-name", "--env-file", "--profile", "--project-directory"})
+
+
+class DockerStart(NamedTuple):
+    """A command that starts containers."""
+
+    process: Process
+    step: Step
+    verb: Located
+    """``run``, ``start`` or ``up``."""
+    compose: bool
+    options: tuple[Located, ...]
+    """The words after the verb."""
+
+    @property
+    def detached(self) -> bool:
+        """Whether the client ends as soon as the containers run."""
+        if self.verb == "start":
+            return not any(word in ("-a", "-ai", "-ia", "-i", "--attach", "--interactive") for word in self.options)
+        return any(word == "--detach" or _has_letter(word, "d") for word in self.options)
+
+    @property
+    def restarted_by_docker(self) -> bool:
+        """Whether a restart policy that the command gives keeps the container running."""
+        return any(word.startswith("--restart") and word != "--restart=no" for word in self.options)
+
+
+def docker_starts(process: Process) -> Iterator[DockerStart]:
+    """The commands of a process by which the Docker daemon of this machine starts containers."""
+    for step in process.steps:
+        words = unwrapped(step.command.words)
+        name = program_name(words[0]) if words else ""
+        if name not in _CLIENTS | _COMPOSE:
+            continue
+        compose = name in _COMPOSE
+        rest = _after_options(words[1:], _COMPOSE_OPTIONS if compose else _DAEMON_OPTIONS)
+        if rest and rest[0] == "compose":
+            compose, rest = True, _after_options(rest[1:], _COMPOSE_OPTIONS)
+        if rest and rest[0] in ("container", "stack"):
+            rest = rest[1:]
+        if rest and rest[0] in _STARTING and not _is_remote(words):
+            yield DockerStart(process, step, rest[0], compose, _own_options(rest[1:], compose))
+
+
+def _after_options(words: tuple[Located, ...], valued: frozenset[str]) -> tuple[Located, ...]:
+    at = 0
+    while at < len(words) and words[at].startswith("-"):
+        at += 2 if words[at] in valued else 1
+    return words[at:]
+
+
+def _own_options(words: tuple[Located, ...], compose: bool) -> tuple[Located, ...]:
+    """The options of the command itself: for ``docker run`` those before the image are not told from their values, so
+    that options of the program in the container may be among them."""
+    if compose:
+        return words
+    cut = next((at for at, word in enumerate(words) if word in ("ros2", "bash", "sh", "/bin/bash", "-c")), len(words))
+    return words[:cut]
+
+
+def _is_remote(words: tuple[Located, ...]) -> bool:
+    return any(word in ("-H", "--host", "--context") or word.startswith(("--host=", "--context=")) for word in words)
+
+
+def _has_letter(word: str, letter: str) -> bool:
+    """Whether a word is a group of single-letter switches with this one, such as ``-itd``."""
+    return word.startswith("-") and not word.startswith("--") and word[1:].isalpha() and letter in word[1:5]

@@ -1,0 +1,102 @@
+"""Servers for people that ask for no password: desktops, notebooks and shells."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from bringup_lint.graph.commands.wrappers import program_name
+from bringup_lint.graph.commands.wrappers import unwrapped
+from bringup_lint.graph.systemd.process import Process
+from bringup_lint.source import Located
+
+_VNC = re.compile(r"(?:x0|X|tiger|tight)?vnc(?:server)?(?:\.\w+)?|x0tigervncserver|x0vncserver|Xvnc|Xtigervnc", re.I)
+_JUPYTER = re.compile(r"jupyter(?:-\w+)?")
+_NO_TOKEN = re.compile(r"--(?:Notebook|Server|Lab|Identity)(?:App|Provider)\.token=(?:''|\"\")?")
+_LOCAL = re.compile(r"(?:localhost|127\.[\d.]+|::1|\[::1\])(?::\d+)?")
+_EVERYWHERE = ("0.0.0.0", "*", "::", "")
+
+
+class OpenAccess(NamedTuple):
+    program: str
+    word: Located
+    """What switches the password off, or the program that has none."""
+    what: str
+    advice: str
+
+
+def open_access(process: Process) -> Iterator[OpenAccess]:
+    """The servers of a command line that let in everybody who reaches them."""
+    for step in process.steps:
+        words = unwrapped(step.command.words)
+        if not words:
+            continue
+        name = program_name(words[0])
+        for known in (_vnc, _x11vnc, _jupyter, _terminal):
+            found = known(name, words)
+            if found is not None:
+                yield found
+
+
+def _vnc(name: str, words: tuple[Located, ...]) -> OpenAccess | None:
+    local = name.lower() in ("vncserver", "tigervncserver")
+    if not _VNC.fullmatch(name) or _is_on(words, "localhost", otherwise=local):
+        return None
+    value = _option(words, "SecurityTypes")
+    if value is None or value.lower() != "none":
+        return None
+    return OpenAccess(name, value, "the desktop", "use -SecurityTypes VncAuth with a password file, or -localhost")
+
+
+def _x11vnc(name: str, words: tuple[Located, ...]) -> OpenAccess | None:
+    protected = ("-localhost", "-rfbauth", "-passwd", "-passwdfile", "-usepw", "-unixpw", "-listen", "-allow", "-ssl")
+    if name != "x11vnc" or "-inetd" in words or any(word.startswith(protected) for word in words):
+        return None
+    opened = next((word for word in words if word == "-nopw"), None)
+    return OpenAccess(name, opened, "the desktop", "use -rfbauth with a password file") if opened else None
+
+
+def _jupyter(name: str, words: tuple[Located, ...]) -> OpenAccess | None:
+    if not _JUPYTER.fullmatch(name):
+        return None
+    opened = next((word for word in words if _NO_TOKEN.fullmatch(word)), None)
+    address = _option(words, "ip")
+    password = next((word for word in words if re.match(r"--\w+\.(?:hashed_)?password=\w", word)), None)
+    if opened is None or address is None or address not in _EVERYWHERE or password is not None:
+        return None
+    return OpenAccess(name, opened, "a shell", "remove the empty token, or set a password")
+
+
+def _terminal(name: str, words: tuple[Located, ...]) -> OpenAccess | None:
+    if name == "ttyd":
+        limited = ("-c", "--credential", "-i", "--interface", "-H", "--auth-header", "-A", "--ssl-ca")
+        if any(word.partition("=")[0] in limited for word in words[1:]):
+            return None
+        return OpenAccess(name, words[0], "a shell", "set a user and a password with --credential")
+    address = _option(words, "bind-addr") or _option(words, "host")
+    if name != "code-server" or address is None or _LOCAL.fullmatch(address):
+        return None
+    value = _option(words, "auth")
+    return OpenAccess(name, value, "a shell", "use --auth password") if value == "none" else None
+
+
+def _option(words: tuple[Located, ...], name: str) -> Located | None:
+    """The value of ``-name value``, ``-name=value`` or ``--name=value``."""
+    for at, word in enumerate(words):
+        key, equals, _ = word.partition("=")
+        if key.lstrip("-").lower() != name.lower() or not word.startswith("-"):
+            continue
+        if equals:
+            value = word.part(len(key) + 1, len(word))
+            return value.part(1, len(value) - 1) if value[:1] in ("'", '"') and len(value) > 1 else value
+        return words[at + 1] if at + 1 < len(words) else None
+    return None
+
+
+def _is_on(words: tuple[Located, ...], name: str, *, otherwise: bool) -> bool:
+    """Whether a switch of an X server is on: ``-name``, ``-name=1``, ``-name yes``."""
+    given = next((word for word in words if word.lstrip("-").partition("=")[0] == name), None)
+    if given is None:
+        return otherwise
+    return (_option(words, name) or "").lower() not in ("0", "no", "off", "false")

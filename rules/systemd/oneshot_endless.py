@@ -1,0 +1,62 @@
+"""A Type=oneshot service starts something that never ends.
+
+## What it finds
+Type=oneshot with an ExecStart= that runs `ros2 launch`, a node, or a script of the tree with an endless loop
+in the foreground.
+
+## Why it matters on a robot
+A oneshot service counts as started only when its program has ended, and by default no timeout applies. The unit
+stays "activating" forever, everything ordered after it waits, and Restart= never applies to a daemon that has
+not started.
+
+## Bad
+```ini
+[Service]
+Type=oneshot
+RemainAfterExit=yes
+ExecStart=/usr/bin/battery-watch
+```
+
+## Good
+```ini
+[Service]
+Type=exec
+ExecStart=/usr/bin/battery-watch
+Restart=always
+RestartSec=5
+```
+
+## When to ignore it
+Never: a program that runs forever is not a oneshot.
+
+## References
+- systemd.service(5), Type=oneshot
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", fix="unsafe", symptoms=["A start job is running for"])
+def oneshot_endless(robot: Robot) -> Iterator[Finding]:
+    for unit in robot.units.services:
+        kind = unit.get("Type")
+        if kind != "oneshot" or unit.uncertain or unit.seconds("TimeoutStartSec", "TimeoutSec").at is not None:
+            continue
+        for process in robot.units.started(unit):
+            endless = robot.units.never_ends(process)
+            if endless is not None:
+                yield finding(
+                    kind,
+                    f"{endless} never ends, so {unit.name} stays activating forever and all that waits for it too",
+                    advice="use Type=exec",
+                    related=[note(endless, "runs until it is stopped")],
+                    fix=fix("use Type=exec", (kind, "exec"), safe=False),
+                )
+                break
