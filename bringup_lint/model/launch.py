@@ -273,6 +273,10 @@ class LaunchFile:
     """Looks at launch configurations by names that are not known."""
     imports: list[Import] = field(default_factory=list)
     calls: list[Call] = field(default_factory=list)
+    keywords: list[tuple[str, Located]] = field(default_factory=list)
+    """Keyword arguments of nodes that only old distributions have, each with its class."""
+    refused: list[Problem] = field(default_factory=list)
+    """``parameters=`` that launch_ros does not take: ``not-a-list``, ``key``, ``nested-list``."""
     bare_excepts: list[Span] = field(default_factory=list)
     tag: Tag | None = None
     """The root of an XML or YAML file, as it is written."""

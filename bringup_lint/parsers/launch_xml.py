@@ -49,7 +49,9 @@ def tag(element: Element, depth: int = 0) -> Tag:
     for attribute in element.attributes:
         text = _blanks(attribute.value)
         result.attributes[str(attribute.name)] = Written(attribute.name, text, str(text))
-    for child in element.children if depth <= DEPTH else []:
+    if depth > DEPTH:
+        return result
+    for child in element.children:
         inner = tag(child, depth + 1)
         inside.append(inner)
         result.lists.setdefault(str(child.name), []).append(inner)

@@ -24,6 +24,20 @@ def _rows() -> dict[str, list[tuple[str, str, str]]]:
 
 
 @cache
+def removed(name: str, distribution: str | None) -> frozenset[str]:
+    """The keywords that a class had once and that a distribution no longer has; the newest one when it is not known."""
+    order = distros.supported()
+    found = set()
+    rows = (row for row in table("ros/launch_api") if row["name"] == name)
+    for change in (change for row in rows for change in row["param_changes"].split(",")):
+        keyword, _, last = change.partition(":after ")
+        still = distribution in order and last in order and order.index(distribution) <= order.index(last)
+        if keyword.startswith("-") and not still:
+            found.add(keyword[1:])
+    return frozenset(found)
+
+
+@cache
 def names(module: str, distribution: str | None) -> frozenset[str] | None:
     """The names that can be imported from a module; of every distribution when it is not known which one runs."""
     if module not in MODULES:

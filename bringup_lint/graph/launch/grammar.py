@@ -152,8 +152,9 @@ class Checker:
             return
         for used in found.used:
             yield from self.substitution(text.part(used.start, used.end), used.arguments)
-        for why in unbalanced(found.texts) if command else ():
-            yield Refusal("value", text, f"the command cannot be split: {why}")
+        if command:
+            for why in unbalanced(found.texts):
+                yield Refusal("value", text, f"the command cannot be split: {why}")
 
     def substitution(self, name: Located, arguments: int) -> Iterator[Refusal]:
         count = self.grammar.substitutions.get(str(name))
@@ -184,8 +185,8 @@ class Checker:
         inner = bool(tag.lists.get("param"))
         if written is None and not inner:
             yield Refusal("missing", tag.name, "a 'param' needs the attribute 'value'")
-        for name in ("value", "type") if inner else ():
-            if name in tag.attributes:
+        for name in ("value", "type"):
+            if inner and name in tag.attributes:
                 yield Refusal("attribute", tag.attributes[name].key, f"'{name}' excludes parameters inside")
         if written is not None:
             yield from self.parameter_value(tag, written)

@@ -403,6 +403,12 @@ class Launch:
         """The public names of a module of launch or launch_ros; None when the module is not one of theirs."""
         return launch_api.names(module, self._tree_files.target.ros)
 
+    def removed_keywords(self, file: LaunchFile) -> Iterator[tuple[str, Located]]:
+        """The keywords in a Python file that its distribution does not have any more, each with its class."""
+        for owner, keyword in file.keywords:
+            if keyword in launch_api.removed(owner, self._tree_files.target.ros):
+                yield owner, keyword
+
     def actions(self, kind: type[Kind]) -> Iterator[tuple[LaunchFile, Kind]]:
         """All actions of a kind in the judged files, with their file."""
         for file in self.judged:

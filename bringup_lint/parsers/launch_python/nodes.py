@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 from bringup_lint.model.launch import Action
@@ -9,6 +10,7 @@ from bringup_lint.model.launch import ComposableNode
 from bringup_lint.model.launch import LoadComponents
 from bringup_lint.model.launch import Node
 from bringup_lint.model.launch import Process
+from bringup_lint.model.launch_values import Literal
 from bringup_lint.model.launch_values import Value
 from bringup_lint.parsers.launch_python import freeze
 from bringup_lint.parsers.launch_python.actions import conditions
@@ -19,12 +21,19 @@ from bringup_lint.parsers.launch_python.objects import Options
 from bringup_lint.parsers.launch_python.objects import Sequence
 from bringup_lint.parsers.launch_python.state import State
 from bringup_lint.parsers.launch_python.substitutions import parameter
+from bringup_lint.source import Located
+from bringup_lint.source import Problem
+from bringup_lint.source import Span
 
 _OPTIONS = (
     "respawn respawn_delay respawn_max_retries output output_format prefix cwd shell emulate_tty exec_name "
     "cached_output"
     " sigterm_timeout sigkill_timeout log_cmd arguments_file"
 ).split()
+
+
+OLD_KEYWORDS = ("node_executable", "node_name", "node_namespace", "node_plugin")
+_OLD = re.compile(rf"\b({'|'.join(OLD_KEYWORDS)})\s*=(?!=)")
 
 
 def _common(state: State, args: Arguments) -> dict[str, Any]:
@@ -103,8 +112,52 @@ def _local(state: State, args: Arguments) -> Any:
     return Process(**_common(state, args))
 
 
+def _note_old(state: State, args: Arguments, owner: str) -> None:
+    """Keep the keywords that launch_ros had until Foxy, with their places."""
+    if args.keywords.keys().isdisjoint(OLD_KEYWORDS):
+        return
+    for match in _OLD.finditer(args.span.text):
+        start = args.span.start + match.start(1)
+        place = Located(match[1], args.span.source.span(start, start + len(match[1])))
+        known = any(start == other.span.start for _, other in state.file.keywords)
+        if match[1] in args.keywords and not known:
+            state.file.keywords.append((owner, place))
+
+
+def _note_refused(state: State, thing: Any) -> None:
+    """Keep what ``parameters=`` may not be: anything but a list, and in its dictionaries keys that are no text and
+    lists with lists of numbers."""
+    if isinstance(thing, Mapping) or _is_text(thing):
+        _refuse(state, "not-a-list", thing.span)
+    if not isinstance(thing, Sequence) or thing.open:
+        return
+    dictionaries = (item for _, item in thing.items if isinstance(item, Mapping))
+    for key, value in (pair for dictionary in dictionaries for pair in dictionary.pairs()):
+        if isinstance(key, Literal) and not _is_text(key):
+            _refuse(state, "key", key.span)
+        if isinstance(value, Sequence) and any(_holds_numbers(item) for _, item in value.items):
+            _refuse(state, "nested-list", value.span)
+
+
+def _is_text(thing: Any) -> bool:
+    return isinstance(thing, Literal) and isinstance(thing.value, str)
+
+
+def _holds_numbers(thing: Any) -> bool:
+    """Whether this is a list with a number; a list of texts and substitutions is one text."""
+    items = thing.items if isinstance(thing, Sequence) else []
+    return any(isinstance(item, Literal) and isinstance(item.value, (bool, int, float)) for _, item in items)
+
+
+def _refuse(state: State, code: str, where: Span) -> None:
+    if all(problem.span.start != where.start for problem in state.file.refused):
+        state.file.refused.append(Problem(code, where))
+
+
 def _node_fields(state: State, args: Arguments) -> dict[str, Any]:
     fields = _common(state, args)
+    _note_old(state, args, "Node")
+    _note_refused(state, args.get("parameters"))
     remappings, more = freeze.pairs(state, args.get("remappings"))
     old_name = args.get("node_name")
     if fields["name"] is None and old_name is not None:
@@ -152,6 +205,8 @@ def _load(state: State, args: Arguments) -> Any:
 def _component(lifecycle: bool):
     def builder(state: State, args: Arguments) -> Any:
         remappings, more = freeze.pairs(state, args.get("remappings"))
+        _note_old(state, args, "ComposableNode")
+        _note_refused(state, args.get("parameters"))
         return ComposableNode(
             span=args.span,
             conditions=conditions(args),

@@ -1,0 +1,46 @@
+"""A launch file uses an argument that launch_ros no longer has.
+
+## What it finds
+`node_executable=`, `node_name=`, `node_namespace=` and `node_plugin=` of `Node` and `ComposableNode`. They were removed
+after Foxy. Silent when the tree is for Foxy.
+
+## Why it matters on a robot
+`Node()` raises a TypeError: launch ends before it starts a single node.
+
+## Bad
+```python
+Node(package='demo', node_executable='driver', node_name='front')
+```
+
+## Good
+```python
+Node(package='demo', executable='driver', name='front')
+```
+
+## When to ignore it
+When the robot runs Foxy or older, and the tree does not say so.
+
+## References
+- launch_ros, `Node` and `ComposableNode`
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+
+
+@rule("error", fix="safe", symptoms=["got an unexpected keyword argument 'node_executable'"])
+def removed_keyword(robot: Robot) -> Iterator[Finding]:
+    for file in robot.launch.judged:
+        for owner, keyword in robot.launch.removed_keywords(file):
+            better = keyword.removeprefix("node_")
+            yield finding(
+                keyword,
+                f"{owner} has had no argument '{keyword}' since Galactic: launch ends with a TypeError",
+                advice=f"write {better}",
+                fix=fix(f"write {better}", (keyword, better)),
+            )
