@@ -17,6 +17,8 @@ from bringup_lint.model.compose import Service
 from bringup_lint.model.compose import is_variable
 from bringup_lint.model.dockerfile import Stage
 from bringup_lint.model.dockerfile import runs_as_root
+from bringup_lint.model.schema import Code
+from bringup_lint.model.schema import Remark
 from bringup_lint.parsers.compose import parse
 from bringup_lint.parsers.dockerfile import parse as parse_dockerfile
 from bringup_lint.source import Located
@@ -47,6 +49,12 @@ class Compose:
     def whole_services(self) -> Iterator[Service]:
         """The services that say what they run: only of these can something be missing."""
         return (service for service in self.services if service.is_whole and not self.extends_elsewhere(service))
+
+    def remarks(self, *codes: Code) -> Iterator[Remark]:
+        """What docker compose has against the files; of templates, whose text is not final, nothing."""
+        for file in self.files:
+            if not file.source.template:
+                yield from (remark for remark in file.remarks if remark.code in codes)
 
     @staticmethod
     def extends_elsewhere(service: Service) -> bool:

@@ -12,6 +12,7 @@ from functools import cached_property
 from itertools import pairwise
 from typing import NamedTuple
 
+from bringup_lint.model.schema import Remark
 from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.model.yaml_node import Node
 from bringup_lint.model.yaml_node import Scalar
@@ -270,6 +271,9 @@ class ComposeFile:
     yaml: YamlFile
     services: list[Service] = field(default_factory=list)
     problems: list[Problem] = field(default_factory=list)
+    """What is no valid YAML, and keys that appear twice."""
+    remarks: list[Remark] = field(default_factory=list)
+    """What docker compose has against the content."""
 
     def service(self, name: str) -> Service | None:
         return next((service for service in self.services if service.name == name), None)

@@ -38,7 +38,7 @@ def parse(source: Source) -> list[ImageBuild]:
 
 def _blocks(source: Source) -> Iterator[tuple[str, _Block]]:
     openings = list(_BLOCK.finditer(source.text))
-    ends = [*(opening.start() for opening in openings[1:]), len(source.text)]
+    ends = [opening.start() for opening in openings[1:]] + [len(source.text)] * bool(openings)
     for opening, end in zip(openings, ends, strict=True):
         body = source.text[opening.end() : end]
         lists = {match[1]: _WORD.findall(match[2]) for match in _LIST.finditer(body)}

@@ -2,20 +2,31 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterator
+
 from bringup_lint.model.compose import ComposeFile
 from bringup_lint.model.compose import Service
 from bringup_lint.model.yaml_node import Mapping
+from bringup_lint.model.yaml_node import Node
 from bringup_lint.model.yaml_node import Scalar
+from bringup_lint.model.yaml_node import YamlFile
+from bringup_lint.parsers import compose_schema
 from bringup_lint.parsers import yaml_nodes
 from bringup_lint.parsers.shell import words
+from bringup_lint.source import Problem
 from bringup_lint.source import Source
+
+_NAMED = re.compile(r"(?:^|/)(?:docker-)?compose(?:[._-][^/]*)?\.ya?ml$", re.I)
 
 
 def parse(source: Source) -> ComposeFile:
-    """Read the services of a compose file. Problems are those of YAML."""
+    """Read the services of a compose file. Problems are those of YAML, and ``duplicate`` for keys that appear twice."""
     yaml = yaml_nodes.parse(source)
-    file = ComposeFile(source, yaml, problems=list(yaml.problems))
+    file = ComposeFile(source, yaml, problems=[*yaml.problems, *_twice(yaml)])
     root = yaml.root
+    if yaml.complete and is_certain(source.name, root):
+        file.remarks.extend(compose_schema.remarks(yaml))
     services = root.mapping("services") if isinstance(root, Mapping) else None
     if services is None:
         return file
@@ -25,6 +36,26 @@ def parse(source: Source) -> ComposeFile:
     for service in file.services:
         _extend(service, file)
     return file
+
+
+def is_certain(path: str, root: Node | None) -> bool:
+    """Whether nothing but docker compose reads the file: its name says so, or all keys at the top are of compose."""
+    if not isinstance(root, Mapping):
+        return False
+    return bool(_NAMED.search(path)) or all(
+        key.value in compose_schema.known_keys("root") or key.value.startswith("x-") for key, _ in root.entries
+    )
+
+
+def _twice(yaml: YamlFile) -> Iterator[Problem]:
+    """Keys that appear twice in one mapping, merge keys included: compose refuses them."""
+    for node in yaml.nodes:
+        if isinstance(node, Mapping):
+            for first, again in node.duplicates:
+                yield Problem("duplicate", again.value, str(first.value.span.line))
+            merges = [key for key, _ in node.entries if key.value == "<<" and not key.style]
+            for again in merges[1:]:
+                yield Problem("duplicate", again.value, str(merges[0].value.span.line))
 
 
 def _extend(service: Service, file: ComposeFile) -> None:

@@ -9,6 +9,9 @@ from bringup_lint.discover.kinds import Kind
 
 _YAML = re.compile(r"\.ya?ml$")
 _NAMED = re.compile(r"(?:^|[/._-])compose(?:[._-][^/]*)?\.ya?ml$", re.I)
+_DEFAULT = re.compile(r"(?:^|/)(?:docker-)?compose\.ya?ml$")
+"""The names that docker compose looks for itself."""
+_LIKE = re.compile(r"^(?:services?|version|include|networks|volumes)[ \t]*:", re.M)
 _SERVICES = re.compile(r"^services:[ \t]*(?:[#{].*)?\r?$", re.M)
 _RUNS = re.compile(r"^[ \t]+(?:image|build):", re.M)
 
@@ -18,6 +21,8 @@ def _is_compose(path: str, head: Head) -> bool:
         return False
     if not _NAMED.search(path) and ".github/" in path:
         return False
+    if _DEFAULT.search(path) and _LIKE.search(head()):
+        return True
     return bool(_SERVICES.search(head())) and (bool(_NAMED.search(path)) or bool(_RUNS.search(head())))
 
 

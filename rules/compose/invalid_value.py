@@ -1,0 +1,91 @@
+"""docker compose does not take a value.
+
+## What it finds
+A value that compose or the Docker engine refuses:
+- a string, a list or a mapping where another shape is expected, such as `user: 1000` without quotes
+- nothing after a key (`environment:` with no entry)
+- a word that is not one of those allowed, or a number out of range
+- ports, mounts, devices, durations and sizes with a mistake
+- a missing key
+
+A mount option that compose does not know is a warning: it is passed over silently, so that `:r` mounts writable.
+
+## Why it matters on a robot
+docker compose refuses the whole file and starts none of the services, or the container is not created.
+
+## Bad
+```yaml
+services:
+  driver:
+    image: robot/driver:1.2
+    user: 1000
+    stop_grace_period: 20
+```
+
+## Good
+```yaml
+services:
+  driver:
+    image: robot/driver:1.2
+    user: "1000"
+    stop_grace_period: 20s
+```
+
+## When to ignore it
+When another program than docker compose reads the file.
+
+## References
+- https://github.com/compose-spec/compose-spec/blob/main/spec.md
+- https://github.com/compose-spec/compose-go
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Located
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+from bringup_lint.api.schema import Code
+from bringup_lint.api.schema import Remark
+
+REFUSED = "docker compose refuses the file"
+BY_ENGINE = ("container-name", "device", "restart", "stop-signal")
+"""Grammars that the Docker engine checks, not compose."""
+CODES = (Code.SHAPE, Code.VALUE, Code.ENUM, Code.RANGE, Code.BOOL, Code.NAME, Code.ADDRESS, Code.MISSING)
+
+
+@rule("error", fix="safe", symptoms=["must be a string", "must be a mapping", "services must be a mapping"])
+def invalid_value(robot: Robot) -> Iterator[Finding]:
+    for remark in robot.compose.remarks(*CODES):
+        yield _refused(remark)
+    for remark in robot.compose.remarks(Code.IGNORED):
+        yield finding(
+            remark.where,
+            f"Compose passes over the mount option '{remark.detail}'",
+            advice="write ro for a mount that the container only reads",
+            severity="warning",
+        )
+
+
+def _refused(remark: Remark) -> Finding:
+    where = remark.where
+    name = remark.item.name if remark.item else ""
+    if remark.code == Code.MISSING:
+        return finding(where, f"'{name}' is missing here: {REFUSED}", advice=f"add {name}:")
+    if remark.code == Code.NAME:
+        return finding(where, f"'{where}' is not a name: {REFUSED}", advice="use letters, digits, dots, dashes and _")
+    if remark.code != Code.SHAPE:
+        by_engine = remark.item is not None and remark.item.row["grammar"] in BY_ENGINE
+        consequence = "the container is not created" if by_engine else REFUSED
+        return finding(where, f"'{where}' {remark.detail}: {consequence}", advice="correct the value")
+    written = isinstance(where, Located) and str(where) != name
+    message = f"{name} takes {remark.detail}, not '{where}'" if written else f"{name} takes {remark.detail}"
+    quoted = written and "a string" in remark.detail
+    return finding(
+        where,
+        f"{message}: {REFUSED}",
+        advice="put it in quotes" if quoted else f"write {remark.detail}",
+        fix=fix("put it in quotes", (where, f'"{where}"')) if quoted else None,
+    )

@@ -1,0 +1,85 @@
+"""docker compose does not know a key.
+
+## What it finds
+A key that the compose specification does not have at that place: a typing mistake, a key one level too high or too low,
+or a key of an old version. Extensions (`x-...`) are free.
+
+## Why it matters on a robot
+docker compose refuses the whole file ("additional properties not allowed") and starts none of the services.
+
+## Bad
+```yaml
+services:
+  driver:
+    image: robot/driver:1.2
+    priviledged: true
+```
+
+## Good
+```yaml
+services:
+  driver:
+    image: robot/driver:1.2
+    privileged: true
+```
+
+## When to ignore it
+When the robot has a docker compose that is newer than the schema of this linter and knows the key, or when another
+program reads the file.
+
+## References
+- https://github.com/compose-spec/compose-spec/blob/main/spec.md
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import rule
+from bringup_lint.api.compose import homes_of
+from bringup_lint.api.schema import Code
+from bringup_lint.api.schema import Remark
+from bringup_lint.api.spelling import nearest
+
+OLD = {
+    "net": "write network_mode",
+    "log_driver": "write logging: {driver: ...}",
+    "log_opt": "write logging: {options: ...}",
+    "dockerfile": "move it into build",
+    "volume_driver": "write driver at the volume",
+    "env": "write environment",
+    "envs": "write environment",
+    "args": "move it into build",
+    "gpus": "update docker compose, or write deploy.resources.reservations.devices",
+}
+"""Keys of old versions and of other tools, and what compose has instead."""
+
+
+@rule("error", fix="safe", symptoms=["additional properties", "Additional property is not allowed"])
+def unknown_key(robot: Robot) -> Iterator[Finding]:
+    for remark in robot.compose.remarks(Code.UNKNOWN):
+        key, inside = str(remark.where), remark.item
+        known = [name for name in inside.children if name not in ("*", "x-*")] if inside else []
+        near = [] if key in OLD else nearest(key, known)
+        yield finding(
+            remark.where,
+            f"Unknown key '{key}' {_place(remark)}: docker compose refuses the file",
+            advice=_advice(key, near),
+            fix=fix(f"rename to {near[0]}", (remark.where, near[0]), safe=True) if len(near) == 1 else None,
+        )
+
+
+def _place(remark: Remark) -> str:
+    kind = remark.path.strip("{}").replace("_", " ")
+    return "at the top of the file" if kind == "root" else f"in {kind}"
+
+
+def _advice(key: str, near: list[str]) -> str:
+    if near:
+        return f"did you mean {' or '.join(near)}?"
+    if key in OLD:
+        return OLD[key]
+    homes = homes_of(key)
+    return f"move it into {homes[0]}" if len(homes) == 1 else "remove it, or begin its name with x-"
