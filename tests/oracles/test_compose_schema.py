@@ -32,7 +32,7 @@ KEYS = (
 
 def ask(documents: list[Any]) -> list[bool]:
     """Whether the schema accepts each document. Lists may repeat entries: compose makes them unique before it asks."""
-    import jsonschema
+    import jsonschema  # type: ignore[import-untyped]
 
     schema = json.loads(Path(SCHEMA).read_text("utf-8"))
     _drop(schema, "uniqueItems")
