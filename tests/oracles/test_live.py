@@ -48,11 +48,11 @@ BAD = (
     {"name": "stranger"},
 )
 MESSAGES = {
-    "node-missing": "/planner does not run on domain {domain}",
-    "node-unexpected": "/stranger runs on domain {domain}, and no file starts it",
+    "node-missing": "/planner is not running on domain {domain}",
+    "node-unexpected": "/stranger runs on domain {domain}, but no file starts it",
     "node-duplicate": "2 nodes called /lidar/driver run",
     "topic-typo": "Nobody publishes /odometri, which /slam waits for; /lidar/driver publishes /odometry",
-    "qos-incompatible": "/slam gets nothing on /scan: it asks for reliable, /lidar/driver offers best effort",
+    "qos-incompatible": "/slam gets nothing on /scan: it requests reliable, but /lidar/driver offers best effort",
     "cmd-vel-publishers": "2 nodes publish /cmd_vel (/slam, /teleop)",
     "enclave-unsecured": "/base runs in the enclave /, not in /base",
     "lifecycle-not-active": "/amcl is unconfigured, not active",
