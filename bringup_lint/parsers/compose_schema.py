@@ -103,10 +103,10 @@ def _in_mapping(node: Mapping, wanted: Shape, item: Item, key: Located) -> Itera
     else:
         for name, value in node.merged:
             fits = bool(_NAMES[wanted.names].fullmatch(name.value))
-            if not fits and wanted.names != "lower":
-                yield Remark(Code.NAME, name.value, "is not a name", item=item)
-            if not fits:
+            if not fits and wanted.names == "lower":
                 continue
+            if not fits:
+                yield Remark(Code.NAME, name.value, "is not a name", item=item)
             yield from _value(value, wanted.values, item, name.value)
 
 
