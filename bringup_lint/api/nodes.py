@@ -16,13 +16,13 @@ from bringup_lint.graph.nodes.questions.safe_state import commands
 from bringup_lint.graph.nodes.questions.safe_state import fed_without_condition
 from bringup_lint.graph.nodes.questions.safe_state import has_safe_state
 from bringup_lint.graph.nodes.questions.safe_state import is_watched_relay
+from bringup_lint.graph.nodes.questions.safe_state import publish_after_deactivate
 from bringup_lint.graph.nodes.questions.safe_state import relays
-from bringup_lint.graph.nodes.questions.safe_state import silenced
 from bringup_lint.graph.nodes.questions.safe_state import uncovered_sigterm
-from bringup_lint.graph.nodes.questions.stopping import doubles
-from bringup_lint.graph.nodes.questions.stopping import starved
-from bringup_lint.graph.nodes.questions.stopping import too_late
-from bringup_lint.graph.nodes.questions.stopping import uncaught
+from bringup_lint.graph.nodes.questions.stopping import double_shutdown
+from bringup_lint.graph.nodes.questions.stopping import handler_never_runs
+from bringup_lint.graph.nodes.questions.stopping import stop_after_shutdown
+from bringup_lint.graph.nodes.questions.stopping import unhandled_shutdown
 from bringup_lint.graph.nodes.questions.undefined_names import dict_ranges
 from bringup_lint.graph.nodes.questions.undefined_names import range_text
 from bringup_lint.graph.nodes.questions.undefined_names import undefined
@@ -33,23 +33,23 @@ __all__ = [
     "commands",
     "deadlocks",
     "dict_ranges",
-    "doubles",
+    "double_shutdown",
     "fed_without_condition",
+    "handler_never_runs",
     "has_safe_state",
     "import_edits",
     "is_watched_relay",
     "lowered",
     "moves",
+    "publish_after_deactivate",
     "range_text",
     "relays",
-    "silenced",
-    "starved",
+    "stop_after_shutdown",
     "swap",
-    "too_late",
     "tried_shutdown",
-    "uncaught",
     "uncovered_sigterm",
     "undefined",
+    "unhandled_shutdown",
     "valid_node_name",
     "waits",
 ]

@@ -11,8 +11,8 @@ from bringup_lint.graph.topics.questions.compatibility import conflicts_of
 from bringup_lint.graph.topics.questions.compatibility import types_differ
 from bringup_lint.graph.topics.questions.namespaces import shared_by_namespaces
 from bringup_lint.graph.topics.questions.unmatched import corrected
-from bringup_lint.graph.topics.questions.unmatched import misspelt
-from bringup_lint.graph.topics.questions.unmatched import unserved
+from bringup_lint.graph.topics.questions.unmatched import probable_typos
+from bringup_lint.graph.topics.questions.unmatched import without_publisher
 from bringup_lint.graph.topics.resolved.names import refusal
 from bringup_lint.graph.topics.resolved.names import tail
 from bringup_lint.graph.topics.sources.publishing import published_at_start
@@ -23,7 +23,7 @@ __all__ = [
     "is_gate",
     "is_stop",
     "is_velocity",
-    "misspelt",
+    "probable_typos",
     "published_at_start",
     "refusal",
     "rivals",
@@ -31,5 +31,5 @@ __all__ = [
     "tail",
     "types_differ",
     "ungated",
-    "unserved",
+    "without_publisher",
 ]

@@ -92,7 +92,7 @@ class Node(Process):
     """Started as ``LifecycleNode``: launch itself offers its transitions."""
     autostart: Value | None = None
     container: bool = False
-    components: tuple[ComposableNode, ...] = ()
+    components: tuple[ComposableNode | Other, ...] = ()
 
 
 @dataclass(eq=False, slots=True, kw_only=True)
@@ -117,7 +117,7 @@ class LoadComponents(Action):
 
     target: Value | None = None
     target_key: int | None = None
-    components: tuple[ComposableNode, ...] = ()
+    components: tuple[ComposableNode | Other, ...] = ()
 
 
 @dataclass(eq=False, slots=True, kw_only=True)

@@ -9,6 +9,7 @@ from collections.abc import Callable
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
+from typing import TypeGuard
 from typing import Union
 from typing import get_args
 
@@ -198,6 +199,10 @@ Value = Union[
     Unknown,
 ]
 VALUE_TYPES = get_args(Value)
+
+
+def is_value(thing: object) -> TypeGuard[Value]:
+    return isinstance(thing, VALUE_TYPES)
 
 
 @dataclass(eq=False, slots=True)

@@ -7,9 +7,12 @@ from collections.abc import Callable
 from collections.abc import Iterator
 from dataclasses import dataclass
 from dataclasses import field
+from dataclasses import replace
 from typing import Any
 from typing import NamedTuple
+from typing import TypedDict
 
+from bringup_lint.model.python import PlacedNode
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
@@ -40,6 +43,37 @@ class Qos:
     liveliness: str | None = None
     lease: float | None = None
     """Seconds; ``INFINITE`` when not set."""
+
+
+class QosChange(TypedDict, total=False):
+    """The policies that something changes in a profile; None: to a value that is not known."""
+
+    reliability: str | None
+    durability: str | None
+    history: str | None
+    depth: int | None
+    deadline: float | None
+    liveliness: str | None
+    lease: float | None
+
+
+def with_policy(qos: Qos, name: str, value: str | None) -> Qos:
+    """``name``: that of a policy whose values are names."""
+    match name:
+        case "reliability":
+            return replace(qos, reliability=value)
+        case "durability":
+            return replace(qos, durability=value)
+        case "history":
+            return replace(qos, history=value)
+        case "liveliness":
+            return replace(qos, liveliness=value)
+    raise ValueError(name)
+
+
+def with_seconds(qos: Qos, name: str, value: float | None) -> Qos:
+    """``name``: ``deadline`` or ``lease``."""
+    return replace(qos, deadline=value) if name == "deadline" else replace(qos, lease=value)
 
 
 class Group(NamedTuple):
@@ -198,7 +232,7 @@ class NodeSource:
     """The function that ``if __name__ == "__main__"`` calls; ``main`` when there is one and no such block."""
     problems: list[Problem] = field(default_factory=list)
     tree: ast.Module | None = None
-    span_of: Callable[[ast.AST], Span] = field(default=_unread)
+    span_of: Callable[[PlacedNode], Span] = field(default=_unread)
     qualified: Callable[[ast.AST], str | None] = field(default=_unread)
     """The dotted name of a name or attribute, through the imports: ``rclpy.spin``."""
     constant: Callable[..., object] = field(default=_unread)

@@ -141,7 +141,7 @@ class Alias:
     size: int = 1
 
 
-Node = Scalar | Sequence | Mapping
+Node = Scalar | Sequence | Mapping | Alias
 
 
 def _is_merge(key: Scalar) -> bool:

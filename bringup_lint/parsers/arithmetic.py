@@ -23,30 +23,34 @@ def evaluate(text: str, variables: Mapping[str, str]) -> int | None:
         value = variables.get(name["braced"] or name["plain"], name["default"])
         return int(value) if value is not None and value.isdigit() and len(value) < 10 else None
     if text.startswith("$((") and text.endswith("))") and len(text) < _LIMIT:
-        return _Sum(text[3:-2], variables).value()
+        tokens = _tokens(text[3:-2], variables)
+        return _Sum(tokens).value() if tokens is not None else None
     return None
+
+
+def _tokens(text: str, variables: Mapping[str, str]) -> list[str] | None:
+    """Numbers, signs and brackets, with names replaced by their numbers; None when anything else is among them."""
+    found: list[str] = []
+    at = 0
+    while at < len(text.rstrip()):
+        match = _TOKEN.match(text, at)
+        if match is None:
+            return None
+        word = match[1] or match[3]
+        if word is None:
+            word = variables.get(match[2].strip("${}"), "")
+            if not word.isdigit() or len(word) > 9:
+                return None
+        found.append(word)
+        at = match.end()
+    return found
 
 
 class _Sum:
     """A recursive descent over sums, products and brackets."""
 
-    def __init__(self, text: str, variables: Mapping[str, str]) -> None:
-        self.tokens: list[str] | None = []
-        at = 0
-        while at < len(text.rstrip()):
-            match = _TOKEN.match(text, at)
-            if match is None:
-                self.tokens = None
-                return
-            word = match[1] or match[3]
-            if word is None:
-                name = match[2].strip("${}")
-                word = variables.get(name, "")
-                if not word.isdigit() or len(word) > 9:
-                    self.tokens = None
-                    return
-            self.tokens.append(word)
-            at = match.end()
+    def __init__(self, tokens: list[str]) -> None:
+        self.tokens = tokens
 
     def value(self) -> int | None:
         if not self.tokens:

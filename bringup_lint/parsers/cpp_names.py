@@ -35,7 +35,7 @@ def from_parameter(source: Source, code: str, variable: str) -> FromParameter | 
     assigned = 0
     for pattern in _TAKEN:
         for match in re.finditer(pattern.replace("{name}", variable), code):
-            group = match.lastgroup
+            group = match.lastgroup or ""
             found.setdefault(match[group], match.span(group))
             assigned += group != "given"
     if len(found) != 1 or len(re.findall(rf"\b{variable}\s*[+]?=(?!=)", code)) != assigned:

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from bringup_lint.model.node_source import INFINITE
 from bringup_lint.model.node_source import Qos
+from bringup_lint.model.node_source import QosChange
 from bringup_lint.source import Span
 
 _NUMBER = re.compile(r"\d+[uUlL]*\Z")
@@ -21,7 +22,7 @@ _PRESETS = {
     "ParameterEventsQoS": ("RELIABLE", "VOLATILE", 1000),
     "BestAvailableQoS": ("BEST_AVAILABLE", "BEST_AVAILABLE", None),
 }
-_CHANGES = {
+_CHANGES: dict[str, QosChange] = {
     "reliable": {"reliability": "RELIABLE"},
     "best_effort": {"reliability": "BEST_EFFORT"},
     "reliability_best_available": {"reliability": "BEST_AVAILABLE"},

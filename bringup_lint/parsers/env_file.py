@@ -11,13 +11,14 @@ import re
 
 from bringup_lint.model.env_file import Entry
 from bringup_lint.model.env_file import EnvFile
+from bringup_lint.parsers.matching import end_of
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
 
 _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 _BLANK = " \t\r\n"
-_LINE_END = re.compile(r"[\r\n]|$")
+_LINE = re.compile(r"[^\r\n]*")
 _COMMENT = re.compile(r"(?:\\.|[^\\\r\n])*", re.S)
 """A backslash at the end of a comment joins the next line to it."""
 _ESCAPED_IN_QUOTES = '"\\`$'
@@ -35,9 +36,9 @@ def parse(source: Source) -> EnvFile:
         if text[at] in _BLANK:
             at += 1
             continue
-        end = _LINE_END.search(text, at).start()
+        end = end_of(_LINE, text, at)
         if text[at] in "#;":
-            at = _COMMENT.match(text, at).end() + 1
+            at = end_of(_COMMENT, text, at) + 1
             continue
         equals = text.find("=", at, end)
         if equals == -1:

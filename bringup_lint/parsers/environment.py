@@ -27,7 +27,7 @@ def expand(text: str, environment: Mapping[str, str] | None, depth: int = 0) -> 
         return text
     if depth >= MAX_DEPTH:
         raise ExpansionError("too deeply nested")
-    parts = []
+    parts: list[str] = []
     at = 0
     while True:
         start = text.find("${", at)

@@ -32,7 +32,7 @@ def _mount(line: Located) -> Mount:
 
 def _fields(line: Located) -> list[Located]:
     """The fields; a comment is one only behind the sixth."""
-    fields = []
+    fields: list[Located] = []
     for word in line.words():
         if word.startswith("#") and len(fields) >= 6:
             break

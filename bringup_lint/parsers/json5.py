@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from bringup_lint.parsers.matching import end_of
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
 
@@ -21,7 +22,7 @@ def fault(source: Source) -> Problem | None:
     open_brackets: list[int] = []
     at, state = 0, "value"
     while True:
-        at = _BLANK.match(text, at).end()
+        at = end_of(_BLANK, text, at)
         char = text[at : at + 1]
         bracket = text[open_brackets[-1]] if open_brackets else ""
         if char and state != "value" and char == _CLOSING.get(bracket):
@@ -36,7 +37,7 @@ def fault(source: Source) -> Problem | None:
             at, state = at + 1, "key" if bracket == "{" else "item"
         elif state == "key":
             key = _KEY.match(text, at)
-            colon = _BLANK.match(text, key.end()).end() if key else at
+            colon = end_of(_BLANK, text, key.end()) if key else at
             if key is None or text[colon : colon + 1] != ":":
                 return _problem(source, colon, "':' is expected" if key else "a key is expected")
             at, state = colon + 1, "value"

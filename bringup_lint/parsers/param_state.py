@@ -147,7 +147,8 @@ class State:
             raise Refused("value-before-parameters", f"Cannot have a value before {HEADER}")
         if not text and style not in ("'", '"'):
             raise Refused("no-value", "No value")
-        self.store(value)
+        if value is not None:
+            self.store(value)
         if not self.in_list:
             self.is_key = True
 
@@ -163,7 +164,9 @@ class State:
             entry.slots[f"{value.type}_array"] = []
         elif self.list_type != value.type:
             raise Refused("mixed-list", f"Sequence should be of same type. Value type '{value.type}' do not belong")
-        entry.slots.setdefault(f"{value.type}_array", []).append(value.data)
+        items = entry.slots.setdefault(f"{value.type}_array", [])
+        if isinstance(items, list):
+            items.append(value.data)
 
     def key(self, name: str) -> None:
         if self.in_parameters:

@@ -81,7 +81,7 @@ class _Reader:
         start = self.source.line_starts[problem.where.line - 1] + match.start(1)
         return Problem("unquoted-star", self.source.located(start, start + len(match[1])), problem.detail)
 
-    def root(self, node: Node | Alias) -> None:
+    def root(self, node: Node) -> None:
         saved = self.state.save()
         try:
             if isinstance(node, Mapping):
@@ -102,7 +102,7 @@ class _Reader:
             del self.keys[depth:]
         self.state.close_map()
 
-    def pair(self, key: Node | Alias, value: Node | Alias, block: Block | None, before: Saved) -> None:
+    def pair(self, key: Node, value: Node, block: Block | None, before: Saved) -> None:
         state = self.state
         if block is not None and not before.in_parameters:
             self.after_empty_map(key, value, block, before)
@@ -125,14 +125,14 @@ class _Reader:
             self.file.blocks.append(block)
             self.header(value, block, before)
             return
-        elif not state.in_parameters:
-            self.keys.append(key.value)
-        else:
+        elif block is not None and state.in_parameters:
             self.parameter(key, value, block)
             return
+        else:
+            self.keys.append(key.value)
         self.inside(value, block, before)
 
-    def header(self, value: Node | Alias, block: Block, before: Saved) -> None:
+    def header(self, value: Node, block: Block, before: Saved) -> None:
         """What stands after ``ros__parameters``."""
         empty = isinstance(value, Scalar) and value.value == "" and not value.style
         if empty:
@@ -141,7 +141,7 @@ class _Reader:
         else:
             self.inside(value, block, before)
 
-    def inside(self, value: Node | Alias, block: Block | None, before: Saved) -> None:
+    def inside(self, value: Node, block: Block | None, before: Saved) -> None:
         if isinstance(value, Mapping):
             self.mapping(value, block)
             return
@@ -151,7 +151,7 @@ class _Reader:
             self.early(refused, value)
             self.state.restore(before)
 
-    def early(self, refused: Refused, value: Node | Alias) -> None:
+    def early(self, refused: Refused, value: Node) -> None:
         """A value before ``ros__parameters``: nothing at all, below a misspelt word, or really one."""
         if refused.code in ("value-before-parameters", "list-before-parameters"):
             misspelt = next((key for key in self.keys if MISSPELT.match(key) and not key.startswith(HEADER)), None)
@@ -164,7 +164,7 @@ class _Reader:
                 return
         self.refuse(refused, value)
 
-    def parameter(self, key: Scalar, value: Node | Alias, block: Block) -> None:
+    def parameter(self, key: Scalar, value: Node, block: Block) -> None:
         state = self.state
         entry = state.entry
         name = entry.name if entry else str(key.value)
@@ -185,7 +185,7 @@ class _Reader:
         if not isinstance(value, Alias):
             block.parameters.append(Parameter(name, key.value, found or Value(NOT_SET, None), value, block))
 
-    def after_empty_map(self, key: Node | Alias, value: Node | Alias, block: Block, before: Saved) -> None:
+    def after_empty_map(self, key: Node, value: Node, block: Block, before: Saved) -> None:
         """An empty mapping ended the block early: rcl takes what follows for node names."""
         try:
             self.feed(key)
@@ -196,7 +196,7 @@ class _Reader:
                 self.problem("after-empty-map", empty.span, refused.detail)
             self.state.restore(before)
 
-    def feed(self, node: Node | Alias) -> Value | None:
+    def feed(self, node: Node) -> Value | None:
         """Hand a node to the state; gives the value of a scalar or a plain list."""
         state = self.state
         if isinstance(node, Scalar):
@@ -207,19 +207,20 @@ class _Reader:
             state.open_list()
             values = [self.feed(item) for item in node.items]
             state.close_list()
-            if values and None not in values and not any(value.type.endswith("_array") for value in values):
-                return Value(f"{values[0].type}_array", [value.data for value in values])
+            plain = [value for value in values if value is not None and not value.type.endswith("_array")]
+            if plain and len(plain) == len(values):
+                return Value(f"{plain[0].type}_array", [value.data for value in plain])
             return None
         if isinstance(node, Mapping):
             state.open_map()
-            for key, value in node.pairs:
+            for key, inner in node.pairs:
                 self.feed(key)
-                self.feed(value)
+                self.feed(inner)
             state.close_map()
             return None
         raise Refused("alias", "Will not support aliasing")
 
-    def refuse(self, refused: Refused, where: Node | Alias | Located, code: str = "") -> None:
+    def refuse(self, refused: Refused, where: Node | Located, code: str = "") -> None:
         if isinstance(where, Sequence) and not code and refused.code != "list-before-parameters":
             code = _list_code(where)
         place = where if isinstance(where, Located) else where.span

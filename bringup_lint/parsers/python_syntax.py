@@ -6,6 +6,7 @@ import ast
 import re
 import warnings
 
+from bringup_lint.model.python import PlacedNode
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
@@ -51,14 +52,15 @@ class Positions:
         table.append(len(text))
         return table
 
-    def span(self, node: ast.expr | ast.stmt | ast.keyword | ast.arg | ast.excepthandler) -> Span:
+    def span(self, node: PlacedNode) -> Span:
         starts = self._starts
-        if self._ascii and node.end_lineno <= len(starts):
+        last, column = node.end_lineno or node.lineno, node.end_col_offset or 0
+        if self._ascii and last <= len(starts):
             start = starts[node.lineno - 1] + node.col_offset
-            end = starts[node.end_lineno - 1] + node.end_col_offset
+            end = starts[last - 1] + column
         else:
             start = self.offset(node.lineno, node.col_offset)
-            end = self.offset(node.end_lineno, node.end_col_offset)
+            end = self.offset(last, column)
         if start <= end <= self._length:
             return Span(self.source, start, end)
         start = min(start, self._length)

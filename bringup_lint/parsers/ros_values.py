@@ -57,11 +57,10 @@ def domain_id(text: str) -> DomainId:
     if text == "":
         return DomainId(0, True)
     found = _STRTOUL.match(text)
-    number = 0
-    if found is not None:
-        number = int(found["hex"] or "0", 16) or int(found["octal"] or "0", 8) or int(found["decimal"] or "0")
-    rest = text[found.end() :] if found else text
-    if number > ULONG_MAX or (number == 0 and rest):
+    if found is None:
+        return DomainId(None, False)
+    number = int(found["hex"] or "0", 16) or int(found["octal"] or "0", 8) or int(found["decimal"] or "0")
+    if number > ULONG_MAX or (number == 0 and found.end() < len(text)):
         return DomainId(None, False)
     if found["sign"] == "-" and number:
         number = ULONG_MAX + 1 - number

@@ -45,7 +45,10 @@ def parse(source: Source) -> list[Display]:
 
 
 def _displays(group: Mapping, depth: int) -> Iterator[Display]:
-    for display in group.sequence("Displays") or () if depth < DEEPEST else ():
+    displays = group.sequence("Displays")
+    if displays is None or depth >= DEEPEST:
+        return
+    for display in displays:
         if not isinstance(display, Mapping) or _off(display):
             continue
         yield from _displays(display, depth + 1)
@@ -53,7 +56,9 @@ def _displays(group: Mapping, depth: int) -> Iterator[Display]:
         type_ = TYPES.get(str(kind.value)) if kind is not None else None
         for name in ("Topic", "Description Topic"):
             topic = display.mapping(name)
-            value = topic.scalar("Value") if topic is not None else None
+            if topic is None:
+                continue
+            value = topic.scalar("Value")
             if value is not None and value.value and not value.is_null:
                 yield _display(topic, value, type_)
 

@@ -15,6 +15,7 @@ from bringup_lint.model.launch_values import Literal
 from bringup_lint.model.launch_values import Operation
 from bringup_lint.model.launch_values import PathJoin
 from bringup_lint.model.launch_values import Unknown
+from bringup_lint.model.launch_values import Value
 from bringup_lint.model.package import Build
 from bringup_lint.model.package import Install
 from bringup_lint.parsers.launch_python import budget
@@ -24,11 +25,13 @@ from bringup_lint.parsers.launch_python.objects import Frame
 from bringup_lint.parsers.launch_python.objects import Mapping
 from bringup_lint.parsers.launch_python.objects import Sequence
 from bringup_lint.parsers.launch_python.objects import Symbol
+from bringup_lint.parsers.launch_python.state import Evaluator
 from bringup_lint.parsers.launch_python.state import State
 from bringup_lint.parsers.launch_python.statements import run
 from bringup_lint.parsers.python_syntax import Positions
 from bringup_lint.source import Located
 from bringup_lint.source import Source
+from bringup_lint.source import Span
 
 _SETUP = ("setuptools.setup", "distutils.core.setup", "setup")
 _GLOB = ("glob.glob", "glob.iglob", "glob")
@@ -45,10 +48,11 @@ def parse(source: Source) -> Build:
             tree = ast.parse(text)
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         return _unknown(build)
-    state = State(LaunchFile(source, "python"), Positions(source, 0), Frame({}))
     found: list[dict[str, Any]] = []
 
-    def called(function: Any, positional: list[Any], keywords: dict[str, Any], more: bool, span: Any) -> Any:
+    def called(
+        state: State, function: Any, positional: list[Any], keywords: dict[str, Any], more: bool, span: Span
+    ) -> Any:
         if isinstance(function, Symbol) and function.name in _SETUP:
             found.append(keywords)
             return Unknown("setup", span)
@@ -56,9 +60,7 @@ def parse(source: Source) -> Build:
             return Operation("glob", (positional[0],), span)
         return call(state, function, positional, keywords, more, span)
 
-    state.evaluate = lambda node: evaluate(state, node)
-    state.call = called
-    state.run = lambda body: run(state, body)
+    state = State(LaunchFile(source, "python"), Positions(source, 0), Frame({}), Evaluator(evaluate, called, run))
     try:
         run(state, tree.body)
     except (budget.Exhausted, RecursionError):
@@ -84,7 +86,7 @@ def _data_files(build: Build, thing: Any) -> None:
     for entry in entries or ():
         pair = entry.plain() if isinstance(entry, Sequence) else None
         destination = path_text(pair[0]) if pair and len(pair) == 2 else None
-        if destination is None:
+        if pair is None or destination is None:
             build.installs_known = False
         else:
             _install(build, destination, pair[1])
@@ -117,12 +119,19 @@ def path_text(value: Any) -> str | None:
     if isinstance(value, FileDir):
         return ""
     if isinstance(value, PathJoin):
-        parts = [path_text(part) for part in value.parts]
-        return None if None in parts else "/".join(part.strip("/") for part in parts if part)
+        parts = _path_texts(value.parts)
+        return None if parts is None else "/".join(part.strip("/") for part in parts if part)
     if isinstance(value, Concat):
-        parts = [path_text(part) for part in value.parts]
-        return None if None in parts else "".join(parts)
+        parts = _path_texts(value.parts)
+        return None if parts is None else "".join(parts)
     return None
+
+
+def _path_texts(values: tuple[Value, ...]) -> list[str] | None:
+    """None when one of them is not known."""
+    texts = [path_text(value) for value in values]
+    known = [text for text in texts if text is not None]
+    return known if len(known) == len(texts) else None
 
 
 def _scripts(build: Build, thing: Any) -> None:

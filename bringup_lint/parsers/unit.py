@@ -13,6 +13,7 @@ from collections.abc import Iterator
 from bringup_lint.model.unit import Assignment
 from bringup_lint.model.unit import Section
 from bringup_lint.model.unit import UnitFile
+from bringup_lint.parsers.matching import end_of
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
@@ -88,7 +89,7 @@ def _physical_lines(text: str) -> Iterator[tuple[int, int]]:
     at = 1 if text.startswith("\ufeff") else 0
     size = len(text)
     while at < size:
-        end = _LINE.match(text, at).end()
+        end = end_of(_LINE, text, at)
         yield at, end
         at = end + (2 if text.startswith("\r\n", end) else 1)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from typing import Protocol
 
 import yaml
 
@@ -38,6 +39,13 @@ def parse(source: Source, *, follow_aliases: bool = True) -> YamlFile:
     return _Builder(source, follow_aliases).build()
 
 
+class _Mark(Protocol):
+    """libyaml's marks and those of PyYAML's own loader."""
+
+    @property
+    def index(self) -> int: ...
+
+
 class _Builder:
     def __init__(self, source: Source, follow_aliases: bool) -> None:
         self.file = YamlFile(source)
@@ -51,7 +59,7 @@ class _Builder:
         self.open: list[Sequence | Mapping] = []
         self.keys: list[Node | None] = []
         """For every open mapping the key that waits for its value."""
-        self.anchors: dict[str, Node] = {}
+        self.anchors: dict[str | None, Node] = {}
         self.skipping = 0
         self.expanded = 0
 
@@ -137,7 +145,7 @@ class _Builder:
         value, span = content(self.file.source, start, end, event.value, style, named)
         return Scalar(value, span, style, event.tag or "")
 
-    def alias(self, event: yaml.AliasEvent) -> Node | Alias:
+    def alias(self, event: yaml.AliasEvent) -> Node:
         if not self.follow_aliases:
             return Alias(self.span(*self.range(event)))
         target = self.anchors.get(event.anchor)
@@ -176,11 +184,16 @@ class _Builder:
             self.file.problems.append(Problem(code, self.span(start, end), detail))
 
     def range(self, event: yaml.Event) -> tuple[int, int]:
-        start = event.start_mark.index + self.shift
-        return start, max(start, event.end_mark.index + self.shift)
+        start = _index(event.start_mark) + self.shift
+        return start, max(start, _index(event.end_mark) + self.shift)
 
     def span(self, start: int, end: int) -> Span:
         return Span(self.file.source, start, end)
+
+
+def _index(mark: _Mark | None) -> int:
+    """Every event of a loader has marks; only those that are made by hand have none."""
+    return 0 if mark is None else mark.index
 
 
 def _last(node: Sequence | Mapping) -> Span | None:

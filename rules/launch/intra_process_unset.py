@@ -48,18 +48,18 @@ IMAGES = (
 @rule("info")
 def intra_process_unset(robot: Robot) -> Iterator[Finding]:
     for _, node in robot.launch.actions(launch.Node):
-        if not all(isinstance(each, launch.ComposableNode) for each in node.components):
-            continue
-        images = any(launch.literal(each.package) in IMAGES for each in node.components)
+        components = [each for each in node.components if isinstance(each, launch.ComposableNode)]
+        images = any(launch.literal(each.package) in IMAGES for each in components)
+        known = len(components) == len(node.components) and not any(each.open for each in components)
         set_ = any(
             "use_intra_process_comms" in str(launch.literal(each))
-            for one in node.components
+            for one in components
             for value in one.extra_arguments
             for each in launch.walk(value)
         )
-        if images and len(node.components) > 1 and not set_ and not any(one.open for one in node.components):
+        if images and known and len(components) > 1 and not set_:
             yield finding(
                 node.span,
-                f"{len(node.components)} components share a process but still copy every image",
+                f"{len(components)} components share a process but still copy every image",
                 advice="give them extra_arguments=[{'use_intra_process_comms': True}]",
             )

@@ -33,9 +33,8 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
 from bringup_lint.api.netplan import Interface
-from bringup_lint.api.yaml import Mapping
+from bringup_lint.api.yaml import Node
 from bringup_lint.api.yaml import Scalar
-from bringup_lint.api.yaml import Sequence
 
 
 @rule("warning", fix="safe", symptoms=["`gateway4` has been deprecated, use default routes instead"])
@@ -51,7 +50,7 @@ def gateway_deprecated(robot: Robot) -> Iterator[Finding]:
                 )
 
 
-def _as_route(interface: Interface, name: Scalar, value: Scalar | Sequence | Mapping) -> Fix | None:
+def _as_route(interface: Interface, name: Scalar, value: Node) -> Fix | None:
     """Put a route in the place of the key; only where no other routes stand."""
     if any(True for _ in interface.entries("routes")) or not hasattr(value, "value"):
         return None

@@ -49,7 +49,7 @@ def cmd_vel_multiple_publishers(robot: Robot) -> Iterator[Finding]:
         if running.simulated:
             continue
         for rivals in topics.rivals(running):
-            places = frozenset((id(use.where.source), use.where.start) for use in rivals)
+            places = frozenset(use.where for use in rivals)
             if places in seen:
                 continue
             seen.add(places)

@@ -46,7 +46,7 @@ def lifecycle_publish_after_deactivate(robot: Robot) -> Iterator[Finding]:
     for file, node in robot.nodes.with_callbacks:
         if not node.is_lifecycle:
             continue
-        for found in nodes.silenced(robot.nodes.syntax(file), node):
+        for found in nodes.publish_after_deactivate(robot.nodes.syntax(file), node):
             place = file.span_of(found.publish)
             moving = nodes.moves(found.endpoint)
             yield finding(

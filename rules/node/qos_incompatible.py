@@ -58,7 +58,7 @@ def qos_incompatible(robot: Robot) -> Iterator[Finding]:
         if conflict is None or topics.types_differ(publisher, subscription):
             continue
         own, other = (publisher, subscription) if subscription.of_table else (subscription, publisher)
-        words = {id(publisher): "offers", id(subscription): "requests"}
+        words = {publisher: "offers", subscription: "requests"}
         yield finding(
             own.qos_place,
             f"{publisher.node.label()} publishes {publisher.topic} with {conflict.policy} '{conflict.offered}', "
@@ -66,10 +66,10 @@ def qos_incompatible(robot: Robot) -> Iterator[Finding]:
             severity="warning" if subscription.shown else None,
             advice=f"give both sides the same {conflict.policy}, or let the subscription request less",
             chain=robot.provenance.chain_to_node(
-                own.node.started, note(own.qos_place, f"{own.node.label()} {words[id(own)]} it")
+                own.node.started, note(own.qos_place, f"{own.node.label()} {words[own]} it")
             ),
             related=[
-                note(other.qos_place, f"{other.node.label()} {words[id(other)]} it here"),
+                note(other.qos_place, f"{other.node.label()} {words[other]} it here"),
                 note(own.node.started.span, f"{own.node.label()} is started here"),
                 *([] if other.of_table else [note(other.node.started.span, f"{other.node.label()} is started here")]),
             ],

@@ -54,9 +54,9 @@ from bringup_lint.api import rule
 def shutdown_double(robot: Robot) -> Iterator[Finding]:
     for file in robot.nodes.programs:
         ending = robot.nodes.ending(file)
-        uncaught = () if robot.nodes.stopped_by(file) == {"SIGINT"} else nodes.uncaught(ending)
+        uncaught = () if robot.nodes.stopped_by(file) == {"SIGINT"} else nodes.unhandled_shutdown(ending)
         told = {each.spin for each in uncaught}
-        for call, spin in nodes.doubles(ending):
+        for call, spin in nodes.double_shutdown(ending):
             if spin in told:
                 continue
             yield finding(

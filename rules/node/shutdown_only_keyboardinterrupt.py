@@ -60,8 +60,8 @@ def shutdown_only_keyboardinterrupt(robot: Robot) -> Iterator[Finding]:
         if robot.nodes.stopped_by(file) == {"SIGINT"}:
             continue
         ending = robot.nodes.ending(file)
-        for caught, spin in nodes.uncaught(ending):
-            doubles = [call for call, ended in nodes.doubles(ending) if ended == spin]
+        for caught, spin in nodes.unhandled_shutdown(ending):
+            doubles = [call for call, ended in nodes.double_shutdown(ending) if ended == spin]
             ctrl_c = ", and Ctrl-C ends in 'rcl_shutdown already called'" if doubles else ""
             place = file.span_of(caught)
             yield finding(

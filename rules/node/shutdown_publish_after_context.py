@@ -67,7 +67,7 @@ def shutdown_publish_after_context(robot: Robot) -> Iterator[Finding]:
     for file in robot.nodes.programs:
         told = set()
         purpose = robot.nodes.purpose(file.source)
-        for late in nodes.too_late(robot.nodes.ending(file)):
+        for late in nodes.stop_after_shutdown(robot.nodes.ending(file)):
             endpoint, place = late.sending.endpoint, file.span_of(late.place)
             if late.how not in WHY or place in told:
                 continue

@@ -49,7 +49,7 @@ def shutdown_signal_handler_starved(robot: Robot) -> Iterator[Finding]:
         waiting = robot.nodes.without_timer(file)
         if not waiting:
             continue
-        for found in nodes.starved(robot.nodes.ending(file), waiting):
+        for found in nodes.handler_never_runs(robot.nodes.ending(file), waiting):
             signals = " and ".join(sorted(found.signals))
             message = (
                 f"The node ignores {signals} until it is killed: nothing wakes the spin, so the handler never runs"

@@ -41,7 +41,7 @@ from bringup_lint.api import topics
 @rule("warning", fix="unsafe", symptoms=["does not appear to be published yet"])
 def topic_typo(robot: Robot) -> Iterator[Finding]:
     for running in robot.topics.runs:
-        for use, meant, near in topics.misspelt(running):
+        for use, meant, near in topics.probable_typos(running):
             nobody = "Nobody publishes" if use.role == "subscription" else "Nobody subscribes to"
             better = topics.corrected(use, near)
             yield finding(

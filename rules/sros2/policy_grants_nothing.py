@@ -58,8 +58,8 @@ def policy_grants_nothing(robot: Robot) -> Iterator[Finding]:
                 advice=f"write /{profile.namespace}",
                 fix=fix(f"write /{profile.namespace}", (profile.namespace, f"/{profile.namespace}")),
             )
-        silent = {id(right.element): right.element for right in profile.rights if not right.ways}
-        for element in silent.values():
+        silent = dict.fromkeys(right.element for right in profile.rights if not right.ways)
+        for element in silent:
             ways = WAYS[str(element.local)]
             yield finding(
                 element.name,

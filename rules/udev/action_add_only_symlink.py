@@ -7,6 +7,8 @@ A rule that fires for `ACTION=="add"` but not for `change`, and does one of thes
 - It sets a property that a daemon reads at every event (`ID_MM_DEVICE_IGNORE`, `ID_MM_PORT_IGNORE`,
   `NM_UNMANAGED`).
 
+What one `GOTO` skips is one finding.
+
 Owner, group and mode survive a change event. A tag that only accompanies `SYSTEMD_WANTS` has served its
 purpose and is not reported.
 
@@ -36,6 +38,7 @@ later.
 """
 
 from collections.abc import Iterator
+from typing import NamedTuple
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
@@ -45,25 +48,52 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.udev import Condition
+from bringup_lint.api.udev import Token
 from bringup_lint.api.udev import UdevRule
 
+_MOST_SHOWN = 20
 _READ_AT_EVERY_EVENT = ("ID_MM_DEVICE_IGNORE", "ID_MM_PORT_IGNORE", "NM_UNMANAGED")
 
 
 @rule("warning", fix="safe")
 def action_add_only_symlink(robot: Robot) -> Iterator[Finding]:
+    jumped: dict[Token, list[Lost]] = {}
+    for lost in _all_lost(robot):
+        if lost.action.inherited:
+            jumped.setdefault(lost.action.token, []).append(lost)
+        else:
+            yield _finding(lost)
+    for first, *others in jumped.values():
+        yield _skipped(first, others)
+
+
+class Lost(NamedTuple):
+    """What a change event removes."""
+
+    line: UdevRule
+    where: Located | Span
+    what: str
+    name: str
+
+    @property
+    def action(self) -> Condition:
+        return self.line.on("ACTION")[-1]
+
+
+def _all_lost(robot: Robot) -> Iterator[Lost]:
     for line in robot.udev.judged:
         if "add" not in line.actions or "change" in line.actions:
             continue
         for link in line.links:
             if not robot.udev.survives_change(link):
-                yield _finding(line, link.name, f"removes {link.path}", "the link")
+                yield Lost(line, link.name, f"removes {link.path}", "the link")
         for token in line.line.assignments("TAG"):
             if token.value == "systemd" and _is_for_device_unit(line, robot.target.systemd):
-                yield _finding(line, token.span, "makes systemd stop what is bound to the device", "the tag")
+                yield Lost(line, token.span, "makes systemd stop what is bound to the device", "the tag")
         for token in line.line.assignments("ENV"):
             if token.attribute in _READ_AT_EVERY_EVENT and token.value:
-                yield _finding(line, token.span, f"removes {token.attribute}", "the property")
+                yield Lost(line, token.span, f"removes {token.attribute}", "the property")
 
 
 def _is_for_device_unit(line: UdevRule, systemd: int) -> bool:
@@ -72,14 +102,25 @@ def _is_for_device_unit(line: UdevRule, systemd: int) -> bool:
     return not starts and line.is_tagged_by_systemd(systemd) is False
 
 
-def _finding(line: UdevRule, lost: Located | Span, what: str, name: str) -> Finding:
-    *others, action = line.on("ACTION")
-    own = not action.inherited
-    change = fix("fire at every event except remove", (action.token.span, 'ACTION!="remove"'))
+def _finding(lost: Lost) -> Finding:
+    change = fix("fire at every event except remove", (lost.action.token.span, 'ACTION!="remove"'))
     return finding(
-        action.token.span if own else lost,
-        f"The next change event (udevadm trigger) {what}",
+        lost.action.token.span,
+        f"The next change event (udevadm trigger) {lost.what}",
         advice='write ACTION!="remove"',
-        related=[note(lost, name) if own else note(action.token.span, "this jump skips the rule")],
-        fix=change if own and not others else None,
+        related=[note(lost.where, lost.name)],
+        fix=change if len(lost.line.on("ACTION")) == 1 else None,
+    )
+
+
+def _skipped(first: Lost, others: list[Lost]) -> Finding:
+    more = f", and {len(others)} more lines that this jump skips lose theirs" if others else ""
+    return finding(
+        first.where,
+        f"The next change event (udevadm trigger) {first.what}{more}",
+        advice='write ACTION!="remove"',
+        related=[
+            note(first.action.token.span, "this jump skips the rule"),
+            *(note(lost.where, f"{lost.name} that is lost too") for lost in others[:_MOST_SHOWN]),
+        ],
     )

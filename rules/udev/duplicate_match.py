@@ -1,7 +1,7 @@
 """A rule contains the same match twice.
 
 ## What it finds
-The same key, operator and value twice on one line.
+The same key, operator and value twice on one line, also with its alternatives in another order.
 
 ## Why it matters on a robot
 One of the two was probably meant to be another attribute, so the rule matches more devices than it should.
@@ -37,9 +37,9 @@ from bringup_lint.api.udev import Token
 @rule("warning", fix="safe", symptoms=["duplicate expressions"])
 def duplicate_match(robot: Robot) -> Iterator[Finding]:
     for rule_line in robot.udev.judged:
-        seen: dict[tuple[str, ...], Token] = {}
+        seen: dict[tuple[object, ...], Token] = {}
         for token in rule_line.line.tokens:
-            said = (token.name, token.operator, token.value)
+            said = (token.name, token.operator, token.prefix, frozenset(token.alternatives))
             if token.is_match and token.key not in ("PROGRAM", "IMPORT") and said in seen:
                 yield finding(
                     token.span,

@@ -44,8 +44,9 @@ def file_order(robot: Robot) -> Iterator[Finding]:
     for line, early in robot.udev.too_early:
         name = line.source.basename
         if early.value:
-            message = f"{early.file} is read after {name} and overwrites {early.token.key} with {early.value}"
+            whose = " of the USB device node" * line.is_for_usb_nodes
+            message = f"{early.file} is read after {name} and overwrites {early.token.key}{whose} with {early.value}"
         else:
             message = f"{early.token.attribute} is empty in {name}, {early.file} sets it later: the rule never fires"
         advice = f"rename the file so that it sorts after {early.file}, such as 99-robot.rules"
-        yield finding(early.token.span, message, advice=advice)
+        yield finding(early.token.span, message, advice=advice, confidence="medium" if line.is_for_usb_nodes else None)

@@ -2,7 +2,7 @@
 
 ## What it finds
 `idVendor` or `idProduct` (also `ID_VENDOR_ID`, `ID_MODEL_ID`) that is not exactly four lower-case hexadecimal
-digits.
+digits, or the swapped numbers of a known device.
 
 ## Why it matters on a robot
 udev compares text: `10C4`, `0x10c4` and `403` do not match `10c4` and `0403`. The rule never fires.
@@ -32,6 +32,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
+from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.udev import Token
 
@@ -50,6 +51,14 @@ def idvendor_format(robot: Robot) -> Iterator[Finding]:
             known = token.attribute in _KEYS.get(token.key, ()) and not line.is_for("pci", "net", "sound", "block")
             if known and token.is_match and "i" not in token.prefix:
                 yield from _numbers(token)
+        if line.swapped_usb_id is not None:
+            vendor, product = line.swapped_usb_id
+            yield finding(
+                vendor.value,
+                f"idVendor {vendor.value} and idProduct {product.value} are swapped: the rule never fires",
+                advice=f'write idVendor=="{product.value}" and idProduct=="{vendor.value}"',
+                related=[note(product.value, "this is the number of the vendor")],
+            )
 
 
 def _numbers(token: Token) -> Iterator[Finding]:

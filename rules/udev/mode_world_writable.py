@@ -2,7 +2,8 @@
 
 ## What it finds
 `MODE` with write permission for others, such as `0666` or `0777`. Device nodes that are open by design (null,
-fuse, kvm, graphics) are not reported.
+fuse, kvm, graphics) are not reported, nor is a mode that a packaged file sets anew afterwards. All lines of one
+file are one finding.
 
 ## Why it matters on a robot
 Any process of any user, including a compromised web service, can drive the motor controller. `GROUP=` on the
@@ -26,29 +27,39 @@ single user and no network services.
 - udev(7), MODE
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
+from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.udev import Token
+from bringup_lint.api.udev import UdevRule
+
+_MOST_SHOWN = 20
 
 
 @rule("warning", fix="safe", tags=["CWE-732"])
 def mode_world_writable(robot: Robot) -> Iterator[Finding]:
-    for line in robot.udev.judged:
-        if line.is_open_by_design:
-            continue
-        for token in line.line.assignments("MODE"):
-            if not re.fullmatch(r"0*[0-7]{1,4}", token.value) or not int(token.value, 8) & 0o002:
-                continue
-            grouped = line.line.first("GROUP") is not None
-            yield finding(
-                token.value,
-                f"With mode {token.value} every user and service can write to the device"
-                + ", so GROUP has no effect" * grouped,
-                advice="write 0660" if grouped else "write 0660 and name the group that needs the device with GROUP=",
-                fix=fix("let only the owner and the group write", (token.value, "0660"), safe=grouped),
-            )
+    files: dict[str, list[tuple[UdevRule, Token]]] = {}
+    for line, token in robot.udev.open_to_all:
+        files.setdefault(line.source.name, []).append((line, token))
+    for found in files.values():
+        yield _finding(found)
+
+
+def _finding(found: list[tuple[UdevRule, Token]]) -> Finding:
+    (first, token), *others = found
+    grouped = first.line.first("GROUP") is not None
+    all_grouped = all(line.line.first("GROUP") for line, _ in found)
+    return finding(
+        token.value,
+        f"With mode {token.value} every user and service can write to the device"
+        + ", so GROUP has no effect" * grouped
+        + (f" ({len(found)} lines of this file)" if others else ""),
+        advice="write 0660" if all_grouped else "write 0660 and name the group that needs the device with GROUP=",
+        related=[note(other.value, "this mode too") for _, other in others[:_MOST_SHOWN]],
+        fix=fix("let only the owner and the group write", *((one.value, "0660") for _, one in found), safe=all_grouped),
+    )

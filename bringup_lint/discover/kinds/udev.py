@@ -9,19 +9,25 @@ from bringup_lint.discover.kinds import Kind
 from bringup_lint.templates import final_name
 
 _OTHERS = re.compile(r"/(?:polkit-1|polkit|audit|auditd|suricata|snort|prometheus)/|/audit[^/]*/rules\.d/")
-_KEY = re.compile(
-    r"^\ufeff?[ \t]*(?:ACTION|SUBSYSTEMS?|KERNELS?|DRIVERS?|DEVPATH|TAGS?|PROGRAM"
+_TOKEN = (
+    r"(?:ACTION|SUBSYSTEMS?|KERNELS?|DRIVERS?|DEVPATH|TAGS?|PROGRAM"
     r"|(?:ATTRS?|ENV|IMPORT)\{[^}\n]+\})"
-    r"[ \t]*(?:==|!=|\+=|:=|=)[ \t]*[ei]{0,2}[\"']",
-    re.M | re.I,
+    r"[ \t]*(?:==|!=|\+=|:=|=)[ \t]*[ei]{0,2}[\"']"
 )
+_KEY = re.compile(rf"^\ufeff?[ \t]*{_TOKEN}", re.M | re.I)
+_ANY_KEY = re.compile(rf"\b{_TOKEN}")
+_NUMBERED = re.compile(r"/\d\d-[^/]+\.rules\Z")
+"""A name such as ``99-robot.rules``, which udev shares with polkit and auditd: the keys tell them apart."""
 
 
 def _is_rules(path: str, head: Head) -> bool:
     path = f"/{path}"
     if not final_name(path).endswith(".rules") or _OTHERS.search(path):
         return False
-    return "/udev/rules.d/" in path or bool(_KEY.search(head()))
+    if "/udev/rules.d/" in path:
+        return True
+    numbered = _NUMBERED.search(final_name(path))
+    return bool((_ANY_KEY if numbered else _KEY).search(head()))
 
 
 def _is_misnamed(path: str, head: Head) -> bool:

@@ -18,6 +18,7 @@ from bringup_lint.graph.host.device_uses import of_launch
 from bringup_lint.graph.host.device_uses import of_params
 from bringup_lint.graph.host.device_uses import of_units
 from bringup_lint.graph.purpose import Purpose
+from bringup_lint.graph.udev.matched_devices import subsystem_of_name
 from bringup_lint.parsers.systemd_values import escape_path
 from bringup_lint.source import Source
 from bringup_lint.spelling import nearest
@@ -62,6 +63,8 @@ _OF_KERNEL = frozenset(
     ]
 )
 """Folders of /dev that the kernel, systemd or the packaged udev rules fill."""
+_SHARED = frozenset({"input", "serial", "usb"})
+"""Those among them where robots put links of their own beside the kernel's names."""
 
 
 class Meant(NamedTuple):
@@ -124,7 +127,9 @@ class Devices:
         """Uses of a link that no rule makes in a folder where rules make links, with the nearest one."""
         if not self.uses:
             return
-        for use in (use for use in self.uses if use.path.count("/") > 2):
+        for use in self.uses:
+            if use.path.count("/") < 3 or _always_there(use.path):
+                continue
             own = [link for link in self.udev.links if link.is_fixed and self._is_near(link, use)]
             folders = {link.path.rpartition("/")[0] for link in own} - {"/dev"}
             names = {link.path: link for link in own}
@@ -169,3 +174,11 @@ class Devices:
             parts = use.path.split("/")
             if len(parts) > 3 and parts[2] not in _OF_KERNEL:
                 yield use
+
+
+def _always_there(path: str) -> bool:
+    """Whether a path in a folder of /dev is a name that the kernel or the packaged rules give."""
+    _, _, folder, *rest = path.split("/")
+    if folder not in _OF_KERNEL:
+        return False
+    return folder not in _SHARED or len(rest) > 1 or subsystem_of_name(rest[0]) is not None

@@ -15,12 +15,13 @@ def import_edits(file: NodeSource, module: str, name: str) -> list[tuple[Span, s
     """The edit that imports a name, or the module of that name; none when the file has it."""
     if file.imports.get(name) in (f"{module}.{name}", module or name):
         return []
-    imports = [node for node in file.tree.body if isinstance(node, (ast.Import, ast.ImportFrom))]
+    body = file.tree.body if file.tree is not None else []
+    imports = [node for node in body if isinstance(node, (ast.Import, ast.ImportFrom))]
     ours = [node for node in imports if _sorts_before(node, module)]
     line = f"from {module} import {name}\n" if module else f"import {name}\n"
     if ours:
-        return [(_behind(file, ours[-1]), line)]
-    first = imports[0] if imports else next(iter(file.tree.body), None)
+        return [(_line_after(file, ours[-1]), line)]
+    first = imports[0] if imports else next(iter(body), None)
     start = file.span_of(first).start if first is not None else 0
     return [(Span(file.source, start, start), line)]
 
@@ -32,7 +33,7 @@ def tried_shutdown(ending: Ending, call: ast.Call) -> list[tuple[Span, str]]:
 
 
 def swap(file: NodeSource, first: ast.stmt, second: ast.stmt) -> Fix | None:
-    """Move a statement behind a later one of its block; None when either shares a line, or gives a value."""
+    """Move a statement after a later one of its block; None when either shares a line, or gives a value."""
     if not isinstance(first, ast.Expr) or not isinstance(second, ast.Expr):
         return None
     upper, lower = _lines(file, first), _lines(file, second)
@@ -63,8 +64,8 @@ def _sorts_before(node: ast.Import | ast.ImportFrom, module: str) -> bool:
     return not node.level and (node.module or "").partition(".")[0] == root and (node.module or "") <= module
 
 
-def _behind(file: NodeSource, node: ast.stmt) -> Span:
-    """The start of the line behind a statement."""
+def _line_after(file: NodeSource, node: ast.stmt) -> Span:
+    """The start of the line after a statement."""
     end = file.source.text.find("\n", file.span_of(node).end)
     at = len(file.source.text) if end < 0 else end + 1
     return Span(file.source, at, at)

@@ -13,7 +13,7 @@ from typing import NamedTuple
 from bringup_lint.graph.topics.questions.command_sources import is_velocity
 from bringup_lint.graph.topics.questions.compatibility import Conflict
 from bringup_lint.graph.topics.questions.compatibility import conflicts
-from bringup_lint.graph.topics.questions.unmatched import alike
+from bringup_lint.graph.topics.questions.unmatched import nearly_equal
 from bringup_lint.graph.topics.resolved.names import tail
 from bringup_lint.model.observed import Endpoint
 
@@ -79,10 +79,10 @@ def meant(all_topics: list[Topic]) -> Iterator[Meant]:
         if topic.publishers or not topic.subscriptions or len(topic.types) > 1:
             continue
         others = served.get(next(iter(topic.types)), [])
-        near = [other for other in others if alike(topic.name, other.name)]
+        near = [other for other in others if nearly_equal(topic.name, other.name)]
         if len(near) == 1:
             yield Meant(topic.subscriptions[0], near[0].publishers[0], "name")
             continue
-        lonely = [other for other in others if not other.subscriptions and tail(other.name) == tail(topic.name)]
-        if not near and len(lonely) == 1 and len(others) == 1:
-            yield Meant(topic.subscriptions[0], lonely[0].publishers[0], "namespace")
+        unheard = [other for other in others if not other.subscriptions and tail(other.name) == tail(topic.name)]
+        if not near and len(unheard) == 1 and len(others) == 1:
+            yield Meant(topic.subscriptions[0], unheard[0].publishers[0], "namespace")

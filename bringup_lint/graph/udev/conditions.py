@@ -89,11 +89,12 @@ def _condition(token: Token, negated: bool = False, inherited: bool = False) -> 
 def all_conditions(rules: Sequence[Rule]) -> Iterator[Conditions]:
     """The conditions of every rule of one file, in order."""
     jumps = targets(rules)
+    landings = _landings(rules, jumps)
     active: list[tuple[int, int, tuple[Condition, ...]]] = []
     overflow = -1
     for index, rule in enumerate(rules):
         active = [jump for jump in active if jump[1] > index]
-        positive = list(own_conditions(rule))
+        positive = [*own_conditions(rule), *landings.get(index, ())]
         open_jumps: list[tuple[Condition, ...]] = []
         for _, end, conditions in active:
             if end <= index or rule is None:
@@ -111,6 +112,25 @@ def all_conditions(rules: Sequence[Rule]) -> Iterator[Conditions]:
                 active.append((target, end, _jump_conditions(rule)))
             else:
                 overflow = max(overflow, target)
+
+
+def _landings(rules: Sequence[Rule], jumps: dict[int, int]) -> dict[int, tuple[Condition, ...]]:
+    """What holds for the rules that only one jump reaches: those between the label of that jump and the label of a
+    jump without conditions above."""
+    sources: dict[int, list[int]] = {}
+    for start, target in jumps.items():
+        sources.setdefault(target, []).append(start)
+    found: dict[int, tuple[Condition, ...]] = {}
+    for start, end in jumps.items():
+        if _jump_conditions(rules[start]):
+            continue
+        labels = sorted(target for target in sources if start < target < end)
+        if not labels or len(sources[labels[0]]) != 1:
+            continue
+        known = tuple(one._replace(inherited=True) for one in own_conditions(rules[sources[labels[0]][0]]))
+        last = labels[1] if len(labels) > 1 else end
+        found.update(dict.fromkeys(range(labels[0], last), known))
+    return found
 
 
 def _jump_conditions(rule: Rule) -> tuple[Condition, ...]:
@@ -139,7 +159,12 @@ def contradict(one: Condition, other: Condition, *, one_rule: bool = False) -> b
     if one.equal == other.equal or (not one_rule and {one.key, other.key} & set(PARENT_KEYS)):
         return False
     positive, negative = (one, other) if one.equal else (other, one)
-    return positive.is_plain and not any(negative.accepts(text) for text in positive.patterns)
+    return all(_excludes(negative, pattern) for pattern in positive.patterns)
+
+
+def _excludes(negative: Condition, pattern: str) -> bool:
+    """Whether ``!=`` rules out all texts of a pattern."""
+    return pattern in negative.patterns or (is_plain(pattern) and not negative.accepts(pattern))
 
 
 def implies(one: Sequence[Condition], other: Condition) -> bool:

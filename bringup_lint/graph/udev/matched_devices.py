@@ -24,7 +24,8 @@ _LEVEL_OF_NAME = (
     (re.compile(r"ttyACM\d+\Z"), frozenset({"tty"})),
     (re.compile(r"video\d+\Z"), frozenset({"video4linux"})),
 )
-_INTERFACE_GLOB = re.compile(r"[\d*?\[\]-]+[\d.*?\[\]-]*:\d[\d.*?\[\]]*\Z")
+_INTERFACE_GLOB = re.compile(r"(?=[^:]*-)[\d*?\[\]-]+[\d.*?\[\]-]*:\d[\d.*?\[\]]*\Z")
+"""The dash between bus and port tells ``1-1*:1.0`` from ``*:0``, which SCSI addresses match too."""
 
 
 @cache

@@ -41,13 +41,24 @@ def assignments_overruled(rule: UdevRule) -> Iterator[TooEarly]:
     for key in ("GROUP", "MODE"):
         for token in rule.line.assignments(key):
             file = _first(rule, "assignment", key)
-            if file is not None and token.operator != ":=" and token.value != file["value"]:
+            if file is not None and token.operator != ":=" and not _is_same(key, token.value, file["value"]):
                 yield TooEarly(token, file["file"], file["value"])
+
+
+def _is_same(key: str, one: str, other: str) -> bool:
+    """Whether two values mean the same: ``664`` and ``0664`` are one mode."""
+    if key == "MODE":
+        return one.lstrip("0") == other.lstrip("0")
+    return one == other
 
 
 def _first(rule: UdevRule, kind: str, name: str) -> dict[str, str] | None:
     for row in facts.table("udev/order"):
         later = rule.source.basename < row["file"]
-        if row["kind"] == kind and later and rule.is_for(row["subsystem"]) and matches(row["name"], name):
+        if row["kind"] == kind and later and _is_for(rule, row["subsystem"]) and matches(row["name"], name):
             return row
     return None
+
+
+def _is_for(rule: UdevRule, subsystem: str) -> bool:
+    return rule.is_for(subsystem) or (subsystem == "usb" and rule.is_for_usb_nodes)

@@ -116,6 +116,8 @@ class UdevRule:
         named = [condition for condition in self.on("SUBSYSTEM") if condition.equal and condition.is_plain]
         if named:
             return frozenset.intersection(*(frozenset(condition.patterns) for condition in named))
+        if any(condition.equal for name in ("idVendor", "idProduct") for condition in self.on("ATTR", name)):
+            return frozenset({"usb"})
         found = [subsystem_of_name(pattern) for pattern in self.kernels]
         return frozenset(name for name in found if name) if found and all(found) else frozenset()
 
@@ -167,6 +169,17 @@ class UdevRule:
         return usb_ids().get(self.usb_ids[0]) if len(self.usb_ids) == 1 else None
 
     @property
+    def swapped_usb_id(self) -> tuple[Token, Token] | None:
+        """The tokens for vendor and product when only the other way round they name a known device."""
+        tokens = {token.attribute: token for token in self.line.matches("ATTRS") if token.operator == "=="}
+        vendor, product = tokens.get("idVendor"), tokens.get("idProduct")
+        if vendor is None or product is None:
+            return None
+        known = usb_ids()
+        here, swapped = f"{vendor.value}:{product.value}", f"{product.value}:{vendor.value}"
+        return (vendor, product) if swapped in known and here not in known else None
+
+    @property
     def generic_products(self) -> list[str]:
         """Names of those devices whose id says nothing of what is behind it, such as bridge chips."""
         known = ((one, usb_ids().get(one)) for one in self.usb_ids)
@@ -194,6 +207,16 @@ class UdevRule:
     def serials(self) -> tuple[Condition, ...]:
         """The conditions on the serial number of a USB parent."""
         return tuple(one for one in self.conditions.positive if one.subject == ("ATTRS", "serial") and one.equal)
+
+    @property
+    def is_for_usb_nodes(self) -> bool:
+        """Whether the rule names USB devices by their parents only, and none that is known for its serial port: what
+        it means is the node below /dev/bus/usb."""
+        parents = {condition.key for condition in self.parent_conditions}
+        named = self.usb_ids or any(one.subject == ("ATTRS", "idVendor") for one in self.conditions.positive)
+        others = self.on("KERNEL") or self.on("SUBSYSTEM") or self.on("DRIVER") or self.on("ATTR")
+        serial = self.usb_device is not None and self.usb_device["device"].startswith("tty")
+        return bool(parents and named) and not others and not serial
 
     @property
     def is_open_by_design(self) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import defaultdict
 from collections.abc import Iterable
 from collections.abc import Iterator
@@ -197,6 +198,18 @@ class Udev:
             if importing is not rule.file:
                 yield from ((rule, found) for found in properties_not_set_yet(rule))
             yield from ((rule, found) for found in assignments_overruled(rule))
+
+    @property
+    def open_to_all(self) -> Iterator[tuple[UdevRule, Token]]:
+        """MODE tokens that let everybody write to a node that is not open by design, and that count in the end."""
+        for rule in self.judged:
+            if rule.is_open_by_design:
+                continue
+            overruled = {found.token for found in assignments_overruled(rule)}
+            for token in rule.line.assignments("MODE"):
+                octal = re.fullmatch(r"0*[0-7]{1,4}", token.value)
+                if octal and int(token.value, 8) & 0o002 and token not in overruled:
+                    yield rule, token
 
     @property
     def replacing(self) -> Iterator[tuple[RulesFile, Source | None, str]]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+from typing import Any
 
 from bringup_lint.model.launch import LaunchFile
 from bringup_lint.model.launch import Other
@@ -12,7 +13,10 @@ from bringup_lint.parsers.launch_python.calls import call
 from bringup_lint.parsers.launch_python.expressions import evaluate
 from bringup_lint.parsers.launch_python.objects import Frame
 from bringup_lint.parsers.launch_python.objects import Function
+from bringup_lint.parsers.launch_python.objects import Mapping
 from bringup_lint.parsers.launch_python.objects import Options
+from bringup_lint.parsers.launch_python.objects import Sequence
+from bringup_lint.parsers.launch_python.state import Evaluator
 from bringup_lint.parsers.launch_python.state import State
 from bringup_lint.parsers.launch_python.statements import run
 from bringup_lint.parsers.python_syntax import Positions
@@ -36,10 +40,7 @@ def parse(source: Source) -> LaunchFile:
     if tree is None:
         return file
     positions = Positions(source, byte_order_mark(source))
-    state = State(file, positions, Frame({}))
-    state.evaluate = lambda node: evaluate(state, node)
-    state.call = lambda *arguments: call(state, *arguments)
-    state.run = lambda body: run(state, body)
+    state = State(file, positions, Frame({}), Evaluator(evaluate, call, run))
     try:
         _describe(state, tree)
     except budget.Exhausted:
@@ -64,22 +65,22 @@ def _describe(state: State, tree: ast.Module) -> None:
         return
     state.guards = ()
     result = call(state, function, [], {}, False, state.file.entry)
-    if isinstance(result, freeze.Sequence) and name == ENTRIES[1] and not hasattr(result, "add_action"):
+    if isinstance(result, Sequence) and name == ENTRIES[1] and not hasattr(result, "add_action"):
         result = _without_context(result)
     state.file.actions = (*state.effects, *freeze.actions(state, result))
 
 
-def _function(thing):
+def _function(thing: Any) -> Any:
     """The entry function, also when the file defines it under a condition."""
     if isinstance(thing, Options):
         return next((option for _, option in thing.options if isinstance(option, Function)), thing)
     return thing
 
 
-def _without_context(result):
+def _without_context(result: Sequence) -> Any:
     """A test description may come with a dictionary for the tests."""
     items = result.plain()
-    return items[0] if items and len(items) == 2 and isinstance(items[1], freeze.Mapping) else result
+    return items[0] if items and len(items) == 2 and isinstance(items[1], Mapping) else result
 
 
 def _name_span(state: State, function: Function) -> Span:

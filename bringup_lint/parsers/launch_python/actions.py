@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 from bringup_lint.model.launch import Action
@@ -33,6 +34,7 @@ from bringup_lint.parsers.launch_python.objects import Function
 from bringup_lint.parsers.launch_python.objects import LaunchSource
 from bringup_lint.parsers.launch_python.objects import Placed
 from bringup_lint.parsers.launch_python.objects import Sequence
+from bringup_lint.parsers.launch_python.state import Builder
 from bringup_lint.parsers.launch_python.state import State
 from bringup_lint.parsers.launch_python.substitutions import parameter
 
@@ -143,7 +145,7 @@ def _for_each(state: State, args: Arguments) -> Any:
     return Opaque(span=args.span, conditions=(loop, *conditions(args)), function=function.name, actions=actions)
 
 
-def _simple(kind: type[Action], **parameters: int | None):
+def _simple(kind: Callable[..., Action], **parameters: int | None) -> Builder:
     """An action whose parameters are texts; the number is the position."""
 
     def builder(state: State, args: Arguments) -> Any:
@@ -176,14 +178,14 @@ def _append_env(state: State, args: Arguments) -> Any:
     return SetEnv(span=args.span, conditions=conditions(args), name=name, value=value, mode=mode, separator=separator)
 
 
-def _scope(what: str, push: bool):
+def _scope(what: str, push: bool) -> Builder:
     def builder(state: State, args: Arguments) -> Any:
         return Scope(span=args.span, conditions=conditions(args), what=what, push=push)
 
     return builder
 
 
-def _all_unset(kind: type[Action]):
+def _all_unset(kind: type[Action]) -> Builder:
     def builder(state: State, args: Arguments) -> Any:
         return kind(span=args.span, conditions=conditions(args))
 

@@ -7,6 +7,7 @@ from bringup_lint.model.launch_values import Literal
 from bringup_lint.model.launch_values import Unknown
 from bringup_lint.model.launch_values import Value
 from bringup_lint.model.launch_values import children
+from bringup_lint.source import Span
 
 TEXT = 4_000_000
 """Code points of a launch file."""
@@ -33,7 +34,7 @@ def bounded(value: Value) -> Value:
     if isinstance(value, Literal):
         return value
     count = 0
-    todo = [value]
+    todo: list[Value] = [value]
     while todo:
         inner = todo.pop()
         count += 1
@@ -44,7 +45,7 @@ def bounded(value: Value) -> Value:
     return value
 
 
-def concat(parts: list[Value], span) -> Value:
+def concat(parts: list[Value], span: Span) -> Value:
     """Text in a row; nested rows are made flat, and a row of one is that one."""
     flat: list[Value] = []
     for part in parts:

@@ -19,6 +19,7 @@ from bringup_lint.parsers.launch_python.methods import method
 from bringup_lint.parsers.launch_python.objects import Bound
 from bringup_lint.parsers.launch_python.objects import Frame
 from bringup_lint.parsers.launch_python.objects import Function
+from bringup_lint.parsers.launch_python.objects import Guards
 from bringup_lint.parsers.launch_python.objects import Mapping
 from bringup_lint.parsers.launch_python.objects import Options
 from bringup_lint.parsers.launch_python.objects import Sequence
@@ -64,7 +65,7 @@ def _invoke(state: State, function: Function, arguments: Arguments) -> Any:
     state.frame = frame
     state.calls += 1
     try:
-        if type(function.node) is ast.Lambda:
+        if isinstance(function.node, ast.Lambda):
             return _seen_from(state.evaluate(function.node.body), arguments.span)
         state.run(function.node.body)
     finally:
@@ -73,7 +74,7 @@ def _invoke(state: State, function: Function, arguments: Arguments) -> Any:
     return frame.yielded or _result(frame, guards, arguments.span)
 
 
-def _result(frame: Frame, guards: tuple, span: Span) -> Any:
+def _result(frame: Frame, guards: Guards, span: Span) -> Any:
     returns = [(relative(own, guards), value) for own, value in frame.returns]
     none = Literal(None, span)
     if not returns:
@@ -99,12 +100,14 @@ def _bind(state: State, function: Function, arguments: Arguments) -> dict[str, A
     known = {*names, *(arg.arg for arg in parameters.kwonlyargs)}
     bound.update((name, value) for name, value in arguments.keywords.items() if name in known)
     if parameters.vararg is not None:
-        rest = [((), item) for item in arguments.positional[len(names) :]]
+        rest: list[tuple[Guards, Any]] = [((), item) for item in arguments.positional[len(names) :]]
         bound[parameters.vararg.arg] = Sequence(rest, arguments.span, state.guards, arguments.more)
     if parameters.kwarg is not None:
-        rest = {name: value for name, value in arguments.keywords.items() if name not in known}
-        entries = {name: (Literal(name, arguments.span), value) for name, value in rest.items()}
-        bound[parameters.kwarg.arg] = Mapping(arguments.span, entries, [], arguments.more)
+        others = Mapping(arguments.span, open=arguments.more)
+        for name, value in arguments.keywords.items():
+            if name not in known:
+                others.entries[name] = (Literal(name, arguments.span), value)
+        bound[parameters.kwarg.arg] = others
     for name in known - bound.keys():
         bound[name] = Unknown(f"parameter {name}", arguments.span)
     return bound

@@ -16,6 +16,7 @@ from bringup_lint.parsers.launch_python.nodes import handler_actions
 from bringup_lint.parsers.launch_python.objects import Function
 from bringup_lint.parsers.launch_python.objects import Handler
 from bringup_lint.parsers.launch_python.objects import Symbol
+from bringup_lint.parsers.launch_python.state import Builder
 from bringup_lint.parsers.launch_python.state import State
 from bringup_lint.source import Located
 
@@ -23,7 +24,7 @@ _CALLBACKS = ("on_exit", "on_start", "entities", "on_shutdown", "on_completion",
 _TARGETS = ("target_action", "target_lifecycle_node", "action")
 
 
-def _handler(name: str, callback: str | None = None):
+def _handler(name: str, callback: str | None = None) -> Builder:
     """``callback``: the keyword that the second positional argument stands for."""
 
     def builder(state: State, args: Arguments) -> Any:
@@ -81,7 +82,7 @@ def _change_state(state: State, args: Arguments) -> Any:
     return Handler("change-state", target, arguments, args.span)
 
 
-def _event(name: str):
+def _event(name: str) -> Builder:
     def builder(state: State, args: Arguments) -> Any:
         return Handler(name, None, dict(args.keywords), args.span)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+from collections.abc import Callable
 from typing import Any
 
 from bringup_lint.model.launch_values import Literal
@@ -24,6 +25,7 @@ from bringup_lint.parsers.launch_python.objects import Sequence
 from bringup_lint.parsers.launch_python.objects import Symbol
 from bringup_lint.parsers.launch_python.operators import binary
 from bringup_lint.parsers.launch_python.operators import compare
+from bringup_lint.parsers.launch_python.operators import joined
 from bringup_lint.parsers.launch_python.operators import performed
 from bringup_lint.parsers.launch_python.operators import subscript
 from bringup_lint.parsers.launch_python.operators import unary
@@ -152,10 +154,7 @@ def _joined(state: State, node: ast.JoinedStr) -> Any:
             parts.append(Literal(Located(part.value, where), where))
     if not parts:
         return Literal(Located("", span), span)
-    if all(type(part) is Literal for part in parts):
-        text = "".join(str(part.value) for part in parts)
-        return Literal(Located(text, span), span)
-    return budget.concat(parts, span)
+    return joined(parts, span)
 
 
 def _ternary(state: State, node: ast.IfExp) -> Any:
@@ -165,8 +164,8 @@ def _ternary(state: State, node: ast.IfExp) -> Any:
         return evaluate(state, node.body)
     if outcome is False:
         return evaluate(state, node.orelse)
-    options = [((outcome,), evaluate(state, node.body)), ((negated(outcome),), evaluate(state, node.orelse))]
-    return Options(options, span)
+    body, otherwise = evaluate(state, node.body), evaluate(state, node.orelse)
+    return Options([((outcome,), body), ((negated(outcome),), otherwise)], span)
 
 
 def _bool(state: State, node: ast.BoolOp) -> Any:
@@ -257,7 +256,7 @@ def _yield(state: State, node: ast.Yield | ast.YieldFrom) -> Any:
     return Unknown("sent value", span)
 
 
-_HANDLERS = {
+_HANDLERS: dict[type[ast.expr], Callable[[State, Any], Any]] = {
     ast.Constant: _constant,
     ast.Name: _name,
     ast.Attribute: _attribute,

@@ -7,7 +7,6 @@ from typing import Any
 
 from bringup_lint.model.launch import Action
 from bringup_lint.model.launch import Other
-from bringup_lint.model.launch_values import VALUE_TYPES
 from bringup_lint.model.launch_values import Argument
 from bringup_lint.model.launch_values import Choice
 from bringup_lint.model.launch_values import DictValue
@@ -15,6 +14,7 @@ from bringup_lint.model.launch_values import ListValue
 from bringup_lint.model.launch_values import Literal
 from bringup_lint.model.launch_values import Unknown
 from bringup_lint.model.launch_values import Value
+from bringup_lint.model.launch_values import is_value
 from bringup_lint.parsers.launch_python.budget import bounded
 from bringup_lint.parsers.launch_python.budget import concat
 from bringup_lint.parsers.launch_python.objects import Guards
@@ -37,8 +37,7 @@ def is_none(thing: Any) -> bool:
 
 def value(state: State, thing: Any, depth: int = 0) -> Value:
     """The model value of an object; Unknown when it has none."""
-    kind = type(thing)
-    if kind is Literal or kind is Argument:
+    if isinstance(thing, (Literal, Argument)):
         return thing
     if depth > DEPTH:
         return Unknown("nested too deeply", span_of(thing, state.file.source.whole))
@@ -46,16 +45,16 @@ def value(state: State, thing: Any, depth: int = 0) -> Value:
         state.tick(len(thing.items))
         items = tuple(conditional(state, guards, value(state, item, depth + 1)) for guards, item in thing.items)
         return ListValue(items, thing.span, thing.open)
-    if kind is Mapping:
+    if isinstance(thing, Mapping):
         pairs = thing.pairs()
         state.tick(len(pairs))
-        items = tuple((value(state, key, depth + 1), value(state, item, depth + 1)) for key, item in pairs)
-        return DictValue(items, thing.span, thing.open)
-    if kind is Options:
+        entries = tuple((value(state, key, depth + 1), value(state, item, depth + 1)) for key, item in pairs)
+        return DictValue(entries, thing.span, thing.open)
+    if isinstance(thing, Options):
         state.tick(len(thing.options))
         options = tuple((guards, value(state, option, depth + 1)) for guards, option in thing.options)
         return bounded(Choice(options, thing.span))
-    if isinstance(thing, VALUE_TYPES):
+    if is_value(thing):
         return thing
     return Unknown("not a value", span_of(thing, state.file.source.whole))
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 from bringup_lint.model.launch import Call
@@ -28,9 +29,11 @@ from bringup_lint.parsers.launch_python.objects import Options
 from bringup_lint.parsers.launch_python.objects import Sequence
 from bringup_lint.parsers.launch_python.objects import Symbol
 from bringup_lint.parsers.launch_python.operators import performed
+from bringup_lint.parsers.launch_python.state import Builder
 from bringup_lint.parsers.launch_python.state import State
 from bringup_lint.parsers.launch_python.truth import truth
 from bringup_lint.source import Located
+from bringup_lint.source import Span
 
 
 def path(state: State, thing: Any) -> Value:
@@ -40,14 +43,14 @@ def path(state: State, thing: Any) -> Value:
     return freeze.text(state, thing)
 
 
-def join_path(state: State, parts: list[Value], span) -> Value:
+def join_path(state: State, parts: list[Value], span: Span) -> Value:
     flat: list[Value] = []
     for part in parts:
         flat.extend(part.parts if isinstance(part, PathJoin) else (part,))
     return flat[0] if len(flat) == 1 else budget.bounded(PathJoin(tuple(flat), span))
 
 
-def parent(value: Value, span) -> Value:
+def parent(value: Value, span: Span) -> Value:
     """The folder of a path."""
     if isinstance(value, FileDir):
         return FileDir(span) if value.itself else PathJoin((value, Literal(Located("..", span), span)), span)
@@ -74,7 +77,7 @@ def _join(state: State, args: Arguments) -> Any:
     return _distributed(state, args.positional, args.span)
 
 
-def _distributed(state: State, things: list[Any], span) -> Any:
+def _distributed(state: State, things: list[Any], span: Span) -> Any:
     """Paths with one component that is an ``Options`` become Options of paths."""
     for index, thing in enumerate(things):
         if isinstance(thing, Options) and len(thing.options) <= 8:
@@ -123,7 +126,7 @@ def _getenv(state: State, args: Arguments) -> Any:
     return Env(name.value, Literal(None, args.span) if default is None else freeze.value(state, default), args.span)
 
 
-def _noted(name: str, why: str):
+def _noted(name: str, why: str) -> Builder:
     def builder(state: State, args: Arguments) -> Any:
         values = tuple(freeze.value(state, thing) for thing in args.positional)
         state.file.calls.append(Call(name, args.span, values, state.deferred > 0))
@@ -136,7 +139,7 @@ def _str(state: State, args: Arguments) -> Any:
     return performed(state, args.need("object", 0), args.span)
 
 
-def _number(kind: type):
+def _number(kind: Callable[[Any], int | float]) -> Builder:
     def builder(state: State, args: Arguments) -> Any:
         value = args.get("x", 0)
         if isinstance(value, Literal) and len(args.positional) == 1:
@@ -179,9 +182,9 @@ def _range(state: State, args: Arguments) -> Any:
 def _enumerate(state: State, args: Arguments) -> Any:
     items = iterate(state, args.need("iterable", 0))
     start = args.get("start", 1)
-    if items is None or not (start is None or (isinstance(start, Literal) and type(start.value) is int)):
+    first = start.value if isinstance(start, Literal) else 0 if start is None else None
+    if items is None or not isinstance(first, int) or isinstance(first, bool):
         return Unknown("enumerate", args.span)
-    first = 0 if start is None else start.value
     result = Sequence([], args.span, state.guards)
     for index, (guards, item) in enumerate(items, first):
         pair = Sequence([((), Literal(index, args.span)), ((), item)], args.span, state.guards)

@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
-
 from bringup_lint.parsers.launch_python.actions import ACTIONS
-from bringup_lint.parsers.launch_python.arguments import Arguments
 from bringup_lint.parsers.launch_python.events import EVENTS
 from bringup_lint.parsers.launch_python.functions import FUNCTIONS
 from bringup_lint.parsers.launch_python.nodes import NODES
-from bringup_lint.parsers.launch_python.state import State
+from bringup_lint.parsers.launch_python.state import Builder
 from bringup_lint.parsers.launch_python.substitutions import SUBSTITUTIONS
 
-LIBRARY: dict[str, Callable[[State, Arguments], Any]] = {
+LIBRARY: dict[str, Builder] = {
     **FUNCTIONS,
     **SUBSTITUTIONS,
     **ACTIONS,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from string import Formatter
 from typing import Any
 
@@ -36,7 +37,13 @@ from bringup_lint.parsers.launch_python.state import relative
 from bringup_lint.source import Located
 from bringup_lint.source import Span
 
-_CASE = {"lower": str.lower, "upper": str.upper, "strip": str.strip, "capitalize": str.capitalize, "title": str.title}
+_CASE: dict[str, Callable[[str], str]] = {
+    "lower": str.lower,
+    "upper": str.upper,
+    "strip": str.strip,
+    "capitalize": str.capitalize,
+    "title": str.title,
+}
 _SYMBOLIC = frozenset(("lower", "upper", "strip", "capitalize", "title"))
 _SAME_PATH = frozenset(("resolve", "absolute", "as_posix", "expanduser", "__str__"))
 _EXISTS = frozenset(("exists", "is_file", "is_dir"))
@@ -220,7 +227,7 @@ def _string(state: State, owner: Literal, name: str, args: Arguments) -> Any:
     if name in ("strip", "lstrip", "rstrip") and len(words) <= 1:
         return Literal(Located(getattr(text, name)(*words), span), span)
     if name == "replace" and len(words) == 2 and len(text) * (len(words[1]) + 1) <= budget.LENGTH:
-        return Literal(Located(text.replace(*words), span), span)
+        return Literal(Located(text.replace(words[0], words[1]), span), span)
     return Unknown(f"method {name}", span)
 
 

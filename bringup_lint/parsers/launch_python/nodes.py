@@ -9,6 +9,7 @@ from bringup_lint.model.launch import Action
 from bringup_lint.model.launch import ComposableNode
 from bringup_lint.model.launch import LoadComponents
 from bringup_lint.model.launch import Node
+from bringup_lint.model.launch import Other
 from bringup_lint.model.launch import Process
 from bringup_lint.model.launch_values import Literal
 from bringup_lint.model.launch_values import Value
@@ -19,6 +20,7 @@ from bringup_lint.parsers.launch_python.objects import Function
 from bringup_lint.parsers.launch_python.objects import Mapping
 from bringup_lint.parsers.launch_python.objects import Options
 from bringup_lint.parsers.launch_python.objects import Sequence
+from bringup_lint.parsers.launch_python.state import Builder
 from bringup_lint.parsers.launch_python.state import State
 from bringup_lint.parsers.launch_python.substitutions import parameter
 from bringup_lint.source import Located
@@ -186,7 +188,7 @@ def _lifecycle_node(state: State, args: Arguments) -> Any:
 
 def _container(state: State, args: Arguments) -> Any:
     fields = _node_fields(state, args)
-    components = freeze.actions(state, args.get("composable_node_descriptions"))
+    components = _components(state, args.get("composable_node_descriptions"))
     return Node(container=True, components=components, **fields)
 
 
@@ -198,11 +200,18 @@ def _load(state: State, args: Arguments) -> Any:
         conditions=conditions(args),
         target=freeze.optional_text(state, target) if named else None,
         target_key=None if named else target.key,
-        components=freeze.actions(state, args.get("composable_node_descriptions", 0)),
+        components=_components(state, args.get("composable_node_descriptions", 0)),
     )
 
 
-def _component(lifecycle: bool):
+def _components(state: State, thing: Any) -> tuple[ComposableNode | Other, ...]:
+    return tuple(
+        action if isinstance(action, (ComposableNode, Other)) else Other(span=action.span, why="not a component")
+        for action in freeze.actions(state, thing)
+    )
+
+
+def _component(lifecycle: bool) -> Builder:
     def builder(state: State, args: Arguments) -> Any:
         remappings, more = freeze.pairs(state, args.get("remappings"))
         _note_old(state, args, "ComposableNode")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import operator
+from collections.abc import Callable
 from typing import Any
 
 from bringup_lint.model.launch_values import Argument
@@ -24,6 +25,7 @@ from bringup_lint.parsers.launch_python import freeze
 from bringup_lint.parsers.launch_python.containers import extend
 from bringup_lint.parsers.launch_python.containers import merge
 from bringup_lint.parsers.launch_python.objects import Bound
+from bringup_lint.parsers.launch_python.objects import Guards
 from bringup_lint.parsers.launch_python.objects import Mapping
 from bringup_lint.parsers.launch_python.objects import Options
 from bringup_lint.parsers.launch_python.objects import Sequence
@@ -37,7 +39,12 @@ _TEXTS = (Argument, Env, Concat, PathJoin, PackageShare, PackagePrefix, FileDir,
 _DECIDED_LATER = (Argument, Env, Choice, Concat, Operation)
 _NUMBERS = {ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul, ast.Div: operator.truediv}
 _NUMBERS |= {ast.FloorDiv: operator.floordiv, ast.Mod: operator.mod}
-_ORDER = {ast.Lt: operator.lt, ast.LtE: operator.le, ast.Gt: operator.gt, ast.GtE: operator.ge}
+_ORDER: dict[type[ast.cmpop], Callable[[Any, Any], Any]] = {
+    ast.Lt: operator.lt,
+    ast.LtE: operator.le,
+    ast.Gt: operator.gt,
+    ast.GtE: operator.ge,
+}
 
 
 def performed(state: State, thing: Any, span: Span) -> Value:
@@ -71,9 +78,9 @@ def binary(state: State, op: ast.operator, left: Any, right: Any, span: Span) ->
             inner = first.parts if isinstance(first, PathJoin) else (first,)
             return budget.bounded(PathJoin((*inner, freeze.text(state, right)), span))
     if kind is ast.BitOr and isinstance(left, Mapping):
-        result = Mapping(span, dict(left.entries), list(left.others), left.open)
-        merge(state, result, right)
-        return result
+        merged = Mapping(span, dict(left.entries), list(left.others), left.open)
+        merge(state, merged, right)
+        return merged
     if kind is ast.Mod and isinstance(left, Literal) and isinstance(left.value, str):
         return _percent(state, left, right, span)
     return Unknown("operator", span)
@@ -139,8 +146,9 @@ def _percent(state: State, pattern: Literal, right: Any, span: Span) -> Any:
 
 def joined(parts: list[Value], span: Span) -> Value:
     """Text of parts; one literal when all are."""
-    if all(isinstance(part, Literal) for part in parts):
-        text = "".join(str(part.value) for part in parts)
+    literals = [part for part in parts if isinstance(part, Literal)]
+    if len(literals) == len(parts):
+        text = "".join(str(part.value) for part in literals)
         return Literal(Located(text, span), span) if len(text) <= budget.LENGTH else Unknown("too large", span)
     return budget.concat(parts, span)
 
@@ -151,9 +159,9 @@ def unary(state: State, op: ast.unaryop, operand: Any, span: Span) -> Any:
         if isinstance(outcome, bool):
             return Literal(not outcome, span)
         return budget.bounded(Operation("not", (outcome,), span))
-    if isinstance(operand, Literal) and type(operand.value) in (int, float):
-        value = -operand.value if isinstance(op, ast.USub) else operand.value
-        return Literal(value, span) if not isinstance(op, ast.Invert) else Unknown("operator", span)
+    number = operand.value if isinstance(operand, Literal) else None
+    if isinstance(number, (int, float)) and not isinstance(number, bool) and not isinstance(op, ast.Invert):
+        return Literal(-number if isinstance(op, ast.USub) else number, span)
     return Unknown("operator", span)
 
 
@@ -241,7 +249,7 @@ def _selected(state: State, owner: Mapping, key: Value, span: Span) -> Any:
     """A dictionary read by a value that the run decides: one of its values, each by its condition."""
     if len(owner.entries) > budget.GUARDS or not owner.entries:
         return Unknown("subscript", span)
-    options = []
+    options: list[tuple[Guards, Any]] = []
     for name, item in owner.entries.values():
         if not isinstance(name, Literal):
             return Unknown("subscript", span)

@@ -7,10 +7,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from dataclasses import field
 from typing import Any
+from typing import NamedTuple
 
 from bringup_lint.model.launch import Action
 from bringup_lint.model.launch import LaunchFile
 from bringup_lint.model.launch_values import Unknown
+from bringup_lint.model.python import PlacedNode
+from bringup_lint.parsers.launch_python.arguments import Arguments
 from bringup_lint.parsers.launch_python.budget import STEPS
 from bringup_lint.parsers.launch_python.budget import Exhausted
 from bringup_lint.parsers.launch_python.objects import Frame
@@ -19,15 +22,20 @@ from bringup_lint.parsers.python_syntax import Positions
 from bringup_lint.source import Span
 
 
+class Evaluator(NamedTuple):
+    """The modules that follow expressions, calls and statements, for all that these lead to."""
+
+    evaluate: Callable[[State, ast.expr], Any]
+    call: Callable[[State, Any, list[Any], dict[str, Any], bool, Span], Any]
+    run: Callable[[State, list[ast.stmt]], str | None]
+
+
 @dataclass(eq=False, slots=True)
 class State:
     file: LaunchFile
     positions: Positions
     frame: Frame
-    evaluate: Callable[[ast.expr], Any] = None
-    call: Callable[..., Any] = None
-    """``call(function, positional, keywords, open, span)``; ``open``: more arguments than are known."""
-    run: Callable[[list[ast.stmt]], str | None] = None
+    evaluator: Evaluator
     guards: Guards = ()
     deferred: int = 0
     """Above 0 inside functions that only the run calls."""
@@ -41,11 +49,25 @@ class State:
         if self.steps < 0:
             raise Exhausted
 
-    def span(self, node: ast.expr | ast.stmt | ast.keyword) -> Span:
+    def evaluate(self, node: ast.expr) -> Any:
+        return self.evaluator.evaluate(self, node)
+
+    def call(self, function: Any, positional: list[Any], keywords: dict[str, Any], more: bool, span: Span) -> Any:
+        """``more``: further arguments may be passed than are known."""
+        return self.evaluator.call(self, function, positional, keywords, more, span)
+
+    def run(self, body: list[ast.stmt]) -> str | None:
+        return self.evaluator.run(self, body)
+
+    def span(self, node: PlacedNode) -> Span:
         return self.positions.span(node)
 
-    def unknown(self, why: str, where: ast.AST | Span) -> Unknown:
+    def unknown(self, why: str, where: PlacedNode | Span) -> Unknown:
         return Unknown(why, where if isinstance(where, Span) else self.positions.span(where))
+
+
+Builder = Callable[[State, Arguments], Any]
+"""What a call of something in the library gives."""
 
 
 def relative(guards: Guards, base: Guards) -> Guards:

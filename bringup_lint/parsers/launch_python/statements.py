@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+from collections.abc import Callable
 from typing import Any
 
 from bringup_lint.model.launch import Import
@@ -16,6 +17,7 @@ from bringup_lint.parsers.launch_python.containers import extend
 from bringup_lint.parsers.launch_python.containers import iterate
 from bringup_lint.parsers.launch_python.expressions import located_name
 from bringup_lint.parsers.launch_python.objects import Function
+from bringup_lint.parsers.launch_python.objects import Guards
 from bringup_lint.parsers.launch_python.objects import Mapping
 from bringup_lint.parsers.launch_python.objects import Options
 from bringup_lint.parsers.launch_python.objects import Sequence
@@ -124,7 +126,9 @@ def _joined(
         other = second.get(name, _ABSENT)
         if other is value:
             continue
-        options = [((yes,), value)] if other is _ABSENT else [((yes,), value), ((no,), other)]
+        options: list[tuple[Guards, Any]] = [((yes,), value)]
+        if other is not _ABSENT:
+            options.append(((no,), other))
         result[name] = Options(options, yes.span)
     for name in second.keys() - first.keys():
         result[name] = Options([((no,), second[name])], yes.span)
@@ -228,11 +232,11 @@ def _import_from(state: State, node: ast.ImportFrom) -> None:
 
 
 def _outer(state: State, node: ast.Global | ast.Nonlocal) -> None:
-    frame = state.frame
     if isinstance(node, ast.Global):
-        while frame.parent is not None:
-            frame = frame.parent
-        state.frame.outer.update(dict.fromkeys(node.names, frame))
+        top = state.frame
+        while top.parent is not None:
+            top = top.parent
+        state.frame.outer.update(dict.fromkeys(node.names, top))
         return
     for name in node.names:
         frame = state.frame.parent
@@ -271,7 +275,7 @@ def _match(state: State, node: Any) -> None:
         _fork(state, chosen, case.body, [])
 
 
-_HANDLERS = {
+_HANDLERS: dict[type[ast.stmt], Callable[[State, Any], str | None]] = {
     ast.Expr: _expression,
     ast.Assign: _assign,
     ast.AnnAssign: _annotated,

@@ -27,6 +27,7 @@ from bringup_lint.parsers.launch_python.objects import Mapping
 from bringup_lint.parsers.launch_python.objects import Placed
 from bringup_lint.parsers.launch_python.objects import Sequence
 from bringup_lint.parsers.launch_python.objects import Symbol
+from bringup_lint.parsers.launch_python.state import Builder
 from bringup_lint.parsers.launch_python.state import State
 from bringup_lint.source import Located
 
@@ -57,9 +58,10 @@ def _environment(state: State, args: Arguments) -> Any:
 
 def _join(state: State, args: Arguments) -> Any:
     thing = args.need("substitutions", 0)
-    if not isinstance(thing, Sequence) or thing.plain() is None:
+    items = thing.plain() if isinstance(thing, Sequence) else None
+    if items is None:
         return Unknown("path", args.span)
-    parts = [freeze.text(state, item) for item in thing.plain()]
+    parts = [freeze.text(state, item) for item in items]
     return join_path(state, parts, args.span) if parts else Literal(Located("", args.span), args.span)
 
 
@@ -95,7 +97,7 @@ def _python(state: State, args: Arguments) -> Any:
     return Operation("python", (freeze.text(state, args.need("expression", 0)),), args.span)
 
 
-def _operation(name: str, *parameters: str):
+def _operation(name: str, *parameters: str) -> Builder:
     def builder(state: State, args: Arguments) -> Any:
         operands = [freeze.text(state, args.need(word, index)) for index, word in enumerate(parameters)]
         return budget.bounded(Operation(name, tuple(operands), args.span))
@@ -103,7 +105,7 @@ def _operation(name: str, *parameters: str):
     return builder
 
 
-def _any_of(name: str):
+def _any_of(name: str) -> Builder:
     def builder(state: State, args: Arguments) -> Any:
         operands = [freeze.text(state, thing) for thing in args.positional]
         if len(operands) == 1 and isinstance(args.positional[0], Sequence):
@@ -122,14 +124,14 @@ def _if_else(state: State, args: Arguments) -> Any:
     return budget.bounded(Operation("if", tuple(operands), args.span))
 
 
-def _this_file(itself: bool):
+def _this_file(itself: bool) -> Builder:
     def builder(state: State, args: Arguments) -> Any:
         return FileDir(args.span, itself)
 
     return builder
 
 
-def _condition(wanted: bool):
+def _condition(wanted: bool) -> Builder:
     def builder(state: State, args: Arguments) -> Any:
         predicate = freeze.text(state, args.need("predicate_expression", 0))
         kind = "if" if wanted else "unless"
@@ -138,7 +140,7 @@ def _condition(wanted: bool):
     return builder
 
 
-def _equals_condition(wanted: bool):
+def _equals_condition(wanted: bool) -> Builder:
     def builder(state: State, args: Arguments) -> Any:
         name = args.get("launch_configuration_name", 0)
         expected = freeze.text(state, args.need("expected_value", 1))
@@ -172,8 +174,8 @@ def _parameter_value(state: State, args: Arguments) -> Any:
 def parameter(state: State, thing: Any) -> Any:
     """A parameter's value: a list of substitutions and strings is one text, as launch_ros takes it."""
     value = freeze.value(state, thing)
-    if isinstance(thing, Sequence) and thing.plain():
-        items = thing.plain()
+    items = thing.plain() if isinstance(thing, Sequence) else None
+    if items:
         texts = [isinstance(item, Literal) and isinstance(item.value, str) for item in items]
         symbolic = [not isinstance(item, (Literal, Sequence, Mapping, Unknown)) for item in items]
         if any(symbolic) and all(a or b for a, b in zip(texts, symbolic)):
@@ -189,7 +191,7 @@ def _named_parameter(state: State, args: Arguments) -> Any:
     return result
 
 
-def _derived(helper: str):
+def _derived(helper: str) -> Builder:
     def builder(state: State, args: Arguments) -> Any:
         base = freeze.text(state, args.need("source_file", 0))
         rewrites = args.get("param_rewrites", 1) or args.get("replacements", 1)
@@ -204,7 +206,7 @@ def _global_parameter(state: State, args: Arguments) -> Any:
     return Unknown("a parameter of the launch context", args.span)
 
 
-def _without_text(why: str):
+def _without_text(why: str) -> Builder:
     def builder(state: State, args: Arguments) -> Any:
         return Unknown(why, args.span)
 

@@ -21,15 +21,14 @@ from bringup_lint.parsers.launch_python.state import relative
 
 
 def assign(state: State, target: ast.expr, value: Any) -> None:
-    kind = type(target)
-    if kind is ast.Name:
+    if isinstance(target, ast.Name):
         frame = state.frame.outer.get(target.id, state.frame)
         frame.names[target.id] = value
-    elif kind in (ast.Tuple, ast.List):
+    elif isinstance(target, (ast.Tuple, ast.List)):
         _unpack(state, target, value)
-    elif kind is ast.Subscript:
+    elif isinstance(target, ast.Subscript):
         _set_item(state, target, value)
-    elif kind is ast.Starred:
+    elif isinstance(target, ast.Starred):
         assign(state, target.value, value)
 
 
@@ -60,12 +59,12 @@ def _set_item(state: State, target: ast.Subscript, value: Any) -> None:
         _replace(owner, key, value)
     elif isinstance(owner, Bound) and owner.name == "launch_configurations":
         span = state.positions.span(target)
-        action = SetArgument(span=span, name=freeze.value(state, key), value=freeze.value(state, value))
-        state.effects.append(freeze.under(action, state.guards))
+        setting = SetArgument(span=span, name=freeze.value(state, key), value=freeze.value(state, value))
+        state.effects.append(freeze.under(setting, state.guards))
     elif isinstance(owner, Symbol) and owner.name == "os.environ":
         span = state.positions.span(target)
-        action = SetEnv(span=span, name=freeze.value(state, key), value=freeze.value(state, value))
-        state.effects.append(freeze.under(action, state.guards))
+        export = SetEnv(span=span, name=freeze.value(state, key), value=freeze.value(state, value))
+        state.effects.append(freeze.under(export, state.guards))
 
 
 def _replace(owner: Sequence, key: Any, value: Any) -> None:

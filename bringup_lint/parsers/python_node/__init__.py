@@ -127,7 +127,7 @@ class Reading:
         owner = self.owner(function.value, call.scope)
         if owner is None:
             return
-        for parameter in declare(self.values, call):
+        for parameter in declare(self.values, call, function.attr):
             known = owner.parameters.setdefault(str(parameter.name), parameter)
             scope = self.class_scopes.get(id(owner))
             if scope is not None:
@@ -139,8 +139,9 @@ class Reading:
         """A node without a class of its own."""
         kept = call.kept
         node = NodeClass(self.file.source, None, self.values.span(call.node), is_node=True)
-        node.bases = (self.values.qualified(call.node.func, call.scope),)
-        node.is_lifecycle = "lifecycle" in node.bases[0]
+        base = self.values.qualified(call.node.func, call.scope) or ""
+        node.bases = (base,)
+        node.is_lifecycle = "lifecycle" in base
         if isinstance(kept, (ast.Name, ast.Attribute)):
             node.variable = ast.unparse(kept)
         node.node_name = self.text(argument(call.node, 0, "node_name"), call.scope)

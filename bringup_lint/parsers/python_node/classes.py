@@ -10,6 +10,7 @@ from typing import Any
 from bringup_lint.model.node_source import Function
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import Parameter
+from bringup_lint.model.python import PlacedNode
 from bringup_lint.parsers.python_node.scopes import Call
 from bringup_lint.parsers.python_node.scopes import ClassScope
 from bringup_lint.parsers.python_node.scopes import Def
@@ -56,7 +57,7 @@ def function(values: Values, node: Def) -> Function:
 def _text(node: ast.expr) -> str:
     if isinstance(node, ast.Call):
         node = node.func
-    parts = []
+    parts: list[str] = []
     while isinstance(node, ast.Attribute) and len(parts) < _DEPTH:
         parts.append(node.attr)
         node = node.value
@@ -84,13 +85,13 @@ def _is_node(base: str, found: NodeClass, depth: int) -> bool | None:
     return None
 
 
-def declare(values: Values, call: Call) -> list[Parameter]:
+def declare(values: Values, call: Call, method: str) -> list[Parameter]:
     """The parameters that a call of ``declare_parameter`` or ``declare_parameters`` declares."""
     node, scope = call.node, call.scope
-    name = node.func.attr
-    if name == "declare_parameter":
+    if method == "declare_parameter":
         return _declared(values, node, argument(node, 0, "name"), argument(node, 1, "value"), scope, "")
-    prefix = values.of(node.args[0], scope) if node.args else values.of(argument(node, 0, "namespace"), scope)
+    namespace = argument(node, 0, "namespace")
+    prefix = values.of(namespace, scope) if namespace is not None else UNKNOWN
     rows = argument(node, 1, "parameters")
     if not isinstance(prefix, str) or not isinstance(rows, (ast.List, ast.Tuple)):
         return []
@@ -103,7 +104,7 @@ def declare(values: Values, call: Call) -> list[Parameter]:
 
 
 def _declared(
-    values: Values, node: ast.AST, name: ast.expr | None, default: ast.expr | None, scope: Scope, prefix: str
+    values: Values, node: PlacedNode, name: ast.expr | None, default: ast.expr | None, scope: Scope, prefix: str
 ) -> list[Parameter]:
     text = values.of(name, scope) if name is not None else UNKNOWN
     if not isinstance(text, Located):
@@ -116,24 +117,24 @@ def _declared(
 def given_name(values: Values, scope: ClassScope, call: ast.Call | None, at: Scope, keyword: str) -> Any:
     """The node name (``keyword`` ``node_name``, position 0) or namespace that an instance gets; UNKNOWN when it is not
     literal. ``call`` makes the instance; None: without arguments that are known."""
-    current: ClassScope | None = scope
+    current = scope
     for _ in range(_DEPTH):
         init = current.methods.get("__init__")
         if init is None:
-            current = current.base
-            if current is None:
+            if current.base is None:
                 return _argument(values, call, at, keyword) if call is not None else UNKNOWN
+            current = current.base
             continue
         inner = current.scopes["__init__"]
         upper = _super_call(init, current)
         if upper is None:
             return UNKNOWN
         given = _argument_node(upper, keyword)
-        if given is None and current.base is None:
-            return UNKNOWN
         if current.base is not None:
             call, at, current = upper, inner, current.base
             continue
+        if given is None:
+            return UNKNOWN
         if isinstance(given, ast.Name) and given.id in inner.arguments:
             return _handed(values, init, given.id, call, at)
         return values.of(given, inner)
@@ -160,7 +161,7 @@ def _handed(values: Values, init: Def, name: str, call: ast.Call | None, at: Sco
             return values.of(given, at)
         if any(each.arg is None for each in call.keywords) or any(isinstance(each, ast.Starred) for each in call.args):
             return UNKNOWN
-    defaults = dict(zip(reversed(names), reversed(init.args.defaults), strict=False))
+    defaults: dict[str, ast.expr | None] = dict(zip(reversed(names), reversed(init.args.defaults), strict=False))
     defaults |= {key.arg: value for key, value in zip(init.args.kwonlyargs, init.args.kw_defaults, strict=True)}
     default = defaults.get(name)
     return UNKNOWN if default is None else values.of(default, at)

@@ -8,6 +8,8 @@ from typing import Any
 
 from bringup_lint.model.node_source import INFINITE
 from bringup_lint.model.node_source import Qos
+from bringup_lint.model.node_source import with_policy
+from bringup_lint.model.node_source import with_seconds
 from bringup_lint.parsers.python_node.scopes import AttributeSet
 from bringup_lint.parsers.python_node.scopes import Scope
 from bringup_lint.parsers.python_node.values import Called
@@ -104,7 +106,7 @@ def _profile(values: Values, called: Called) -> Qos | None:
         return Qos(span)
     result = replace(_of_policies(_DEFAULT, span))
     for each in call.keywords:
-        result = _with(values, result, each.arg, each.value, called.scope)
+        result = _with(values, result, each.arg or "", each.value, called.scope)
     return result
 
 
@@ -114,7 +116,7 @@ def _with(values: Values, qos: Qos, name: str, node: ast.expr, scope: Scope) -> 
     if name == "depth":
         return replace(qos, depth=value if isinstance(value, int) and not isinstance(value, bool) else None)
     if name in _FIELDS:
-        return replace(qos, **{_FIELDS[name]: _seconds(values, value)})
+        return with_seconds(qos, _FIELDS[name], _seconds(values, value))
     if name not in _POLICIES:
         return qos
     kind, members = _POLICIES[name]
@@ -126,7 +128,7 @@ def _with(values: Values, qos: Qos, name: str, node: ast.expr, scope: Scope) -> 
             member = short.rpartition(".")[2].upper()
             if member.startswith("RMW_QOS_POLICY_"):
                 member = member.removeprefix(f"RMW_QOS_POLICY_{name.upper()}_")
-    return replace(qos, **{name: member if member in members else None})
+    return with_policy(qos, name, member if member in members else None)
 
 
 def _seconds(values: Values, value: Any) -> float | None:
@@ -155,11 +157,17 @@ def _changed(values: Values, qos: Qos, use: ast.expr, scope: Scope) -> Qos:
         if after and not change.conditional:
             continue
         if change.conditional or (home is not None and change.scope is not home):
-            name = _FIELDS.get(change.field, change.field)
-            qos = replace(qos, **{name: None})
+            qos = _unknown(qos, change.field)
         else:
             qos = _with(values, qos, change.field, change.value, change.scope)
     return qos
+
+
+def _unknown(qos: Qos, name: str) -> Qos:
+    """The profile with one policy of which nothing is known."""
+    if name == "depth":
+        return replace(qos, depth=None)
+    return with_seconds(qos, _FIELDS[name], None) if name in _FIELDS else with_policy(qos, name, None)
 
 
 def _sets(use: ast.expr, scope: Scope) -> tuple[list[AttributeSet], Scope | None]:

@@ -116,9 +116,9 @@ def read_module(tree: ast.Module) -> Module:
             break
         node = todo.node
         if isinstance(node, Def):
-            children = _function(module, todo)
+            children = _function(module, todo, node)
         elif isinstance(node, ast.ClassDef):
-            children = _class(module, todo)
+            children = _class(module, todo, node)
         else:
             if isinstance(node, ast.Call):
                 module.calls.append(Call(node, todo.scope, todo.conditional, kept.get(id(node))))
@@ -130,8 +130,7 @@ def read_module(tree: ast.Module) -> Module:
     return module
 
 
-def _function(module: Module, todo: Todo) -> Iterator[Todo]:
-    node: Def = todo.node
+def _function(module: Module, todo: Todo, node: Def) -> Iterator[Todo]:
     inner = Scope(node, todo.scope)
     arguments = [*node.args.posonlyargs, *node.args.args, *node.args.kwonlyargs, node.args.vararg, node.args.kwarg]
     inner.arguments = frozenset(argument.arg for argument in arguments if argument is not None)
@@ -151,24 +150,23 @@ def _function(module: Module, todo: Todo) -> Iterator[Todo]:
         todo.scope.names.setdefault(node.name, []).append(None)
         if todo.scope is module.scope:
             module.functions.setdefault(node.name, node)
-    for child in (*node.decorator_list, *node.args.defaults, *filter(None, node.args.kw_defaults)):
-        yield Todo(child, todo.scope, None, todo.conditional)
+    for outside in (*node.decorator_list, *node.args.defaults, *filter(None, node.args.kw_defaults)):
+        yield Todo(outside, todo.scope, None, todo.conditional)
     nested = todo.cls is None and todo.scope is not module.scope
-    for child in node.body:
-        yield Todo(child, inner, None, nested)
+    for statement in node.body:
+        yield Todo(statement, inner, None, nested)
 
 
-def _class(module: Module, todo: Todo) -> Iterator[Todo]:
-    node: ast.ClassDef = todo.node
+def _class(module: Module, todo: Todo, node: ast.ClassDef) -> Iterator[Todo]:
     found = ClassScope(node, todo.scope)
     module.all_classes.append(found)
     module.classes[node.name] = None if node.name in module.classes else found
     if todo.cls is None:
         todo.scope.names.setdefault(node.name, []).append(None)
-    for child in (*node.bases, *node.keywords, *node.decorator_list):
-        yield Todo(child, todo.scope, None, todo.conditional)
-    for child in node.body:
-        yield Todo(child, todo.scope, found, todo.conditional)
+    for outside in (*node.bases, *node.keywords, *node.decorator_list):
+        yield Todo(outside, todo.scope, None, todo.conditional)
+    for statement in node.body:
+        yield Todo(statement, todo.scope, found, todo.conditional)
 
 
 _BINDERS = (

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 from typing import NamedTuple
 
+from bringup_lint.model.python import PlacedNode
 from bringup_lint.parsers.python_node.scopes import ClassScope
 from bringup_lint.parsers.python_node.scopes import Module
 from bringup_lint.parsers.python_node.scopes import Scope
@@ -21,6 +22,9 @@ LENGTH = 4_000
 _PLAIN = ("string", "integer", "double", "bool", "string_array", "integer_array", "double_array", "bool_array")
 _VALUES = frozenset({"value", *(f"{kind}_value" for kind in _PLAIN)})
 """Attributes that give the value of a parameter."""
+
+_CONVERTED: dict[str, tuple[type, ...]] = {"str": (str,), "int": (int,), "float": (int, float)}
+"""Calls that leave these values as they are."""
 
 
 class Symbol(NamedTuple):
@@ -55,7 +59,7 @@ class Values:
     steps: int = 400_000
     """Expressions that are evaluated in one file."""
 
-    def span(self, node: ast.AST) -> Span:
+    def span(self, node: PlacedNode) -> Span:
         return self.positions.span(node)
 
     def qualified(self, node: ast.AST, scope: Scope | None = None) -> str | None:
@@ -146,24 +150,23 @@ class Values:
         function = node.func
         if isinstance(function, ast.Attribute):
             if function.attr in ("get_parameter", "declare_parameter") and node.args:
-                return self._parameter(node, scope, depth)
+                return self._parameter(node, function.attr, scope, depth)
             if function.attr == "get_parameter_value":
                 inner = self.of(function.value, scope, depth)
                 return inner if isinstance(inner, Read) else UNKNOWN
-        elif isinstance(function, ast.Name) and function.id in ("str", "int", "float") and len(node.args) == 1:
+        elif isinstance(function, ast.Name) and function.id in _CONVERTED and len(node.args) == 1:
             inner = self.of(node.args[0], scope, depth)
             if isinstance(inner, Read):
                 return inner
-            wanted = {"str": str, "int": int, "float": (int, float)}[function.id]
-            return inner if isinstance(inner, wanted) and not isinstance(inner, bool) else UNKNOWN
+            return inner if isinstance(inner, _CONVERTED[function.id]) and not isinstance(inner, bool) else UNKNOWN
         name = self.qualified(function, scope)
         return UNKNOWN if name is None else Called(name, node, scope)
 
-    def _parameter(self, node: ast.Call, scope: Scope, depth: int) -> Any:
+    def _parameter(self, node: ast.Call, method: str, scope: Scope, depth: int) -> Any:
         name = self.of(node.args[0], scope, depth)
         if not isinstance(name, Located):
             return UNKNOWN
-        if node.func.attr == "declare_parameter":
+        if method == "declare_parameter":
             default = node.args[1] if len(node.args) > 1 else keyword(node, "value")
             return Read(name, UNKNOWN if default is None else self.of(default, scope, depth))
         cls = scope.cls

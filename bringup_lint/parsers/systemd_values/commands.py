@@ -74,12 +74,12 @@ def split_command_line(value: Located) -> CommandLine:
             at = first.next
             continue
         start = len(value) - len(value[at:].lstrip(BLANKS))
-        words, end, at, bad = _arguments(value, first.next)
+        words, stop, at, bad = _arguments(value, first.next)
         count = _prefix_length(first.word)
         prefixes, program = str(first.word[:count]), first.word.part(count, len(first.word))
         problems += _relaxed(bad, LINE if "-" in prefixes else UNIT)
         argv0 = words.pop(0) if "@" in prefixes and words else None
-        where = value.part(start, len(value[:end].rstrip(BLANKS)))
+        where = value.part(start, len(value[:stop].rstrip(BLANKS)))
         commands.append(Command(where, prefixes, program, tuple(words), argv0))
     return CommandLine(tuple(commands), tuple(problems))
 
@@ -94,8 +94,8 @@ def _arguments(value: Located, at: int) -> tuple[list[Located], int, int, list[V
             return words, at, rest if value[rest:].strip(BLANKS) else -1, problems
         if value[at : at + 2] == "\\;" and value[at + 2 : at + 3] in (" ", "\t", "\n", "\r", ""):
             words.append(value.part(at + 1, at + 2))
-            rest = value[at + 2 :].lstrip(BLANKS)
-            at = len(value) - len(rest) if rest else -1
+            after = value[at + 2 :].lstrip(BLANKS)
+            at = len(value) - len(after) if after else -1
             continue
         found = extract(value, at, escapes=DECODE_RELAXED)
         problems += found.problems

@@ -75,8 +75,8 @@ def _integer(low: int, high: int, value: Located, version: int, expected: str = 
         yield ValueProblem("out-of-range", value, expected or f"a whole number from {low} to {high}")
 
 
-def _span(value: Located, version: int, **options: float) -> Iterator[ValueProblem]:
-    if parse_timespan(value, **options) is None:
+def _span(value: Located, version: int, unit: float = 1.0, nanoseconds: bool = False) -> Iterator[ValueProblem]:
+    if parse_timespan(value, unit=unit, nanoseconds=nanoseconds) is None:
         yield ValueProblem("invalid", value, SPAN)
 
 

@@ -50,9 +50,10 @@ def parse_size(text: str, base: int = 1024) -> int | None:
         step = next((i for i in range(allowed, len(_SUFFIXES)) if rest.startswith(_SUFFIXES[i])), None)
         if step is None:
             return None
-        factor = base ** max(6 - step, 0)
+        factor: int = base ** max(6 - step, 0)
         fraction = found[2] or "0"
-        total += int(found[1]) * factor + int(fraction) * factor // 10 ** len(fraction)
+        whole: int = 10 ** len(fraction)
+        total += int(found[1]) * factor + int(fraction) * factor // whole
         if total >= 2**64:
             return None
         rest = rest[len(_SUFFIXES[step]) :]

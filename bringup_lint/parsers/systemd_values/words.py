@@ -185,10 +185,10 @@ def split_words(
         and (not quotes or ("'" not in value and '"' not in value))
     ):
         return Words(tuple(value.words()), (), False)
-    return Words(*_collect(value, separators, quotes, escapes, coalesce))
+    return _collect(value, separators, quotes, escapes, coalesce)
 
 
-def _collect(value: Located, separators: str, quotes: bool, escapes: str, coalesce: bool):
+def _collect(value: Located, separators: str, quotes: bool, escapes: str, coalesce: bool) -> Words:
     words: list[Located] = []
     problems: list[ValueProblem] = []
     at = 0
@@ -196,12 +196,12 @@ def _collect(value: Located, separators: str, quotes: bool, escapes: str, coales
         found = extract(value, at, separators=separators, quotes=quotes, escapes=escapes, coalesce=coalesce)
         problems += found.problems
         if found.broken:
-            return tuple(words), tuple(problems), True
+            return Words(tuple(words), tuple(problems), True)
         if found.word is None:
             break
         words.append(found.word)
         at = found.next
-    return tuple(words), tuple(problems), False
+    return Words(tuple(words), tuple(problems), False)
 
 
 def nowhere(text: str) -> Located:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from bringup_lint.graph.nodes.questions.short_programs import is_short
-from bringup_lint.graph.nodes.questions.stopping import handed
+from bringup_lint.graph.nodes.questions.stopping import statements_of
 from bringup_lint.graph.nodes.sources.ending import Ending
 from bringup_lint.graph.nodes.sources.sending import called
 from bringup_lint.graph.nodes.sources.syntax import Syntax
@@ -17,6 +17,7 @@ from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import Callback
 from bringup_lint.model.node_source import Group
 from bringup_lint.model.node_source import NodeClass
+from bringup_lint.model.python import PlacedNode
 
 DEPTH = 3
 SHORT = 0.1
@@ -39,7 +40,7 @@ class Blocking(NamedTuple):
     callback: Callback
     name: str
     """The method or function that is the callback."""
-    call: ast.AST
+    call: PlacedNode
     what: str
     """What it is, in words: ``time.sleep(2)``."""
     how_long: str
@@ -59,12 +60,12 @@ def code_of(ending: Ending, cls: NodeClass, callback: Callback) -> tuple[str, li
     method = cls.methods.get(callback.name)
     if method is not None:
         return callback.name, body_of(method.node)
-    return callback.name, handed(ending, ast.Name(callback.name), None)
+    return callback.name, statements_of(ending, ast.Name(callback.name), None)
 
 
 def reached(syntax: Syntax, body: list[ast.AST], cls: NodeClass) -> Iterator[ast.AST]:
     """The syntax that a callback runs: its own, and that of the methods and functions of the file that it calls."""
-    seen: set[int] = set()
+    seen: set[ast.AST] = set()
     todo = [(body, 0)]
     while todo:
         statements, depth = todo.pop()
@@ -72,8 +73,8 @@ def reached(syntax: Syntax, body: list[ast.AST], cls: NodeClass) -> Iterator[ast
             yield node
             if isinstance(node, ast.Call) and depth < DEPTH and _is_plain(node):
                 for function, owner in called(syntax, node, cls):
-                    if id(function) not in seen and (owner is None or owner.source is cls.source):
-                        seen.add(id(function))
+                    if function not in seen and (owner is None or owner.source is cls.source):
+                        seen.add(function)
                         todo.append((body_of(function), depth + 1))
 
 
@@ -96,17 +97,17 @@ def deadlocks(found: Blocking, threads: str) -> bool:
 
 def blocking(ending: Ending, cls: NodeClass) -> Iterator[Blocking]:
     """The calls that block in the callbacks of a class."""
-    seen: set[int] = set()
+    seen: set[ast.AST] = set()
     for callback in cls.callbacks:
         if callback.role == "shutdown":
             continue
         name, body = code_of(ending, cls, callback)
         for node in reached(ending.syntax, body, cls):
-            if id(node) in seen:
+            if node in seen:
                 continue
             found = _blocks(ending, node, cls)
             if found is not None:
-                seen.add(id(node))
+                seen.add(node)
                 clients = [each for each in cls.all_endpoints if each.role.endswith("client")]
                 nested = found[0].startswith("rclpy.spin")
                 if nested and not any(each.callback_group is None for each in clients):
@@ -202,7 +203,7 @@ def _method(ending: Ending, call: ast.Call, owner: ast.Attribute, cls: NodeClass
     """``self.x.method()``."""
     if not isinstance(owner.value, ast.Name) or owner.value.id != "self":
         return None
-    kept, name = f"self.{owner.attr}", call.func.attr
+    kept, name = f"self.{owner.attr}", call.func.attr if isinstance(call.func, ast.Attribute) else ""
     clients = [each for each in cls.all_endpoints if each.role == "client" and each.attribute == kept]
     if name == "call" and clients:
         return f"{kept}.call()", _timeout(ending, call, 1)
@@ -247,15 +248,15 @@ def awaits_asyncio(ending: Ending, cls: NodeClass) -> Iterator[tuple[Callback, s
     """``await asyncio.sleep(...)`` and the like in callbacks: callback, its name, the call, the function's name."""
     if any((ending.syntax.qualified(call) or "") in _LOOPS for call in ending.syntax.calls):
         return
-    seen: set[int] = set()
+    seen: set[ast.AST] = set()
     for callback in cls.callbacks:
         name, body = code_of(ending, cls, callback)
         for node in reached(ending.syntax, body, cls):
-            if not isinstance(node, ast.Await) or not isinstance(node.value, ast.Call) or id(node) in seen:
+            if not isinstance(node, ast.Await) or not isinstance(node.value, ast.Call) or node in seen:
                 continue
             wanted = ending.syntax.qualified(node.value) or ""
             if wanted in _NEED_A_LOOP and not _is_zero(node.value):
-                seen.add(id(node))
+                seen.add(node)
                 yield callback, name, node.value, wanted
 
 
@@ -287,10 +288,10 @@ def waits(ending: Ending, cls: NodeClass) -> Iterator[Waiting]:
     init = cls.methods.get("__init__")
     places = [("__init__", body_of(init.node))] if init is not None else []
     places += [code_of(ending, cls, callback) for callback in cls.callbacks]
-    seen: set[int] = set()
+    seen: set[ast.AST] = set()
     for where, body in places:
         for node in reached(ending.syntax, body, cls):
-            if not isinstance(node, ast.Call) or node.args or node.keywords or id(node) in seen:
+            if not isinstance(node, ast.Call) or node.args or node.keywords or node in seen:
                 continue
             function = node.func
             if not isinstance(function, ast.Attribute) or function.attr not in ("wait_for_service", "wait_for_server"):
@@ -298,7 +299,7 @@ def waits(ending: Ending, cls: NodeClass) -> Iterator[Waiting]:
             kept = ast.unparse(function.value)
             found = [each for each in cls.all_endpoints if each.attribute == kept and each.role.endswith("client")]
             if found:
-                seen.add(id(node))
+                seen.add(node)
                 yield Waiting(node, found[0].name, where, _is_announced(ending.syntax, node))
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Iterator
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from bringup_lint.graph.nodes.questions.motion import moves
@@ -14,6 +15,7 @@ from bringup_lint.graph.nodes.sources.sending import published
 from bringup_lint.graph.nodes.sources.sending import sendings
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import body_of
+from bringup_lint.graph.nodes.sources.syntax import nodes_of
 from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import Function
@@ -58,7 +60,7 @@ def has_safe_state(ending: Ending, nodes: list[NodeClass]) -> bool:
 
 def _last_blocks(ending: Ending) -> Iterator[list[ast.stmt]]:
     """What runs when something else is over: ``finally``, ``except``, and the statements behind a spin."""
-    for node in ast.walk(ending.file.tree):
+    for node in nodes_of(ending.file):
         if isinstance(node, ast.Try):
             yield node.finalbody
             yield from (handler.body for handler in node.handlers)
@@ -68,7 +70,7 @@ def _last_blocks(ending: Ending) -> Iterator[list[ast.stmt]]:
                 yield ending.syntax.after(outer)
 
 
-def _is_stop(syntax: Syntax, block: list[ast.AST], cls: NodeClass | None) -> bool:
+def _is_stop(syntax: Syntax, block: Sequence[ast.AST], cls: NodeClass | None) -> bool:
     if next(sendings(syntax, block, cls), None) is not None:
         return True
     for call in own_calls(block):
@@ -78,7 +80,7 @@ def _is_stop(syntax: Syntax, block: list[ast.AST], cls: NodeClass | None) -> boo
     return False
 
 
-class Reordered(NamedTuple):
+class PublishAfterDeactivate(NamedTuple):
     """``deactivate`` stands before ``publish`` in a transition of a lifecycle node."""
 
     method: Function
@@ -87,21 +89,27 @@ class Reordered(NamedTuple):
     endpoint: Endpoint
 
 
-def silenced(syntax: Syntax, node: NodeClass) -> Iterator[Reordered]:
+def publish_after_deactivate(syntax: Syntax, node: NodeClass) -> Iterator[PublishAfterDeactivate]:
     """The messages that a lifecycle publisher drops, because it was deactivated before."""
     for name in ("on_deactivate", "on_shutdown", "on_cleanup", "on_error"):
         method = node.methods.get(name)
-        first: ast.stmt | None = None
-        for statement in method.node.body if method is not None else ():
-            sent = [each.endpoint for each in sendings(syntax, [statement], node)]
-            silent = [each for each in sent if each.lifecycle and first is not None and _covers(first, each)]
-            if silent:
-                yield Reordered(method, first, statement, silent[0])
-                break
-            if first is None and any(_deactivates(call) for call in own_calls([statement])):
-                if not isinstance(statement, (ast.Expr, ast.Assign)):
-                    break
-                first = statement
+        if method is not None:
+            yield from _dropped(syntax, node, method)
+
+
+def _dropped(syntax: Syntax, node: NodeClass, method: Function) -> Iterator[PublishAfterDeactivate]:
+    """The first message of a transition that comes after a deactivation, when there is one."""
+    first: ast.stmt | None = None
+    for statement in method.node.body:
+        sent = [each.endpoint for each in sendings(syntax, [statement], node)]
+        silent = [each for each in sent if each.lifecycle and first is not None and _covers(first, each)]
+        if first is not None and silent:
+            yield PublishAfterDeactivate(method, first, statement, silent[0])
+            return
+        if first is None and any(_deactivates(call) for call in own_calls([statement])):
+            if not isinstance(statement, (ast.Expr, ast.Assign)):
+                return
+            first = statement
 
 
 def _deactivates(call: ast.Call) -> bool:
@@ -111,7 +119,7 @@ def _deactivates(call: ast.Call) -> bool:
 def _covers(statement: ast.stmt, endpoint: Endpoint) -> bool:
     """Whether a deactivation is of the whole node, or of this publisher."""
     for call in own_calls([statement]):
-        if _deactivates(call):
+        if _deactivates(call) and isinstance(call.func, ast.Attribute):
             owner = call.func.value
             return isinstance(owner, ast.Call) or ast.unparse(owner) == endpoint.attribute
     return False

@@ -14,6 +14,7 @@ from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import Callback
 from bringup_lint.model.node_source import NodeClass
+from bringup_lint.model.python import PlacedNode
 
 STOPS = frozenset({"KeyboardInterrupt", "ExternalShutdownException"})
 """The exceptions by which a spin ends when a signal comes."""
@@ -21,27 +22,27 @@ _TAKES_TERM = frozenset({"ExternalShutdownException", "Exception", "BaseExceptio
 _LEAVES = (ast.Return, ast.Raise)
 
 
-class Uncaught(NamedTuple):
+class UnhandledShutdown(NamedTuple):
     """A ``try`` around a spin that takes KeyboardInterrupt alone: ``caught`` is that name."""
 
     caught: ast.expr
     spin: Spin
 
 
-class Double(NamedTuple):
+class DoubleShutdown(NamedTuple):
     """A ``rclpy.shutdown()`` behind a spin that the signal has ended together with the context."""
 
     call: ast.Call
     spin: Spin
 
 
-class TooLate(NamedTuple):
+class StopAfterShutdown(NamedTuple):
     """A message that is published when the context is invalid. ``how``: ``raises``, ``caught`` (the exception is
     taken), ``skipped`` (a condition on ``rclpy.ok()`` is false) or ``registered`` (at exit, or on shutdown)."""
 
     sending: Sending
     how: str
-    place: ast.AST
+    place: PlacedNode
     spin: Spin | None
 
 
@@ -50,7 +51,7 @@ def default_signals(ending: Ending) -> bool:
     return ending.signals == "rclpy" and not ending.handlers
 
 
-def behind(ending: Ending, node: ast.Try) -> list[list[ast.stmt]]:
+def blocks_after_spin(ending: Ending, node: ast.Try) -> list[list[ast.stmt]]:
     """The blocks that run when a signal has ended the spin in a ``try``."""
     taken = [handler for handler in node.handlers if ending.caught(handler) & (STOPS | {"BaseException", "Exception"})]
     blocks = [handler.body for handler in taken if ending.caught(handler) & STOPS]
@@ -66,7 +67,7 @@ def _exits(ending: Ending, statement: ast.stmt) -> bool:
     return any(ending.syntax.qualified(call) in ("sys.exit", "os._exit") for call in calls)
 
 
-def uncaught(ending: Ending) -> Iterator[Uncaught]:
+def unhandled_shutdown(ending: Ending) -> Iterator[UnhandledShutdown]:
     """Spins whose ExternalShutdownException passes every ``except`` around them."""
     if not default_signals(ending):
         return
@@ -77,9 +78,17 @@ def uncaught(ending: Ending) -> Iterator[Uncaught]:
             continue
         for handler in node.handlers:
             if "KeyboardInterrupt" in ending.caught(handler) and not _taken_outside(ending, node):
-                types = handler.type.elts if isinstance(handler.type, ast.Tuple) else [handler.type]
-                named = [each for each in types if ending.file.span_of(each).text.endswith("KeyboardInterrupt")]
-                yield from (Uncaught(each, single) for each in named[:1])
+                named = [
+                    each for each in _types(handler) if ending.file.span_of(each).text.endswith("KeyboardInterrupt")
+                ]
+                yield from (UnhandledShutdown(each, single) for each in named[:1])
+
+
+def _types(handler: ast.ExceptHandler) -> list[ast.expr]:
+    """The exceptions that a handler names."""
+    if handler.type is None:
+        return []
+    return handler.type.elts if isinstance(handler.type, ast.Tuple) else [handler.type]
 
 
 def _taken_outside(ending: Ending, node: ast.AST) -> bool:
@@ -110,20 +119,20 @@ def _taken(ending: Ending, node: ast.AST) -> bool:
     return False
 
 
-def doubles(ending: Ending) -> Iterator[Double]:
+def double_shutdown(ending: Ending) -> Iterator[DoubleShutdown]:
     """Every ``rclpy.shutdown()`` that is reached and finds the context shut down already."""
     if not default_signals(ending):
         return
-    seen: set[int] = set()
+    seen: set[ast.AST] = set()
     for node, spins in ending.tries:
-        for block in behind(ending, node):
+        for block in blocks_after_spin(ending, node):
             end = _raises_at(ending, block)
             for call in own_calls(block):
                 plain = ending.syntax.qualified(call) == "rclpy.shutdown" and not call.args and not call.keywords
                 reached = end is None or ending.file.span_of(call).start < end
-                if plain and reached and id(call) not in seen and not _guarded(ending, call, block):
-                    seen.add(id(call))
-                    yield Double(call, spins[0])
+                if plain and reached and call not in seen and not _guarded(ending, call, block):
+                    seen.add(call)
+                    yield DoubleShutdown(call, spins[0])
 
 
 def _raises_at(ending: Ending, block: list[ast.stmt]) -> int | None:
@@ -138,16 +147,16 @@ def _guarded(ending: Ending, call: ast.AST, block: list[ast.stmt]) -> bool:
     return ending.guarded(call, outer)
 
 
-def too_late(ending: Ending) -> Iterator[TooLate]:
+def stop_after_shutdown(ending: Ending) -> Iterator[StopAfterShutdown]:
     """The messages that are published behind a spin which a signal has ended."""
     if ending.signals == "rclpy" and not ending.handlers:
-        seen: set[int] = set()
+        seen: set[ast.AST] = set()
         for node, spins in ending.tries:
-            for block in behind(ending, node):
+            for block in blocks_after_spin(ending, node):
                 for sending in sendings(ending.syntax, block):
-                    if id(sending.call) not in seen:
-                        seen.add(id(sending.call))
-                        yield TooLate(sending, _how(ending, sending.call, block), sending.call, spins[0])
+                    if sending.call not in seen:
+                        seen.add(sending.call)
+                        yield StopAfterShutdown(sending, _how(ending, sending.call, block), sending.call, spins[0])
     yield from _registered(ending)
 
 
@@ -163,7 +172,7 @@ def _how(ending: Ending, call: ast.Call, block: list[ast.stmt]) -> str:
     return "raises"
 
 
-def _registered(ending: Ending) -> Iterator[TooLate]:
+def _registered(ending: Ending) -> Iterator[StopAfterShutdown]:
     """Functions that publish, given to ``context.on_shutdown``; to ``atexit`` when rclpy handles the signals."""
     for call in ending.syntax.calls:
         if not call.args:
@@ -172,8 +181,8 @@ def _registered(ending: Ending) -> Iterator[TooLate]:
         if not on_shutdown and (ending.syntax.qualified(call) != "atexit.register" or not default_signals(ending)):
             continue
         cls = class_around(ending, call)
-        for sending in sendings(ending.syntax, handed(ending, call.args[0], cls), cls):
-            yield TooLate(sending, "on-shutdown" if on_shutdown else "at-exit", call, None)
+        for sending in sendings(ending.syntax, statements_of(ending, call.args[0], cls), cls):
+            yield StopAfterShutdown(sending, "on-shutdown" if on_shutdown else "at-exit", call, None)
 
 
 def is_on_shutdown(call: ast.Call) -> bool:
@@ -194,7 +203,7 @@ def class_around(ending: Ending, node: ast.AST) -> NodeClass | None:
     return None
 
 
-def handed(ending: Ending, node: ast.expr, cls: NodeClass | None) -> list[ast.AST]:
+def statements_of(ending: Ending, node: ast.expr, cls: NodeClass | None) -> list[ast.AST]:
     """The statements of a function that is handed over by name, as a method or as a lambda."""
     if isinstance(node, ast.Lambda):
         return [node.body]
@@ -207,19 +216,19 @@ def handed(ending: Ending, node: ast.expr, cls: NodeClass | None) -> list[ast.AS
     return []
 
 
-class Starved(NamedTuple):
+class HandlerNeverRuns(NamedTuple):
     """A signal handler of Python that a waiting spin keeps from running.
 
     ``place``: ``signal.signal(...)``, or the option that leaves the signals to Python."""
 
-    place: ast.AST
+    place: PlacedNode
     signals: frozenset[str]
     spin: Spin
     wakers: list[Callback]
     """What wakes the node now and then: its subscriptions and services."""
 
 
-def starved(ending: Ending, nodes: list[NodeClass]) -> Iterator[Starved]:
+def handler_never_runs(ending: Ending, nodes: list[NodeClass]) -> Iterator[HandlerNeverRuns]:
     """``nodes``: all that the program makes, none of them with a timer."""
     direct = [spin for spin in ending.spins if not spin.loop]
     if not direct or len(direct) < len(ending.spins) or ending.signals is None:
@@ -229,10 +238,10 @@ def starved(ending: Ending, nodes: list[NodeClass]) -> Iterator[Starved]:
     for handler in ending.handlers:
         if handler.python and (ending.signals == "none" or _surely_after(ending, handler.call)):
             shown = True
-            yield Starved(handler.call, handler.signals, direct[0], wakers)
+            yield HandlerNeverRuns(handler.call, handler.signals, direct[0], wakers)
     if ending.signals == "none" and not shown and not ending.handlers:
         option = next(each for each in ending.inits[0].keywords if each.arg == "signal_handler_options")
-        yield Starved(option.value, frozenset({"SIGINT"}), direct[0], wakers)
+        yield HandlerNeverRuns(option.value, frozenset({"SIGINT"}), direct[0], wakers)
 
 
 def _surely_after(ending: Ending, call: ast.Call) -> bool:

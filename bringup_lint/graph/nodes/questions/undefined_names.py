@@ -5,11 +5,13 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Iterator
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from bringup_lint.facts import table
 from bringup_lint.graph.nodes.sources.syntax import FUNCTIONS
 from bringup_lint.graph.nodes.sources.syntax import Syntax
+from bringup_lint.graph.nodes.sources.syntax import nodes_of
 
 _DYNAMIC = re.compile(r"\b(?:exec|eval|globals|locals|__import__|importlib|builtins)\b|\bvars\(")
 _RANGES = {"floating_point_range": "FloatingPointRange", "integer_range": "IntegerRange"}
@@ -33,9 +35,10 @@ def undefined(syntax: Syntax) -> Iterator[Undefined]:
     wanted = {name for name in names if name in file.source.text} - file.imports.keys()
     if not wanted:
         return
-    bound, used = set(), {}
+    bound: set[str] = set()
+    used: dict[str, list[ast.Name]] = {}
     lazy = any(dotted == "__future__.annotations" for dotted in file.imports.values())
-    for node in ast.walk(file.tree):
+    for node in nodes_of(file):
         bound.update(_bound(node))
         if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load) and node.id in wanted:
             if not _is_harmless(syntax, node, lazy):
@@ -93,7 +96,7 @@ class DictRange(NamedTuple):
 
 def dict_ranges(syntax: Syntax) -> Iterator[DictRange]:
     """Dictionaries where a descriptor of a parameter wants a range."""
-    for node in ast.walk(syntax.file.tree):
+    for node in nodes_of(syntax.file):
         if isinstance(node, ast.Call) and (syntax.qualified(node) or "").endswith(".ParameterDescriptor"):
             for keyword in node.keywords:
                 if keyword.arg in _RANGES:
@@ -106,14 +109,22 @@ def dict_ranges(syntax: Syntax) -> Iterator[DictRange]:
 
 
 def _dicts(syntax: Syntax, value: ast.expr, wanted: str) -> Iterator[DictRange]:
-    for element in value.elts if isinstance(value, (ast.List, ast.Tuple)) else ():
+    if not isinstance(value, (ast.List, ast.Tuple)):
+        return
+    for element in value.elts:
         if isinstance(element, ast.Dict):
             keys = [key.value if isinstance(key, ast.Constant) else None for key in element.keys]
-            fields = dict(zip(keys, element.values, strict=True)) if set(keys) <= set(_FIELDS) else None
-            yield DictRange(element, wanted, fields)
+            yield DictRange(element, wanted, _fields(keys, element.values))
         elif isinstance(element, ast.Call) and isinstance(element.func, ast.Name) and element.func.id == "dict":
-            known = not element.args and {each.arg for each in element.keywords} <= set(_FIELDS)
-            yield DictRange(element, wanted, {each.arg: each.value for each in element.keywords} if known else None)
+            names = [each.arg for each in element.keywords]
+            fields = _fields(names, [each.value for each in element.keywords]) if not element.args else None
+            yield DictRange(element, wanted, fields)
+
+
+def _fields(keys: Sequence[object], values: list[ast.expr]) -> dict[str, ast.expr] | None:
+    """The fields of a range by name; None when a key is not one of them."""
+    names = [key for key in keys if isinstance(key, str) and key in _FIELDS]
+    return dict(zip(names, values, strict=True)) if len(names) == len(keys) else None
 
 
 def range_text(syntax: Syntax, found: DictRange) -> str | None:

@@ -15,6 +15,7 @@ from typing import NamedTuple
 from bringup_lint.graph.nodes.sources.sending import called
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import body_of
+from bringup_lint.graph.nodes.sources.syntax import nodes_of
 from bringup_lint.graph.nodes.sources.syntax import own_calls
 
 _SINGLE = "rclpy.executors.SingleThreadedExecutor"
@@ -145,19 +146,19 @@ class Ending:
 
     def spins_in(self, nodes: list[ast.stmt]) -> Iterator[Spin]:
         """The spins that statements run: their own, and those of the functions of the file that they call."""
-        by_call = {id(spin.call): spin for spin in self.spins}
+        by_call = {spin.call: spin for spin in self.spins}
         for call in own_calls(nodes):
-            if id(call) in by_call:
-                yield by_call[id(call)]
+            if call in by_call:
+                yield by_call[call]
                 continue
             for function, _ in called(self.syntax, call, None):
-                yield from (by_call[id(inner)] for inner in own_calls(body_of(function)) if id(inner) in by_call)
+                yield from (by_call[inner] for inner in own_calls(body_of(function)) if inner in by_call)
 
     @cached_property
     def tries(self) -> list[tuple[ast.Try, list[Spin]]]:
         """The ``try`` statements around a spin."""
         found = []
-        for node in ast.walk(self.file.tree):
+        for node in nodes_of(self.file):
             if not isinstance(node, ast.Try) or self._in_thread(node):
                 continue
             if spins := list(self.spins_in(node.body)):

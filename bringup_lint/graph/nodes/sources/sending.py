@@ -29,22 +29,22 @@ class Sending(NamedTuple):
 
 def sendings(syntax: Syntax, nodes: Iterable[ast.AST], cls: NodeClass | None = None) -> Iterator[Sending]:
     """What the statements publish on publishers of the file. ``cls``: the class that ``self`` is of."""
-    seen: set[int] = set()
+    seen: set[ast.AST] = set()
     for call in own_calls(nodes):
         for publish, endpoint in _leads_to(syntax, call, cls, DEPTH, seen):
             yield Sending(call, publish, endpoint)
 
 
 def _leads_to(
-    syntax: Syntax, call: ast.Call, cls: NodeClass | None, depth: int, seen: set[int]
+    syntax: Syntax, call: ast.Call, cls: NodeClass | None, depth: int, seen: set[ast.AST]
 ) -> Iterator[tuple[ast.Call, Endpoint]]:
     endpoint = published(syntax, call, cls)
     if endpoint is not None:
         yield call, endpoint
         return
     for function, owner in called(syntax, call, cls):
-        if depth and id(function) not in seen and len(seen) < STEPS:
-            seen.add(id(function))
+        if depth and function not in seen and len(seen) < STEPS:
+            seen.add(function)
             for inner in own_calls(body_of(function)):
                 yield from _leads_to(syntax, inner, owner, depth - 1, seen)
 

@@ -1,4 +1,4 @@
-"""Where in a node source a piece of syntax stands: its statement, block and function."""
+"""Where in a node source a piece of syntax is: its statement, block and function."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ class Syntax:
     def __init__(self, file: NodeSource) -> None:
         self.file = file
         self.calls: list[ast.Call] = []
-        self._above: dict[int, tuple[ast.AST, str]] = {}
-        stack: list[ast.AST] = [file.tree]
+        self._above: dict[ast.AST, tuple[ast.AST, str]] = {}
+        stack: list[ast.AST] = [file.tree] if file.tree is not None else []
         while stack:
             node = stack.pop()
             if isinstance(node, ast.Call):
@@ -26,35 +26,35 @@ class Syntax:
             for name, value in ast.iter_fields(node):
                 for child in value if isinstance(value, list) else (value,):
                     if isinstance(child, ast.AST):
-                        self._above[id(child)] = (node, name)
+                        self._above[child] = (node, name)
                         stack.append(child)
         self.calls.sort(key=lambda call: (call.lineno, call.col_offset))
 
     def above(self, node: ast.AST) -> Iterator[tuple[ast.AST, str]]:
-        """What a node stands in, innermost first, each with the field that holds it."""
-        while id(node) in self._above:
-            node, name = self._above[id(node)]
+        """What a node is in, innermost first, each with the field that holds it."""
+        while node in self._above:
+            node, name = self._above[node]
             yield node, name
 
     def within(self, node: ast.AST) -> Iterator[tuple[ast.AST, str]]:
-        """As ``above``, up to the function that the node stands in."""
+        """As ``above``, up to the function that the node is in."""
         for outer, name in self.above(node):
             if isinstance(outer, (*FUNCTIONS, ast.ClassDef)):
                 return
             yield outer, name
 
     def function(self, node: ast.AST) -> ast.FunctionDef | ast.AsyncFunctionDef | None:
-        """The innermost function that a node stands in."""
+        """The innermost function that a node is in."""
         for outer, _ in self.above(node):
             if isinstance(outer, (ast.FunctionDef, ast.AsyncFunctionDef)):
                 return outer
         return None
 
     def after(self, statement: ast.stmt) -> list[ast.stmt]:
-        """The statements behind one in its own block."""
-        if id(statement) not in self._above:
+        """The statements after one in its own block."""
+        if statement not in self._above:
             return []
-        outer, name = self._above[id(statement)]
+        outer, name = self._above[statement]
         block = getattr(outer, name)
         return block[block.index(statement) + 1 :] if isinstance(block, list) else []
 
@@ -63,7 +63,7 @@ class Syntax:
 
 
 def own(nodes: Iterable[ast.AST]) -> Iterator[ast.AST]:
-    """The nodes and all that stands in them, in the order of the text, without functions and classes defined there."""
+    """The nodes and all that is in them, in the order of the text, without functions and classes defined there."""
     stack = list(reversed(list(nodes)))
     while stack:
         node = stack.pop()
@@ -76,7 +76,12 @@ def own_calls(nodes: Iterable[ast.AST]) -> Iterator[ast.Call]:
     return (node for node in own(nodes) if isinstance(node, ast.Call))
 
 
-def body_of(function: ast.AST) -> list[ast.AST]:
+def nodes_of(file: NodeSource) -> Iterator[ast.AST]:
+    """All syntax of a file; none when it cannot be parsed."""
+    return ast.walk(file.tree) if file.tree is not None else iter(())
+
+
+def body_of(function: ast.AST | None) -> list[ast.AST]:
     """The statements of a function; the expression of a lambda."""
     body = getattr(function, "body", [])
     return body if isinstance(body, list) else [body]

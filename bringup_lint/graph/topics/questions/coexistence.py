@@ -26,8 +26,9 @@ def coexist(one: LaunchedNode, other: LaunchedNode) -> bool:
 def _waits_for(one: Started, other: Started) -> bool:
     """Whether a node starts only when the other has ended."""
     for action in one.context:
-        ending = isinstance(action, EventHandler) and action.event in ENDINGS
-        if action is other.action or (ending and action.target in (None, other.action.key)):
+        if action is other.action:
+            return True
+        if isinstance(action, EventHandler) and action.event in ENDINGS and action.target in (None, other.action.key):
             return True
     return False
 

@@ -29,39 +29,39 @@ BY_HAND = re.compile(
 )
 """Topics to which a person, a tool or another computer publishes."""
 COMPARED = 500
-"""Lonely topics of one robot for which another name is sought."""
+"""Unmatched topics of one robot for which another name is sought."""
 SHORTEST = 4
 """Letters of a word that may be misspelt."""
 
 
-class Misspelt(NamedTuple):
+class ProbableTypo(NamedTuple):
     use: Use
-    """The side that nobody answers."""
+    """The side that has no other side."""
     meant: Use
     """The other side, under the other name."""
     near: str
 
 
-def lonely(running: Running) -> Iterator[Use]:
+def unmatched_endpoints(running: Running) -> Iterator[Use]:
     """The uses of topics that no other side of the running nodes uses, whether or not it starts by default."""
     for topic, uses in running.by_topic().items():
         if len({use.role for use in uses}) == 1 and topic not in EVERYWHERE:
             yield from (use for use in uses if not use.implied and use.node.started.by_default is True)
 
 
-def unserved(running: Running) -> Iterator[Use]:
+def without_publisher(running: Running) -> Iterator[Use]:
     """The subscriptions of sources in the tree that nobody serves, and that nobody serves by hand."""
-    for use in lonely(running):
+    for use in unmatched_endpoints(running):
         if use.role == "subscription" and not use.of_table and not use.conditional and not BY_HAND.search(use.topic):
             yield use
 
 
-def misspelt(running: Running) -> Iterator[Misspelt]:
+def probable_typos(running: Running) -> Iterator[ProbableTypo]:
     """Subscriptions that nobody serves beside a publisher of the same type under nearly the same name, and publishers
     that nobody hears beside such a subscription. Only where all topics are known."""
     if not running.complete:
         return
-    alone = list(lonely(running))
+    alone = list(unmatched_endpoints(running))
     topics = {use.topic for use in alone}
     seen = set()
     for use in alone[:COMPARED]:
@@ -74,7 +74,7 @@ def misspelt(running: Running) -> Iterator[Misspelt]:
         seen.add(frozenset((use.topic, found.topic)))
         if _is_fixed(use) and found.topic in topics:
             use, found = found, use
-        yield Misspelt(use, found, found.topic)
+        yield ProbableTypo(use, found, found.topic)
 
 
 def _is_fixed(use: Use) -> bool:
@@ -85,13 +85,13 @@ def _meant(use: Use, others: Iterable[Use], alone: set[str]) -> Use | None:
     """The one name that is nearly the same: one part an edit or two away, or the same name in another namespace that is
     alone as well."""
     by_name = {each.topic: each for each in others if not numbered(each.topic, use.topic)}
-    near = [name for name in by_name if alike(name, use.topic)]
+    near = [name for name in by_name if nearly_equal(name, use.topic)]
     if not near:
         near = [name for name in by_name if name in alone and _nested(name, use.topic)]
     return by_name[near[0]] if len(near) == 1 else None
 
 
-def alike(one: str, other: str) -> bool:
+def nearly_equal(one: str, other: str) -> bool:
     """Whether two names differ in one part only, and there by a slip in one word, or in underscores. Numbers are other
     names, and a few letters are another word: ``/arm_l/state`` and ``/arm_r/state``."""
     ours, theirs = one.split("/"), other.split("/")

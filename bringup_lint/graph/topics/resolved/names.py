@@ -7,7 +7,7 @@ import re
 LONGEST = 247
 """Characters of a full name: 255 less what the middleware puts before it (``RMW_TOPIC_MAX_NAME_LENGTH``)."""
 SUBSTITUTIONS = ("node", "ns", "namespace")
-_ALLOWED = re.compile(r"[A-Za-z0-9_/~{}]*")
+_FORBIDDEN = re.compile(r"[^A-Za-z0-9_/~{}]")
 _SUBSTITUTION = re.compile(r"\{(\w*)\}", re.A)
 _LEADING_DIGIT = re.compile(r"(?:^|/)[0-9]")
 
@@ -16,9 +16,9 @@ def complaint(name: str) -> str | None:
     """Why rcl refuses a name as it is written (``rcl_validate_topic_name``); None when it takes it."""
     if not name:
         return "it is empty"
-    good = _ALLOWED.match(name).end()
-    if good < len(name):
-        return f"it contains {name[good]!r}"
+    bad = _FORBIDDEN.search(name)
+    if bad is not None:
+        return f"it contains {bad[0]!r}"
     if name.endswith("/"):
         return "it ends with '/'"
     bare = _SUBSTITUTION.sub("", name)

@@ -144,9 +144,9 @@ class _Resolver:
             yield topic.name, None
         elif "*" in topic.parameter:
             for name in names(self.given, topic.parameter):
-                value, where = self.given.values[name]
-                if isinstance(value, str) and value:
-                    yield value, where
+                given = self.given.values[name]
+                if isinstance(given.value, str) and given.value:
+                    yield given.value, given.where
         else:
             value, where = self.parameter(topic.parameter, None)
             if value is not None:

@@ -1,4 +1,4 @@
-"""What stands behind ``--ros-args`` on the command line of a launched node: remappings and parameters."""
+"""What comes after ``--ros-args`` on the command line of a launched node: remappings and parameters."""
 
 from __future__ import annotations
 
@@ -59,10 +59,10 @@ def _words(values: tuple[Value, ...]) -> Iterator[tuple[str | None, Value]]:
 
 
 def _take(found: RosArguments, option: str, following: tuple[str | None, Value] | None) -> None:
-    if following is None or following[0] is None:
+    text, value = following if following is not None else (None, None)
+    if text is None or value is None:
         found.known = False
         return
-    text, value = following
     if option in _REMAP:
         rule = remapping(text, value.span)
         if rule is not None:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from dataclasses import replace
 from typing import TYPE_CHECKING
+from typing import Any
 
 if TYPE_CHECKING:
     from bringup_lint.graph.topics.resolved.endpoint_use import Use
     from bringup_lint.graph.topics.resolved.parameters import GivenParameters
 
-POLICIES = {"reliability": "reliability", "durability": "durability", "history": "history", "depth": "depth"}
+POLICIES = ("reliability", "durability", "history", "depth")
 ALLOWED = ("/tf", "/tf_static")
 """Topics of tf2, whose publishers and subscriptions take overrides of these policies."""
 
@@ -25,7 +26,8 @@ def overridden(use: Use, given: GivenParameters) -> Use:
         certain = name == f"{prefix}.{policy}" and use.topic in ALLOWED and policy in POLICIES
         known = value.upper() if isinstance(value, str) else value
         if policy in POLICIES:
-            use.qos = replace(use.qos, **{POLICIES[policy]: known if certain else None})
+            change: dict[str, Any] = {policy: known if certain else None}
+            use.qos = replace(use.qos, **change)
             use.qos_parameter = where if certain else None
         else:
             use.qos = replace(use.qos, deadline=None, liveliness=None, lease=None)

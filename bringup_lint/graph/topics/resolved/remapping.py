@@ -99,8 +99,8 @@ def remap(rules: Iterable[Remapping], full: str, node: str | None, namespace: st
 def refused_sides(started: Started) -> Iterator[Located]:
     """The sides of a node's remappings for which rcl refuses the rule, so that the process ends."""
     for pair in started.remappings:
-        sides = [literal_text(value) for value in pair]
-        if None in sides or remapping(f"{sides[0]}:={sides[1]}") is not None:
+        sides = [side for value in pair if (side := literal_text(value)) is not None]
+        if len(sides) < 2 or remapping(f"{sides[0]}:={sides[1]}") is not None:
             continue
         for side in sides:
             if not is_remapped_name(_PREFIX.sub("", side)):

@@ -8,7 +8,7 @@ from bringup_lint.graph.nodes.nodes import Nodes
 from bringup_lint.graph.nodes.resolved.programs import Program
 from bringup_lint.graph.topics.sources.code import Code
 from bringup_lint.graph.topics.sources.cpp_code import CppCode
-from bringup_lint.graph.topics.sources.self_registration import hands_itself_over
+from bringup_lint.graph.topics.sources.self_registration import registers_itself
 from bringup_lint.graph.workspace import Workspace
 from bringup_lint.model.node_source import NodeClass
 
@@ -38,6 +38,6 @@ def _is_complete(nodes: Nodes, node: NodeClass) -> bool:
     """Whether the classes that a node builds on make no endpoints but those that are known."""
     for each in node.lineage:
         file = nodes.file_of(each)
-        if each.is_node is not True or file.strays or hands_itself_over(each, file):
+        if each.is_node is not True or file.strays or registers_itself(each, file):
             return False
     return True

@@ -28,15 +28,15 @@ def published_at_start(file: NodeSource, node: NodeClass, endpoint: Endpoint) ->
 def _calls(node: NodeClass, attribute: str) -> Iterator[tuple[str, bool, ast.Call]]:
     """The calls of ``publish``: in which method, whether in a loop or nested function, and the call."""
     for name, method in node.methods.items():
-        loose = set()
+        loose: set[ast.AST] = set()
         for each in ast.walk(method.node):
             nested = isinstance(each, (ast.For, ast.While, ast.FunctionDef, ast.Lambda)) and each is not method.node
             if nested:
-                loose.update(id(inner) for inner in ast.walk(each))
+                loose.update(ast.walk(each))
         for call in ast.walk(method.node):
             if isinstance(call, ast.Call) and isinstance(call.func, ast.Attribute) and call.func.attr == "publish":
                 if _is_attribute(call.func.value, attribute):
-                    yield name, id(call) in loose, call
+                    yield name, call in loose, call
 
 
 def _is_attribute(value: ast.AST, attribute: str) -> bool:
@@ -47,10 +47,10 @@ def _only_at_start(node: NodeClass) -> set[str]:
     """``__init__``, and the methods of which the only mention is a call in ``__init__``."""
     mentions: dict[str, list[tuple[str, bool]]] = {}
     for name, method in node.methods.items():
-        called = {id(each.func) for each in ast.walk(method.node) if isinstance(each, ast.Call)}
+        called = {each.func for each in ast.walk(method.node) if isinstance(each, ast.Call)}
         for each in ast.walk(method.node):
             if isinstance(each, ast.Attribute) and isinstance(each.value, ast.Name) and each.value.id == "self":
-                mentions.setdefault(each.attr, []).append((name, id(each) in called))
+                mentions.setdefault(each.attr, []).append((name, each in called))
     return {"__init__"} | {
         name
         for name in node.methods

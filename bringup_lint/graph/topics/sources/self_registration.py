@@ -23,7 +23,7 @@ HARMLESS = (
 """What makes no endpoints of its own, or only those that are known."""
 
 
-def hands_itself_over(node: NodeClass, file: NodeSource) -> bool:
+def registers_itself(node: NodeClass, file: NodeSource) -> bool:
     """Whether a class gives itself to a function or class that is not known."""
     if node.node is None:
         return True
