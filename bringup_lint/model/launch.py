@@ -276,7 +276,8 @@ class LaunchFile:
     keywords: list[tuple[str, Located]] = field(default_factory=list)
     """Keyword arguments of nodes that only old distributions have, each with its class."""
     refused: list[Problem] = field(default_factory=list)
-    """``parameters=`` that launch_ros does not take: ``not-a-list``, ``key``, ``nested-list``."""
+    """What launch_ros does not take: ``not-a-list``, ``key``, ``nested-list``, ``list-of-maps`` and ``nothing`` in
+    ``parameters=``, ``remapping``."""
     bare_excepts: list[Span] = field(default_factory=list)
     tag: Tag | None = None
     """The root of an XML or YAML file, as it is written."""

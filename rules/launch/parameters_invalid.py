@@ -1,11 +1,11 @@
-"""The parameters of a node are not what launch_ros takes.
+"""The parameters or remappings of a node are not what launch_ros takes.
 
 ## What it finds
 `parameters=` that is a dictionary or a text instead of a list, and in the dictionaries of the list keys that are no
-text and lists of lists.
+text, None, lists of lists and lists of dictionaries. `remappings=` with anything but tuples of two.
 
 ## Why it matters on a robot
-launch_ros raises a TypeError while the file is loaded: nothing starts.
+launch_ros raises an exception while the file is loaded: nothing starts.
 
 ## Bad
 ```python
@@ -21,7 +21,7 @@ Node(package='demo', executable='driver', parameters=[{'rate': 50}])
 Never; launch does not start.
 
 ## References
-- launch_ros, `normalize_parameters`
+- launch_ros, `normalize_parameters` and `normalize_remap_rule`
 """
 
 from collections.abc import Iterator
@@ -35,6 +35,9 @@ WRONG = {
     "not-a-list": ("parameters= is no list", "put it into a list"),
     "key": ("The name of a parameter is no text", "quote it"),
     "nested-list": ("A parameter is a list of lists", "write a flat list"),
+    "list-of-maps": ("A parameter is a list of dictionaries", "write a list of names, and a dictionary for each name"),
+    "nothing": ("A parameter is None", "give a value, or leave the parameter out"),
+    "remapping": ("A remapping is no tuple of two names", "write ('from', 'to')"),
 }
 
 
@@ -43,4 +46,4 @@ def parameters_invalid(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         for problem in file.refused:
             wrong, advice = WRONG[problem.code]
-            yield finding(problem.where, f"{wrong}: launch ends with a TypeError", advice=advice)
+            yield finding(problem.where, f"{wrong}: launch ends with an exception", advice=advice)

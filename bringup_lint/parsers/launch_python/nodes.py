@@ -137,8 +137,28 @@ def _note_refused(state: State, thing: Any) -> None:
     for key, value in (pair for dictionary in dictionaries for pair in dictionary.pairs()):
         if isinstance(key, Literal) and not _is_text(key):
             _refuse(state, "key", key.span)
+        if freeze.is_none(value):
+            _refuse(state, "nothing", value.span)
         if isinstance(value, Sequence) and any(_holds_numbers(item) for _, item in value.items):
             _refuse(state, "nested-list", value.span)
+        if isinstance(value, Sequence) and any(isinstance(item, Mapping) for _, item in value.items):
+            _refuse(state, "list-of-maps", value.span)
+
+
+def _note_remappings(state: State, thing: Any) -> None:
+    """Keep what ``remappings=`` may not be: anything but tuples of two."""
+    if isinstance(thing, Mapping):
+        _refuse(state, "remapping", thing.span)
+    items = thing.items if isinstance(thing, Sequence) else []
+    for _, item in items:
+        if _is_text(item) or (isinstance(item, Sequence) and not _is_pair(item)):
+            _refuse(state, "remapping", item.span)
+
+
+def _is_pair(item: Sequence) -> bool:
+    """Whether this may be a tuple of two; written as a list or set it is none."""
+    plain = item.plain()
+    return item.span.text[:1] not in ("[", "{") and (plain is None or len(plain) == 2)
 
 
 def _is_text(thing: Any) -> bool:
@@ -160,6 +180,7 @@ def _node_fields(state: State, args: Arguments) -> dict[str, Any]:
     fields = _common(state, args)
     _note_old(state, args, "Node")
     _note_refused(state, args.get("parameters"))
+    _note_remappings(state, args.get("remappings"))
     remappings, more = freeze.pairs(state, args.get("remappings"))
     old_name = args.get("node_name")
     if fields["name"] is None and old_name is not None:
@@ -216,6 +237,7 @@ def _component(lifecycle: bool) -> Builder:
         remappings, more = freeze.pairs(state, args.get("remappings"))
         _note_old(state, args, "ComposableNode")
         _note_refused(state, args.get("parameters"))
+        _note_remappings(state, args.get("remappings"))
         return ComposableNode(
             span=args.span,
             conditions=conditions(args),
