@@ -2,7 +2,7 @@
 
 ## What it finds
 `node_executable=`, `node_name=`, `node_namespace=` and `node_plugin=` of `Node` and `ComposableNode`. They were removed
-after Foxy. Silent when the tree is for Foxy.
+after Foxy. Silent when the tree is for Foxy, and when the file looks itself which distribution runs.
 
 ## Why it matters on a robot
 `Node()` raises a TypeError: launch ends before it starts a single node.

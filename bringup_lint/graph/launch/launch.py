@@ -59,6 +59,7 @@ SIMULATORS = re.compile(
     r"(?:^|_)(?:sim|simulation|simulator|gazebo|gz|ign|ignition|webots|isaac\w*|mujoco|airsim|carla|awsim|stage)(?:$|_)"
 )
 """Packages of simulators."""
+_LOOKS_AT_DISTRIBUTION = re.compile(r"(?i)ros_?distro|except TypeError")
 PUBLIC = ("nav2_", "ros2_", "ros_", "rclcpp_", "tf2_", "launch_", "image_", "joint_", "moveit_", "rviz", "controller_")
 """How packages of ROS itself begin."""
 _LAUNCH_FILE = re.compile(r"[\w.-]+\.launch(?:\.(?:py|xml|ya?ml))?|[\w.-]+_launch\.py")
@@ -404,7 +405,10 @@ class Launch:
         return launch_api.names(module, self._tree_files.target.ros)
 
     def removed_keywords(self, file: LaunchFile) -> Iterator[tuple[str, Located]]:
-        """The keywords in a Python file that its distribution does not have any more, each with its class."""
+        """The keywords in a Python file that its distribution does not have any more, each with its class; none when the
+        file looks itself which distribution runs."""
+        if _LOOKS_AT_DISTRIBUTION.search(file.source.text):
+            return
         for owner, keyword in file.keywords:
             if keyword in launch_api.removed(owner, self._tree_files.target.ros):
                 yield owner, keyword
