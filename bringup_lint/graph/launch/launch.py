@@ -405,7 +405,7 @@ class Launch:
         return launch_api.names(module, self._tree_files.target.ros)
 
     def removed_keywords(self, file: LaunchFile) -> Iterator[tuple[str, Located]]:
-        """The keywords in a Python file that its distribution does not have any more, each with its class; none when the
+        """The keywords in a Python file that its distribution no longer has, each with its class; none when the
         file looks itself which distribution runs."""
         if _LOOKS_AT_DISTRIBUTION.search(file.source.text):
             return
