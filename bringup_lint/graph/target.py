@@ -24,6 +24,7 @@ DEFAULT_SYSTEMD = 249
 _DISTRO = "|".join(distros.supported())
 _MENTIONS = re.compile(
     rf"/opt/ros/({_DISTRO})\b|\bROS_DISTRO[=:]\s*[\"']?({_DISTRO})\b|\bros:({_DISTRO})\b|\bros-({_DISTRO})-"
+    rf"|\bimage:\s*[\"']?[\w./-]+:({_DISTRO})(?=[-.\s\"'@])"
     rf"|[\w./]/[\w.-]*(?:l4t|ros2?|focal|jammy|noble)[\w.]*-({_DISTRO})(?=[:@\s\"'-])"
 )
 

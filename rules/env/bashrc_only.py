@@ -42,6 +42,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Process
 from bringup_lint.api.systemd import Unit
 
 
@@ -51,6 +52,8 @@ def bashrc_only(robot: Robot) -> Iterator[Finding]:
     for unit in units.services:
         for process in units.started(unit):
             if not process.profiles or process.setup_files or not (process.mentions_ros or robot.is_ros):
+                continue
+            if _sources_unknown(process):
                 continue
             interactive = [
                 word
@@ -71,6 +74,19 @@ def bashrc_only(robot: Robot) -> Iterator[Finding]:
                     *(note(ros.where, "needs the ROS environment") for _, ros in process.ros[:1]),
                 ],
             )
+
+
+def _sources_unknown(process: Process) -> bool:
+    """Whether a file that is sourced, or a text that is evaluated, may set up ROS: what it says is not known."""
+    profiles = {word for _, word in process.profiles}
+    for step in process.steps:
+        command = step.command
+        if command.name == "eval":
+            return True
+        if command.name in ("source", ".") and len(command.words) > 1 and command.words[1] not in profiles:
+            if not any(other.script is not None for other in process.steps) or "$" in command.words[1]:
+                return True
+    return False
 
 
 def _message(unit: Unit, word: Located, interactive: list[Located]) -> str:

@@ -46,7 +46,9 @@ from bringup_lint.api.environment import RosProcess
 from bringup_lint.api.systemd import Unit
 from bringup_lint.api.systemd import Variable
 
-BRIDGE = re.compile(r"bridge|domain", re.I)
+_OF_SHELL = ("export", "shell", "declare", "typeset", "readonly")
+BRIDGE = re.compile(r"(?<!ros)(?<!ros[-_])bridge|domain", re.I)
+"""Names of what may join two domains; rosbridge only talks to browsers."""
 
 
 @rule(
@@ -61,6 +63,7 @@ def conflict_between_sources(robot: Robot) -> Iterator[Finding]:
             values: dict[str, list] = {}
             for process, variable in found:
                 values.setdefault(variable.text, []).append((process, variable))
+            yield from _overruled_by_script(name, found)
             if len(values) < 2:
                 yield from _overruled(name, found)
                 continue
@@ -97,6 +100,24 @@ def _overruled(name: str, found: Iterable[tuple[RosProcess, Variable]]) -> Itera
                 f"{process.name} has {name}={variable.text}: launch overrides the {before[-1].text} of {holder}",
                 advice="keep the variable in one environment file, and do not set it in the launch file",
                 related=[note(before[-1].value, f"{holder} gets this value")],
+            )
+
+
+def _overruled_by_script(name: str, found: Iterable[tuple[RosProcess, Variable]]) -> Iterator[Finding]:
+    """Scripts that set another value than the unit that starts them."""
+    seen = set()
+    for process, variable in found:
+        unit = process.unit
+        if unit is None or process.launcher is not None or variable.origin not in _OF_SHELL or variable in seen:
+            continue
+        before = [each for each in process.environment.chain(name) if each.origin not in _OF_SHELL and each.text]
+        if before and before[-1].text != variable.text:
+            seen.add(variable)
+            yield finding(
+                variable.value,
+                f"{process.name} has {name}={variable.text}: the shell overrides the {before[-1].text} of the unit",
+                advice="keep the variable in one place, and do not set it in the script",
+                related=[note(before[-1].value, "the unit sets this value")],
             )
 
 

@@ -40,6 +40,9 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
 
+_REFUSED = ("primary", "path-cost", "port-priority")
+"""Keys whose second setting netplan does not take."""
+
 
 @rule("error")
 def duplicate_key(robot: Robot) -> Iterator[Finding]:
@@ -49,7 +52,12 @@ def duplicate_key(robot: Robot) -> Iterator[Finding]:
         for first, again in file.yaml.duplicates:
             yield finding(
                 again.value,
-                f"Duplicate key '{again.value}': netplan accepts it silently and merges both",
+                f"Duplicate key '{again.value}': "
+                + (
+                    "netplan refuses the file"
+                    if again.value in _REFUSED
+                    else "netplan gives no warning, keeps the last of single values and merges mappings"
+                ),
                 advice="merge the two",
                 related=[note(first.value, "the first one")],
             )

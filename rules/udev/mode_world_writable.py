@@ -45,7 +45,7 @@ _MOST_SHOWN = 20
 def mode_world_writable(robot: Robot) -> Iterator[Finding]:
     files: dict[str, list[tuple[UdevRule, Token]]] = {}
     for line, token in robot.udev.open_to_all:
-        files.setdefault(line.source.name, []).append((line, token))
+        files.setdefault(token.span.path, []).append((line, token))
     for found in files.values():
         yield _finding(found)
 

@@ -76,7 +76,13 @@ class CommandLine:
 
     @cached_property
     def setup_files(self) -> list[tuple[Step, Located]]:
-        """The setup files that are sourced, in order."""
+        """The setup files that are sourced, in order; of a script of the tree that sources others, those others."""
+        found = self._sourced
+        inner = {step.script.basename for step, _ in found if step.script is not None}
+        return [(step, word) for step, word in found if word.rpartition("/")[2] not in inner]
+
+    @cached_property
+    def _sourced(self) -> list[tuple[Step, Located]]:
         return [
             (step, step.command.words[1])
             for step in self.steps

@@ -117,4 +117,6 @@ def _undefined(plan: Plan, file: NetplanFile, known: dict[str, Located], files: 
         for key, reference in references(interface):
             if reference not in known and reference.span.source is file.source:
                 code = "vlan-link" if interface.kind == "vlans" and key == "link" else "undefined"
+                if key in ("link", "peer") and (_renderer(interface) or plan.renderer) == "NetworkManager":
+                    continue
                 yield Problem(code, reference, later.get(str(reference), ""))

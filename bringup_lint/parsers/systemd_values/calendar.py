@@ -63,6 +63,8 @@ def is_calendar(text: str) -> bool:
 
 def _is_timezone(word: str) -> bool:
     """UTC, or a word shaped like a name of the time zone database (which is not asked)."""
+    if word.upper() == "UTC":
+        return True
     return _TIMEZONE.fullmatch(word) is not None and _DAY.fullmatch(word) is None and word.lower() not in SHORTHANDS
 
 

@@ -14,6 +14,7 @@ from bringup_lint.parsers.systemd_values.specifiers import literal
 from bringup_lint.parsers.systemd_values.specifiers import specifiers
 from bringup_lint.parsers.systemd_values.words import BLANKS
 from bringup_lint.parsers.systemd_values.words import DECODE
+from bringup_lint.parsers.systemd_values.words import DROP
 from bringup_lint.parsers.systemd_values.words import KEEP
 from bringup_lint.parsers.systemd_values.words import extract
 from bringup_lint.parsers.systemd_values.words import split_words
@@ -106,7 +107,8 @@ def check_directories(value: Located, version: int, *, links: bool = True) -> It
     found = split_words(value, escapes=KEEP)
     yield from found.problems
     for item in found.words:
-        parts = split_words(item, separators=":", quotes=False, escapes=DECODE)
+        escapes = DROP if "\\:" in item else DECODE
+        parts = split_words(item, separators=":", quotes=False, escapes=escapes)
         if parts.broken or not parts.words:
             yield ValueProblem("invalid", item, RELATIVE)
             return
