@@ -35,17 +35,22 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Span
 from bringup_lint.api import finding
+from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
 @rule("warning", tags=["CWE-200"])
 def ros_parameter(robot: Robot) -> Iterator[Finding]:
-    for found in robot.exposed_secrets:
+    places: dict[str, list[Span]] = {}
+    for each in robot.exposed_secrets:
+        places.setdefault(each.name, []).append(each.where)
+    for name, (first, *others) in places.items():
         yield finding(
-            found.where,
-            f"The parameter {found.name} is public on the graph: every participant can read the secret with ros2 "
-            "param get",
-            chain=robot.provenance.chain_to(found.where, f"{found.name} gets the secret"),
+            first,
+            f"The parameter {name} is public on the graph: every participant can read the secret with ros2 param get",
+            chain=robot.provenance.chain_to(first, f"{name} gets the secret"),
             advice="give the node the path of a credential file that only it can read",
+            related=[note(each, "and here") for each in others],
         )

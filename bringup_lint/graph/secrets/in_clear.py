@@ -12,6 +12,10 @@ from typing import NamedTuple
 
 from bringup_lint.graph.runners.runner import Runner
 from bringup_lint.graph.runners.runner import RunnerKind
+from bringup_lint.graph.secrets.passwords import Password
+from bringup_lint.graph.secrets.passwords import in_commands
+from bringup_lint.graph.secrets.passwords import in_wifi_files
+from bringup_lint.graph.secrets.passwords import may_log_in
 from bringup_lint.graph.secrets.programs import assigned
 from bringup_lint.graph.secrets.ros import Indirect
 from bringup_lint.graph.secrets.ros import indirect
@@ -34,7 +38,7 @@ if TYPE_CHECKING:
     from bringup_lint.model.dockerfile import Dockerfile
 
 _NAME = re.compile(
-    r"(?:^|[_-])(?:pass(?:word|wd|phrase|code)?|pwd|secret|token|credentials?|psk|"
+    r"(?:^|[._-])(?:pass(?:word|wd|phrase|code)?|pwd|secret|token|credentials?|psk|"
     r"(?:api|access|secret|private|auth|account|encryption|signing|shared|license)[_-]?key)(?:[_-]?\d+|[_-]value)?$",
     re.I,
 )
@@ -50,7 +54,7 @@ _NO_VALUE = re.compile(
     re.I,
 )
 _WEAK = re.compile(r"(?:change[-_ ]?me|password|passwd|secret|admin|default|test|example|xxx+|foo|bar)\d*$", re.I)
-_OPTION = re.compile(r"--([A-Za-z][\w-]*)(?:=(.*))?$", re.S)
+_OPTION = re.compile(r"--([A-Za-z][\w.-]*)(?:=(.*))?$", re.S)
 _SAMPLE = re.compile(
     r"_(?:example|sample|template)s?\.|[.-](?:example|sample|template|dist|tmpl|default)s?(?:$|\.)|^(?:example|sample)",
     re.I,
@@ -118,6 +122,16 @@ class Secrets:
         yield from self._of_env_files()
         yield from self._of_ros()
         yield from _of_programs(self.files)
+        yield from self._passwords()
+
+    def _passwords(self) -> Iterator[Secret]:
+        for password in in_wifi_files(self.files):
+            yield from _one(_of_password(password, "file"))
+        for password in in_commands(self.files.of_kind("shell-script")):
+            yield from _one(_of_password(password, "program"))
+        images = (source for source in self.files.of_kind("dockerfile") if may_log_in(source))
+        for password in in_commands(images):
+            yield from _one(_of_password(password, "image"))
 
     def _of_env_files(self) -> Iterator[Secret]:
         sources = dict.fromkeys(self.files.of_kind("env-file"))
@@ -155,6 +169,15 @@ def secret(name: str, value: Located, holder: str) -> Secret | None:
     if not weak and (_NO_VALUE.match(part) or is_stand_in(part) or has_placeholder(part)):
         return None
     return Secret(part, name, holder, weak, part.upper().endswith("EXAMPLE"))
+
+
+def _of_password(password: Password, holder: str) -> Secret | None:
+    """The secret that a password is, unless it only stands in for one."""
+    value = password.value
+    weak = password.known or _WEAK.match(value) is not None
+    if not weak and (value.startswith("$") or is_stand_in(value) or has_placeholder(value)):
+        return None
+    return Secret(value, password.name, holder, weak, value.upper().endswith("EXAMPLE"))
 
 
 def _of_environment(runner: Runner) -> Iterator[Secret]:

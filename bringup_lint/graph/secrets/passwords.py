@@ -1,0 +1,97 @@
+"""Passwords where no variable has their name: Wi-Fi configuration, and commands that set or use one."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+from typing import NamedTuple
+
+from bringup_lint.source import Located
+from bringup_lint.source import Source
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.files import Files
+
+_WIFI = {
+    "hostapd": re.compile(r"^[ \t]*(?P<name>wpa_passphrase|wpa_psk|sae_password)=(?P<value>[^\n\r|]+)", re.M),
+    "wpa-supplicant": re.compile(
+        r"^[ \t]*(?P<name>psk|password|sae_password)=(?!ext:|hash:)\"?(?P<value>[^\n\r\"]+)", re.M
+    ),
+    "networkmanager": re.compile(r"^(?P<name>psk|password|wep-key\d|private-key-password)=(?P<value>[^\n\r]+)", re.M),
+}
+"""Kind of file -> where it holds a password."""
+
+_SUDO = r"(?:sudo[ \t]+(?:-\w+[ \t]+)*)?"
+_SECRET = r"(?P<value>[^\s\"'`$|;&<>\\{}]{1,100})"
+_COMMANDS = (
+    re.compile(
+        r"\b(?:echo|printf)[ \t]+(?:-[en]+[ \t]+)*(?P<quote>[\"']?)(?P<user>[a-z_][\w-]{0,31}):"
+        + _SECRET
+        + r"(?:\\n)?(?P=quote)[ \t]*\|[ \t]*"
+        + _SUDO
+        + r"chpasswd\b(?![ \t]+(?:-e|--encrypted))"
+    ),
+    re.compile(
+        r"\b(?:echo[ \t]+-e|printf)[ \t]+(?P<quote>[\"'])"
+        + _SECRET
+        + r"\\n(?P=value)(?:\\n)?(?P=quote)[ \t]*\|[ \t]*"
+        + _SUDO
+        + r"passwd\b(?:[ \t]+(?P<user>[a-z_][\w-]{0,31}))?"
+    ),
+    re.compile(r"\b(?P<program>sshpass)[ \t]+-p[ \t]*(?P<quote>[\"']?)" + _SECRET + r"(?P=quote)(?=[ \t])"),
+    re.compile(
+        r"\b(?P<program>x11vnc)[ \t][^\n|;&]{0,300}?-passwd[ \t]+(?P<quote>[\"']?)" + _SECRET + r"(?P=quote)(?=\s|$)"
+    ),
+    re.compile(
+        r"\b(?P<program>nmcli)[ \t][^\n|;&]{0,300}?[ \t](?:password|(?:wifi|802-11-wireless)-sec(?:urity)?\.psk)[ \t]+"
+        r"(?P<quote>[\"']?)" + _SECRET + r"(?P=quote)(?=\s|$)"
+    ),
+)
+_REMOTE_LOGIN = re.compile(r"\b(?:sshd|openssh-server|xrdp|x11vnc|tigervnc|vncserver)\b")
+
+
+class Password(NamedTuple):
+    name: str
+    """What it is, for a message."""
+    value: Located
+    known: bool = False
+    """The same word as the user's name: everybody tries it first."""
+
+
+def in_wifi_files(files: Files) -> Iterator[Password]:
+    """The passwords of Wi-Fi configuration that more than its owner can read."""
+    for kind, pattern in _WIFI.items():
+        for source in files.of_kind(kind):
+            if source.judged and not source.template and (source.mode is None or source.mode & 0o077):
+                for match in pattern.finditer(source.text):
+                    yield Password(match["name"], source.located(*match.span("value")).strip_located())
+
+
+def in_commands(sources: Iterable[Source]) -> Iterator[Password]:
+    """The passwords on command lines of scripts."""
+    for source in sources:
+        if not source.judged or source.template:
+            continue
+        for match in (match for pattern in _COMMANDS for match in pattern.finditer(source.text)):
+            if not _is_comment(source.text, match.start()):
+                yield _password(source, match)
+
+
+def may_log_in(source: Source) -> bool:
+    """Whether an image lets somebody log in from outside, so that the passwords of its users matter."""
+    return bool(_REMOTE_LOGIN.search(source.text))
+
+
+def _password(source: Source, match: re.Match[str]) -> Password:
+    found = match.groupdict()
+    user = found.get("user")
+    program = found.get("program")
+    name = f"the password of {user or 'the user'}" if program is None else f"the password given to {program}"
+    return Password(name, source.located(*match.span("value")), found["value"] == user)
+
+
+def _is_comment(text: str, at: int) -> bool:
+    start = text.rfind("\n", 0, at) + 1
+    return text[start:at].lstrip().startswith("#")
