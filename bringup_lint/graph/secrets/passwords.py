@@ -88,7 +88,7 @@ def _password(source: Source, match: re.Match[str]) -> Password:
     found = match.groupdict()
     user = found.get("user")
     program = found.get("program")
-    name = f"the password of {user or 'the user'}" if program is None else f"the password given to {program}"
+    name = f"The password of {user or 'the user'}" if program is None else f"The password given to {program}"
     return Password(name, source.located(*match.span("value")), found["value"] == user)
 
 
