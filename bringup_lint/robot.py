@@ -45,6 +45,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.host.fail2ban import Jail
     from bringup_lint.graph.host.fstab import Mounts
     from bringup_lint.graph.host.logs import RosLogs
+    from bringup_lint.graph.host.open_services import OpenService
     from bringup_lint.graph.host.sshd import Sshd
     from bringup_lint.graph.host.sysctl import Sysctl
     from bringup_lint.graph.launch.launch import Launch
@@ -391,6 +392,13 @@ class Robot:
         from bringup_lint.graph.host.ssh_commands import ssh_forwards
 
         return list(ssh_forwards(self.files))
+
+    @cached_property
+    def open_services(self) -> list[OpenService]:
+        """Services of the robot that ask for no password, and that no address limits to the robot."""
+        from bringup_lint.graph.host.open_services import open_services
+
+        return list(open_services(self.files, self.runners, lambda: self.launch))
 
     @property
     def ssh_logins(self) -> Iterator[tuple[str, Located, str | None]]:

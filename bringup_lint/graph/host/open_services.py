@@ -1,0 +1,144 @@
+"""Services that everybody on the network may use: no password is asked, and no address limits them to the robot."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+from typing import NamedTuple
+
+from bringup_lint.discover.kinds.launch import LAUNCH
+from bringup_lint.graph.launch.resolve import text_of
+from bringup_lint.graph.launch.started import literal_text
+from bringup_lint.graph.purpose import Purpose
+from bringup_lint.model.launch_values import Argument
+from bringup_lint.model.launch_values import DictValue
+from bringup_lint.model.launch_values import TypedValue
+from bringup_lint.source import Located
+from bringup_lint.source import Source
+from bringup_lint.source import Span
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.files import Files
+    from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.launch.started import Started
+    from bringup_lint.graph.runners.runners import Runners
+    from bringup_lint.model.launch_values import Value
+
+BRIDGES = {
+    "rosbridge_server": ("topics_glob", "services_glob", "authenticate"),
+    "foxglove_bridge": ("capabilities", "client_topic_whitelist", "tls"),
+}
+"""Packages whose server gives the graph to every client on all addresses by default -> the parameters that limit it.
+Source: rosbridge_websocket.py (address ""), foxglove_bridge's README (address 0.0.0.0, capabilities)."""
+
+_LOOPBACK = re.compile(r"127\.|localhost$|::1$")
+_ANYWHERE = re.compile(r"(?:0\.0\.0\.0|\*|::|\[::\])$")
+_EMPTY_TOKEN = re.compile(r"--(?:NotebookApp|ServerApp|IdentityProvider)\.token=?$")
+_PASSWORD = re.compile(r"--(?:NotebookApp|ServerApp|PasswordIdentityProvider)\.(?:hashed_)?password=.")
+_VNC = re.compile(r"(?:x0vncserver|x0tigervncserver|Xvnc|Xtigervnc|vncserver|tigervncserver)$")
+_LISTENER = re.compile(r"^[ \t]*listener[ \t]+(?P<port>\d+)(?:[ \t]+(?P<address>\S+))?[ \t\r]*$", re.M)
+_ANONYMOUS = re.compile(r"^[ \t]*allow_anonymous[ \t]+true\b", re.M)
+_LIMITED = re.compile(r"^[ \t]*(?:acl_file|plugin|auth_plugin|bind_interface|require_certificate[ \t]+true)\b", re.M)
+
+
+class OpenService(NamedTuple):
+    kind: str
+    """``bridge``, ``shell`` (of Jupyter), ``desktop`` or ``broker``."""
+    name: str
+    where: Span
+
+
+def open_services(files: Files, runners: Runners, launch: Callable[[], Launch]) -> Iterator[OpenService]:
+    """The open services of the robot itself; those for development, simulation and tests are left out."""
+    if files.of_kind(*LAUNCH):
+        yield from _launched(files, launch())
+    for runner in runners.all:
+        if runner.purpose is Purpose.ROBOT and runner.source.judged:
+            for command in runner.commands:
+                yield from _command(command.words)
+            for start in runner.starts:
+                if str(start.ros.package) in BRIDGES and not any(str(name) for name, _ in start.arguments):
+                    yield OpenService("bridge", str(start.ros.package), start.ros.where.span)
+    for source in files.of_kind("mosquitto"):
+        if source.judged and files.purpose(source) is Purpose.ROBOT:
+            yield from _broker(source)
+
+
+def _launched(files: Files, launch: Launch) -> Iterator[OpenService]:
+    for node in launch.nodes:
+        package = str(literal_text(node.package))
+        if package not in BRIDGES or node.by_default is not True or not node.file.source.judged:
+            continue
+        if files.purpose(node.file.source) is Purpose.ROBOT and not launch.simulated(node.file):
+            executable = str(literal_text(node.executable))
+            if "rosapi" not in executable and _is_open(node, BRIDGES[package]):
+                yield OpenService("bridge", package, node.span)
+
+
+def _is_open(node: Started, limits: tuple[str, ...]) -> bool:
+    """Whether nothing limits a bridge; parameters that are not known may."""
+    for value in node.parameters:
+        if not isinstance(value, DictValue):
+            return False
+        for key, inner in value.items:
+            name = text_of(key)
+            if name is None or name in limits:
+                return False
+            address = _known(inner) if name == "address" else ""
+            if address is None or _LOOPBACK.match(address):
+                return False
+    return not node.arguments
+
+
+def _known(value: Value | None) -> str | None:
+    """The text of a value, that of an argument by its default."""
+    if isinstance(value, TypedValue):
+        return _known(value.value)
+    if isinstance(value, Argument):
+        return _known(value.default)
+    return None if value is None else text_of(value)
+
+
+def _command(words: tuple[Located, ...]) -> Iterator[OpenService]:
+    names = [word.rpartition("/")[2] for word in words]
+    for at, name in enumerate(names):
+        if name in ("jupyter", "jupyter-lab", "jupyter-notebook"):
+            yield from _jupyter(words[at:])
+            return
+        if _VNC.match(name):
+            yield from _vnc(words[at:])
+            return
+        if name == "x11vnc" and "-nopw" in words and not {"-localhost", "-rfbauth", "-passwdfile"} & set(words):
+            yield OpenService("desktop", "x11vnc", words[words.index("-nopw")].span)
+            return
+
+
+def _jupyter(words: tuple[Located, ...]) -> Iterator[OpenService]:
+    address = [
+        word.removeprefix("--ip=") if word != "--ip" else following
+        for word, following in zip(words, (*words[1:], ""), strict=True)
+        if word.startswith("--ip")
+    ]
+    token = next((word for word in words if _EMPTY_TOKEN.match(word)), None)
+    if token is not None and any(map(_ANYWHERE.match, address)) and not any(map(_PASSWORD.match, words)):
+        yield OpenService("shell", "Jupyter", token.span)
+
+
+def _vnc(words: tuple[Located, ...]) -> Iterator[OpenService]:
+    joined = " ".join(word.lower().lstrip("-").replace("=", " ") for word in words)
+    local = re.search(r"\blocalhost(?: (?:1|on|yes|true)\b|(?! (?:0|off|no|false)\b))|interface 127\.", joined)
+    none = next((word for word in words if "securitytypes" in word.lower()), None)
+    if none is not None and re.search(r"securitytypes (?:\S+,)?none\b", joined) and not local:
+        yield OpenService("desktop", words[0].rpartition("/")[2], none.span)
+
+
+def _broker(source: Source) -> Iterator[OpenService]:
+    """A listener on all addresses; without any, mosquitto 2 listens on the loopback interface alone."""
+    anonymous = _ANONYMOUS.search(source.text)
+    listeners = (each for each in _LISTENER.finditer(source.text) if each["port"] != "0")
+    if anonymous is None or _LIMITED.search(source.text):
+        return
+    if any(each["address"] is None or _ANYWHERE.match(each["address"]) for each in listeners):
+        yield OpenService("broker", "mosquitto", source.span(anonymous.start(), anonymous.end()))

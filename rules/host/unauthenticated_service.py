@@ -1,0 +1,77 @@
+"""A service lets everybody on the network control the robot.
+
+## What it finds
+Services of the robot itself that listen on all addresses and ask for no password:
+- **error**: Jupyter with an empty token on `--ip=0.0.0.0`, and a VNC server with `SecurityTypes None` or `-nopw`.
+- **warning**: `rosbridge_server` and `foxglove_bridge`, which publish for their clients, in a tree that mentions
+  `cmd_vel`; information in others. A mosquitto broker with `allow_anonymous true`.
+
+Not reported: a service on the loopback address, with a password, with limits of its own (`topics_glob`,
+`capabilities`, `acl_file`), with parameters that are not known, and services for simulation, development and tests.
+
+## Why it matters on a robot
+Whoever joins the robot's network opens a web page and drives it, or runs programs with the rights of the service.
+Neither ROS_DOMAIN_ID nor SROS2 keeps them out: the bridge itself is a trusted participant.
+
+## Bad
+```ini
+ExecStart=/usr/bin/x0vncserver -display :0 -SecurityTypes=None
+```
+
+## Good
+```ini
+ExecStart=/usr/bin/x0vncserver -display :0 -rfbauth /etc/rover/vncpasswd -localhost
+```
+
+## When to ignore it
+If only trusted machines are on the network of the robot, or a firewall or a proxy with a login protects the port.
+
+## References
+- rosbridge_server: parameter `address`; foxglove_bridge: parameters `address` and `capabilities`
+- Jupyter Server, "Running a public Jupyter server"; Xvnc(1), SecurityTypes; mosquitto.conf(5), allow_anonymous
+"""
+
+import re
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import Span
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+DRIVES = re.compile(r"cmd_vel")
+TEXTS = {
+    "shell": ("runs programs of everybody who reaches its port", "set a password, or listen on 127.0.0.1"),
+    "desktop": ("gives the desktop to everybody who reaches its port", "set a password, or add -localhost"),
+    "bridge": (
+        "publishes and calls services for everybody who reaches its port",
+        "set the parameter address to 127.0.0.1, limit what clients may publish, or close the port in the firewall",
+    ),
+    "broker": ("takes messages from everybody who reaches its port", "use password_file, or bind it to 127.0.0.1"),
+}
+
+
+@rule("error", tags=["CWE-306"])
+def unauthenticated_service(robot: Robot) -> Iterator[Finding]:
+    services: dict[tuple[str, str], list[Span]] = {}
+    for each in robot.open_services:
+        services.setdefault((each.kind, each.name), []).append(each.where)
+    for (kind, name), (first, *others) in services.items():
+        does, advice = TEXTS[kind]
+        motion = kind == "bridge" and robot.mentions(DRIVES)
+        yield finding(
+            first,
+            f"{name} asks for no password and {does}" + (", /cmd_vel included" if motion else ""),
+            advice=advice,
+            related=[note(each, "and here") for each in others],
+            severity=_severity(kind, motion),
+            confidence="medium" if kind in ("bridge", "broker") else None,
+        )
+
+
+def _severity(kind: str, motion: bool) -> str | None:
+    if kind == "bridge":
+        return "warning" if motion else "info"
+    return "warning" if kind == "broker" else None
