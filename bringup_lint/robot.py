@@ -262,7 +262,7 @@ class Robot:
 
         return Devices(
             self.files,
-            self.udev,
+            udev=lambda: self.udev,
             units=lambda: self.units,
             compose=lambda: self.compose,
             launch=lambda: self.launch,
@@ -272,10 +272,10 @@ class Robot:
     @cached_property
     def closed_devices(self) -> list[ClosedDevice]:
         """The devices that services name and that their users may not open."""
-        from bringup_lint.graph.host.device_access import closed_devices
-
         if not self.tree.complete or not self.of_kind("udev-rules"):
             return []
+        from bringup_lint.graph.host.device_access import closed_devices
+
         return list(closed_devices(self.devices, self.units, self.accounts, lambda: self.launch, lambda: self.params))
 
     @cached_property

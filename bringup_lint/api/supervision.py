@@ -5,6 +5,7 @@ from __future__ import annotations
 from bringup_lint.graph.supervision.launched_by_unit import devices_opened_by
 from bringup_lint.graph.supervision.launched_by_unit import every_node_respawns
 from bringup_lint.graph.supervision.launched_by_unit import expansion_of
+from bringup_lint.graph.supervision.launched_processes import StopTime
 from bringup_lint.graph.supervision.launched_processes import stop_time
 from bringup_lint.graph.supervision.notify import CERTAIN
 from bringup_lint.graph.supervision.notify import Silence
@@ -21,6 +22,7 @@ __all__ = [
     "Overlap",
     "Silence",
     "SilentService",
+    "StopTime",
     "Umbrella",
     "UnitLaunch",
     "devices_opened_by",

@@ -25,9 +25,6 @@ from bringup_lint.model.launch_values import Value
 from bringup_lint.model.package import Build
 from bringup_lint.model.package import Install
 from bringup_lint.model.package import Manifest
-from bringup_lint.parsers import cmake
-from bringup_lint.parsers import package_xml
-from bringup_lint.parsers import setup_py
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
@@ -245,6 +242,8 @@ def _compound(value: PathJoin | Concat) -> Place | None:
 
 
 def load_workspace(files: Files) -> Workspace:
+    from bringup_lint.parsers import package_xml
+
     packages: dict[str, Package] = {}
     ambiguous: set[str] = set()
     builds = {os.path.abspath(source.name): source for source in files.of_kind("cmake", "setup-py", "setup-cfg")}
@@ -263,6 +262,8 @@ def load_workspace(files: Files) -> Workspace:
 
 
 def _read_builds(files: Files, package: Package, sources: dict[str, Source]) -> None:
+    from bringup_lint.parsers import setup_py
+
     python = sources.get(os.path.join(package.folder, "setup.py"))
     settings = sources.get(os.path.join(package.folder, "setup.cfg"))
     lists = os.path.join(package.folder, "CMakeLists.txt")
@@ -279,6 +280,8 @@ def _read_builds(files: Files, package: Package, sources: dict[str, Source]) -> 
 
 
 def _read_cmake(files: Files, package: Package, path: str, sources: dict[str, Source]) -> None:
+    from bringup_lint.parsers import cmake
+
     source = sources.get(path)
     if source is None or len(package.builds) >= SUBFOLDERS:
         package.complete = False

@@ -179,6 +179,9 @@ class Unknown:
     span: Span
 
 
+SIZE = 1_000
+"""Values inside one computed value."""
+
 Value = Union[
     Literal,
     Concat,
@@ -221,6 +224,22 @@ def children(value: Value) -> tuple[Value, ...]:
     """The values directly inside."""
     inner = _CHILDREN.get(type(value))
     return inner(value) if inner is not None else ()
+
+
+def bounded(value: Value) -> Value:
+    """The value itself, or Unknown when it holds too much to be walked again and again."""
+    if isinstance(value, Literal):
+        return value
+    count = 0
+    todo: list[Value] = [value]
+    while todo:
+        inner = todo.pop()
+        count += 1
+        if count > SIZE:
+            return Unknown("too large", value.span)
+        if not isinstance(inner, Literal):
+            todo.extend(children(inner))
+    return value
 
 
 def _present(*values: Value | None) -> tuple[Value, ...]:

@@ -35,13 +35,11 @@ When a rule outside of this tree, for example from the vendor's package, adds th
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
-from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.udev import Link
 
 _KEYS = ("BindsTo", "Requires", "Requisite", "Wants", "After")
 
@@ -53,16 +51,14 @@ def device_dep_needs_tag(robot: Robot) -> Iterator[Finding]:
         for key in _KEYS:
             for word in unit.words(key):
                 links = robot.devices.untagged(word)
-                if links and word not in seen:
-                    seen.add(word)
-                    yield _finding(word, links[0])
-
-
-def _finding(word: Located, link: Link) -> Finding:
-    return finding(
-        word,
-        f'{word} never becomes active: systemd tracks such devices only with TAG+="systemd"',
-        advice='add TAG+="systemd" to the rule',
-        related=[note(link.name, f"creates {link.path}")],
-        fix=fix("tag the device", link.rule.before(link.token, 'TAG+="systemd"')),
-    )
+                if not links or word in seen:
+                    continue
+                seen.add(word)
+                link = links[0]
+                yield finding(
+                    word,
+                    f'{word} never becomes active: systemd tracks such devices only with TAG+="systemd"',
+                    advice='add TAG+="systemd" to the rule',
+                    related=[note(link.name, f"creates {link.path}")],
+                    fix=fix("tag the device", link.rule.before(link.token, 'TAG+="systemd"')),
+                )

@@ -43,7 +43,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.launch import Value
+from bringup_lint.api.supervision import StopTime
 from bringup_lint.api.supervision import expansion_of
 from bringup_lint.api.supervision import stop_time
 from bringup_lint.api.systemd import Ros
@@ -94,8 +94,9 @@ def timeout_stop_vs_launch(robot: Robot) -> Iterator[Finding]:
         )
 
 
-def needs(robot: Robot, launches: list[Ros]) -> tuple[float, list[Value]]:
-    """How long the launch files of a unit may take to stop (seconds), and the timeouts of nodes that set it."""
+def needs(robot: Robot, launches: list[Ros]) -> StopTime:
+    """How long the launch files of a unit may take to stop, and the timeouts of nodes that set it."""
     expansions = [expansion_of(found, robot.launch) for found in launches]
     known = [stop_time(expansion) if expansion is not None else None for expansion in expansions]
-    return max((each or (USUAL, []) for each in known), key=lambda each: each[0], default=(USUAL, []))
+    usual = StopTime(USUAL, [])
+    return max((each or usual for each in known), key=lambda each: each.seconds, default=usual)

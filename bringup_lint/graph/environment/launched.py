@@ -14,13 +14,9 @@ from typing import NamedTuple
 
 from bringup_lint.graph.commands.environment import Environment
 from bringup_lint.graph.commands.environment import Variable
-from bringup_lint.graph.launch.expansion import Expansion
 from bringup_lint.graph.launch.resolve import Resolver
 from bringup_lint.graph.launch.resolve import text_of
-from bringup_lint.graph.launch.scope import EnvChange
 from bringup_lint.graph.launch.scope import Scope
-from bringup_lint.graph.launch.started import Started
-from bringup_lint.model.launch import Action
 from bringup_lint.model.launch import ComposableNode
 from bringup_lint.model.launch import Process
 from bringup_lint.model.launch import SetEnv
@@ -28,11 +24,15 @@ from bringup_lint.model.launch import walk_actions
 from bringup_lint.model.launch_values import Concat
 from bringup_lint.model.launch_values import Env
 from bringup_lint.model.launch_values import Literal
-from bringup_lint.model.launch_values import Value
 from bringup_lint.source import Located
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.launch.expansion import Expansion
     from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.launch.scope import EnvChange
+    from bringup_lint.graph.launch.started import Started
+    from bringup_lint.model.launch import Action
+    from bringup_lint.model.launch_values import Value
 
 
 class Launched(NamedTuple):

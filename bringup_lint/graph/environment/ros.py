@@ -14,34 +14,34 @@ from typing import NamedTuple
 from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.discover.tree import display_name
 from bringup_lint.graph.commands.environment import UNKNOWN
-from bringup_lint.graph.commands.environment import Environment
-from bringup_lint.graph.commands.environment import Variable
-from bringup_lint.graph.environment.launched import Launched
 from bringup_lint.graph.environment.launched import alike
 from bringup_lint.graph.environment.launched import launch_variables
 from bringup_lint.graph.environment.launched import launched
 from bringup_lint.graph.environment.launched import view
-from bringup_lint.graph.files import Files
 from bringup_lint.graph.purpose import Purpose
-from bringup_lint.graph.runners.runner import Runner
-from bringup_lint.graph.runners.runner import Start
 from bringup_lint.graph.target import mentions_of
 from bringup_lint.parsers.env_file import parse
-from bringup_lint.source import Located
-from bringup_lint.source import Source
-from bringup_lint.source import Span
 from bringup_lint.templates import has_placeholder
 
 if TYPE_CHECKING:
     from bringup_lint.graph.commands.command_line import CommandLine
+    from bringup_lint.graph.commands.environment import Environment
+    from bringup_lint.graph.commands.environment import Variable
     from bringup_lint.graph.compose import Compose
     from bringup_lint.graph.environment.images import MissingMiddleware
+    from bringup_lint.graph.environment.launched import Launched
+    from bringup_lint.graph.files import Files
     from bringup_lint.graph.launch.expansion import Expansion
     from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.runners.runner import Runner
+    from bringup_lint.graph.runners.runner import Start
     from bringup_lint.graph.runners.runners import Runners
     from bringup_lint.graph.systemd.unit import Unit
     from bringup_lint.graph.systemd.units import Units
     from bringup_lint.model.compose import Service
+    from bringup_lint.source import Located
+    from bringup_lint.source import Source
+    from bringup_lint.source import Span
 
 OF_ROS = re.compile(r"(?:ROS|RMW|CYCLONE|CYCLONE_?DDS|FAST_?RTPS|FAST_?DDS|RCUTILS|ZENOH)_\w+")
 """Names of variables that ROS 2 or its middleware reads, and such as are taken for them."""

@@ -48,7 +48,7 @@ def closed_devices(
         read = _sources(unit, units, launch, params)
         for use in devices.uses:
             if use.certainty == "literal" and use.path.span.source in read:
-                for link in devices.udev.links_to(use.path)[:1]:
+                for link in devices.udev().links_to(use.path)[:1]:
                     group = _group(link)
                     if group and group not in own:
                         yield ClosedDevice(unit, user, use, link, group)

@@ -78,7 +78,7 @@ class Devices:
     """All uses of device paths in units with their scripts and environments, compose and launch files."""
 
     files: Files
-    udev: Udev
+    udev: Callable[[], Udev]
     units: Callable[[], Units]
     compose: Callable[[], Compose]
     launch: Callable[[], Launch]
@@ -120,7 +120,7 @@ class Devices:
         """Uses of a name that changes with the order of discovery, with the links that may be meant."""
         for use in self.uses:
             if _BY_DISCOVERY.fullmatch(use.path):
-                yield use, [link for link in self.udev.stable_names(use.path) if self._is_near(link, use)]
+                yield use, [link for link in self.udev().stable_names(use.path) if self._is_near(link, use)]
 
     @property
     def undefined(self) -> Iterator[tuple[DeviceUse, Link | None]]:
@@ -130,11 +130,11 @@ class Devices:
         for use in self.uses:
             if use.path.count("/") < 3 or _always_there(use.path):
                 continue
-            own = [link for link in self.udev.links if link.is_fixed and self._is_near(link, use)]
+            own = [link for link in self.udev().links if link.is_fixed and self._is_near(link, use)]
             folders = {link.path.rpartition("/")[0] for link in own} - {"/dev"}
             names = {link.path: link for link in own}
             escaped = use.certainty == "unit" and self.meant_by(use.path.span.text) is not None
-            if use.path.rpartition("/")[0] in folders and not escaped and not self.udev.links_to(use.path):
+            if use.path.rpartition("/")[0] in folders and not escaped and not self.udev().links_to(use.path):
                 near = nearest(use.path, names)
                 yield use, names[near[0]] if len(near) == 1 else None
 
@@ -146,21 +146,21 @@ class Devices:
         """The links behind a ``.device`` name when none of their devices becomes a device unit."""
         if not self.files.of_kind("udev-rules"):
             return []
-        links = [link for link in self.udev.links_to(device_path(unit) or "") if link.is_fixed]
+        links = [link for link in self.udev().links_to(device_path(unit) or "") if link.is_fixed]
         return links if links and not any(self._is_device_unit(link) for link in links) else []
 
     def _is_device_unit(self, link: Link) -> bool:
         """Whether systemd hears of the device, for sure or perhaps."""
         rule = link.rule
         tagged = rule.is_tagged_by_systemd(self.files.target.systemd) is not False
-        return tagged or self.udev.set_of(rule).sets_beside(rule, "TAG", "systemd")
+        return tagged or self.udev().set_of(rule).sets_beside(rule, "TAG", "systemd")
 
     def meant_by(self, unit: str) -> Meant | None:
         """The link that a ``.device`` name was to stand for, when its dashes make it mean another path."""
         path = device_path(unit) if self.files.of_kind("udev-rules") else None
-        if path is None or "/" not in path or self.udev.links_to(path):
+        if path is None or "/" not in path or self.udev().links_to(path):
             return None
-        for link in self.udev.links:
+        for link in self.udev().links:
             if link.is_fixed and "-" in link.path and link.path.replace("-", "/") == path:
                 return Meant(link, escape_path(link.path) + ".device")
         return None
@@ -168,7 +168,7 @@ class Devices:
     @property
     def without_rules(self) -> Iterator[DeviceUse]:
         """Uses of a link in a folder of one's own, in a tree without any udev rule."""
-        if self.files.of_kind("udev-rules") and self.udev.rules:
+        if self.files.of_kind("udev-rules") and self.udev().rules:
             return
         for use in self.uses:
             parts = use.path.split("/")

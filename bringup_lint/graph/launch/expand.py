@@ -24,9 +24,9 @@ from bringup_lint.model.launch_values import Argument
 from bringup_lint.model.launch_values import Choice
 from bringup_lint.model.launch_values import Condition
 from bringup_lint.model.launch_values import Value
+from bringup_lint.model.launch_values import bounded
 from bringup_lint.model.launch_values import children
 from bringup_lint.model.launch_values import same
-from bringup_lint.parsers.launch_python.budget import bounded
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 

@@ -37,7 +37,7 @@ from bringup_lint.model.launch_values import Choice
 from bringup_lint.model.launch_values import DictValue
 from bringup_lint.model.launch_values import ParameterFile
 from bringup_lint.model.launch_values import Value
-from bringup_lint.parsers.launch_python.budget import bounded
+from bringup_lint.model.launch_values import bounded
 from bringup_lint.source import Located
 
 DEPTH = 16

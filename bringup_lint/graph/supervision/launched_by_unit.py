@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from bringup_lint.graph.commands.command_line import scripts_of
-from bringup_lint.graph.commands.ros_command import Ros
-from bringup_lint.graph.host.device_uses import DeviceUse
-from bringup_lint.graph.host.devices import Devices
-from bringup_lint.graph.launch.expansion import Expansion
-from bringup_lint.graph.launch.launch import Launch
 from bringup_lint.graph.supervision.launched_processes import respawns
-from bringup_lint.graph.systemd.unit import Unit
-from bringup_lint.graph.systemd.units import Units
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.commands.ros_command import Ros
+    from bringup_lint.graph.host.device_uses import DeviceUse
+    from bringup_lint.graph.host.devices import Devices
+    from bringup_lint.graph.launch.expansion import Expansion
+    from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.systemd.unit import Unit
+    from bringup_lint.graph.systemd.units import Units
 
 
 def expansion_of(ros: Ros, launch: Launch) -> Expansion | None:

@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import re
+from typing import TYPE_CHECKING
+from typing import NamedTuple
 
-from bringup_lint.graph.launch.expansion import Expansion
 from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.resolve import truth
-from bringup_lint.graph.launch.started import Started
 from bringup_lint.model.launch import Process
-from bringup_lint.model.launch_values import Value
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.launch.expansion import Expansion
+    from bringup_lint.graph.launch.started import Started
+    from bringup_lint.model.launch_values import Value
 
 _CHECK_WORD = re.compile(
     r"(?:^|[/_.-])(?:check|checks|verify|validate|validation|preflight|pre_flight|self_?test|diagnose|wait_for)(?:$|[/_.-])"
@@ -41,18 +45,25 @@ STEPS = ("sigterm_timeout", "sigkill_timeout")
 """After how many seconds launch goes on to the next signal, 5 each unless a process says otherwise."""
 
 
-def stop_time(expansion: Expansion) -> tuple[float, list[Value]] | None:
-    """How many seconds launch may need to stop all that it starts, and the values that say so; None when that is not
-    known."""
-    longest: tuple[float, list[Value]] | None = None
+class StopTime(NamedTuple):
+    """How long launch may need to stop all that it starts."""
+
+    seconds: float
+    given: list[Value]
+    """The values that say so; none when they are launch's own."""
+
+
+def stop_time(expansion: Expansion) -> StopTime | None:
+    """None when it is not known."""
+    longest: StopTime | None = None
     for node in expansion.nodes:
         given = [node.options[name] for name in STEPS if name in node.options]
         texts = [text_of(value) for value in given]
         if any(text is None or not _SECONDS.fullmatch(text) for text in texts):
             return None
         seconds = sum(float(text) for text in texts if text) + 5.0 * (len(STEPS) - len(given))
-        if longest is None or seconds > longest[0]:
-            longest = seconds, given
+        if longest is None or seconds > longest.seconds:
+            longest = StopTime(seconds, given)
     return None if expansion.open else longest
 
 

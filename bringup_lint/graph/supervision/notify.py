@@ -10,21 +10,24 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import Enum
 from functools import cached_property
+from typing import TYPE_CHECKING
 from typing import NamedTuple
 
-from bringup_lint.graph.commands.ros_command import Ros
-from bringup_lint.graph.files import Files
-from bringup_lint.graph.launch.expansion import Expansion
-from bringup_lint.graph.launch.launch import Launch
-from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.supervision.launched_by_unit import expansion_of
-from bringup_lint.graph.systemd.main_process import Main
-from bringup_lint.graph.systemd.process import Process
-from bringup_lint.graph.systemd.supervision import Supervision
-from bringup_lint.graph.workspace import Workspace
-from bringup_lint.source import Located
-from bringup_lint.source import Source
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.commands.ros_command import Ros
+    from bringup_lint.graph.files import Files
+    from bringup_lint.graph.launch.expansion import Expansion
+    from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.launch.started import Started
+    from bringup_lint.graph.systemd.main_process import Main
+    from bringup_lint.graph.systemd.process import Process
+    from bringup_lint.graph.systemd.supervision import Supervision
+    from bringup_lint.graph.workspace import Workspace
+    from bringup_lint.source import Located
+    from bringup_lint.source import Source
 
 SPEAKS = re.compile(
     r"\bsd_(?:pid_)?notify|READY=1|WATCHDOG=1|systemd-notify|\bsdnotify\b|NOTIFY_SOCKET|systemd\.daemon|cysystemd"

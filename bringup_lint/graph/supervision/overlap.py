@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 from typing import NamedTuple
 
-from bringup_lint.graph.commands.ros_command import Ros
-from bringup_lint.graph.launch.launch import Launch
-from bringup_lint.graph.systemd.unit import Unit
-from bringup_lint.graph.systemd.units import Units
-from bringup_lint.source import Span
+if TYPE_CHECKING:
+    from bringup_lint.graph.commands.ros_command import Ros
+    from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.systemd.unit import Unit
+    from bringup_lint.graph.systemd.units import Units
+    from bringup_lint.source import Span
 
 _WHOLE_ROBOT = re.compile(r"(?:\w+_)?(?:bringup|robot|full|all|system|stack|main)(?:\.launch)?\.(?:py|xml|ya?ml)$")
 _ONE_LAYER = re.compile(

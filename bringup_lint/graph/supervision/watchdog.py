@@ -7,10 +7,13 @@ from collections.abc import Callable
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TYPE_CHECKING
 
-from bringup_lint.graph.files import Files
-from bringup_lint.graph.systemd.daemons import Daemon
 from bringup_lint.source import Located
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.files import Files
+    from bringup_lint.graph.systemd.daemons import Daemon
 
 _SETTING = re.compile(r"^[ \t]*([\w-]+)[ \t]*=[ \t]*([^\s#]+)", re.M)
 _OPENS = re.compile(

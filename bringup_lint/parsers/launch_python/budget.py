@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from bringup_lint.model.launch_values import SIZE
 from bringup_lint.model.launch_values import Concat
-from bringup_lint.model.launch_values import Literal
 from bringup_lint.model.launch_values import Unknown
 from bringup_lint.model.launch_values import Value
-from bringup_lint.model.launch_values import children
+from bringup_lint.model.launch_values import bounded
 from bringup_lint.source import Span
 
 TEXT = 4_000_000
@@ -17,8 +17,6 @@ CALLS = 24
 """Nested calls of the file's own functions."""
 ITEMS = 10_000
 """Items of one list, values of one dictionary, actions of one description."""
-SIZE = 1_000
-"""Values inside one computed value."""
 LENGTH = 100_000
 """Code points of one computed string."""
 GUARDS = 40
@@ -27,22 +25,6 @@ GUARDS = 40
 
 class Exhausted(Exception):
     """The file needs more steps than it is worth."""
-
-
-def bounded(value: Value) -> Value:
-    """The value itself, or Unknown when it holds too much to be walked again and again."""
-    if isinstance(value, Literal):
-        return value
-    count = 0
-    todo: list[Value] = [value]
-    while todo:
-        inner = todo.pop()
-        count += 1
-        if count > SIZE:
-            return Unknown("too large", value.span)
-        if not isinstance(inner, Literal):
-            todo.extend(children(inner))
-    return value
 
 
 def concat(parts: list[Value], span: Span) -> Value:
