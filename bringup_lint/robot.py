@@ -48,6 +48,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.host.open_services import OpenService
     from bringup_lint.graph.host.sshd import Sshd
     from bringup_lint.graph.host.sysctl import Sysctl
+    from bringup_lint.graph.installed.scripts import Scripts
     from bringup_lint.graph.launch.launch import Launch
     from bringup_lint.graph.networkmanager.profiles import NetworkManager
     from bringup_lint.graph.nodes.nodes import Nodes
@@ -98,7 +99,7 @@ class Robot:
         if self.files.of_kind("shell-script"):
             from bringup_lint.graph.installed.installed import join_installed
 
-            join_installed(self.files)
+            join_installed(self.files, self.scripts)
         self.launch_commands: tuple[str, ...] = ()
         """For a comparison with the running graph: what was launched, as after ``ros2 launch``."""
 
@@ -179,6 +180,13 @@ class Robot:
         return self.runners.purpose(span)
 
     @cached_property
+    def scripts(self) -> Scripts:
+        """The shell scripts, and what they do."""
+        from bringup_lint.graph.installed.scripts import Scripts
+
+        return Scripts(self.files)
+
+    @cached_property
     def secrets(self) -> list[Secret]:
         """Secrets in clear text: in units, compose files, images, environment, parameter and launch files, programs."""
         return list(self._secrets.in_clear())
@@ -199,6 +207,7 @@ class Robot:
             dockerfiles=lambda: self.dockerfiles,
             launch=lambda: self.launch,
             params=lambda: self.params,
+            scripts=lambda: self.scripts,
         )
 
     @cached_property

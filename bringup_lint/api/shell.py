@@ -4,11 +4,15 @@ from __future__ import annotations
 
 from bringup_lint.graph.commands.wrappers import program_name
 from bringup_lint.graph.commands.wrappers import unwrapped
+from bringup_lint.graph.installed.script import Run
+from bringup_lint.graph.installed.script import Written
 from bringup_lint.model.shell import Command
 from bringup_lint.parsers.shell import shell_commands
 
 __all__ = [
     "Command",
+    "Run",
+    "Written",
     "program_name",
     "shell_commands",
     "unwrapped",

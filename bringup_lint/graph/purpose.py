@@ -48,7 +48,7 @@ SIMULATION = _word(
 """Words for simulators and for recorded or made-up data."""
 
 PATHS: tuple[tuple[Purpose, re.Pattern[str]], ...] = (
-    (Purpose.CI, _folder(r"\.github|\.gitlab|\.circleci|\.ci|ci|jenkins")),
+    (Purpose.CI, _folder(r"\.github|\.gitlab|\.circleci|(?:[^/]*[._-])?ci|jenkins")),
     (Purpose.CI, re.compile(r"[._-]ci(?=\.[a-z]+$|$)", re.I)),
     (Purpose.ARCHIVE, _folder(r"(?:[^/]+[_-])?(?:old|archived?|deprecated|obsolete|unused|attic|backups?)|legacy")),
     (Purpose.ARCHIVE, re.compile(r"[_-](?:old|deprecated|archived)(?=\.[a-z]+$|$)|\.(?:old|bak|orig)$", re.I)),

@@ -16,19 +16,16 @@ from bringup_lint.graph.installed.paths import in_tree
 from bringup_lint.graph.installed.paths import robot_path
 from bringup_lint.graph.installed.script import Run
 from bringup_lint.graph.installed.script import Written
-from bringup_lint.graph.installed.script import runs
+from bringup_lint.graph.installed.scripts import KINDS
+from bringup_lint.graph.installed.scripts import Scripts
 from bringup_lint.graph.installed.text import Text
 from bringup_lint.source import Origin
 from bringup_lint.source import Source
 from bringup_lint.templates import template_language
 
-KINDS = frozenset({"shell-script"})
-"""The kinds of file that install others."""
 MOST_SCRIPTS = 500
 MOST_FILES = 200
 """Files that one script may write."""
-SIZE = 200_000
-"""Characters of a script that is read for what it installs."""
 _MARKS = re.compile(r"/etc/|/systemd|/udev|/usr/l|\.config/|/opt/|sysctl|\.rules|\.service")
 """What a script says that installs something."""
 _BY_LINE = frozenset({"sysctl", "udev-rules", "sudoers", "env-file"})
@@ -45,16 +42,16 @@ class Copy(NamedTuple):
     moves: bool
 
 
-def join_installed(files: Files) -> None:
+def join_installed(files: Files, scripts: Scripts) -> None:
     """Take in what the scripts of a repository write, and note where the files that they copy are on the robot. A root
     file system has the files themselves."""
     if files.tree.root is not None:
         return
-    scripts = [source for source in files.of_kind(*KINDS) if _installs(source)][:MOST_SCRIPTS]
+    installing = [source for source in files.of_kind(*KINDS) if _MARKS.search(source.text)][:MOST_SCRIPTS]
     known = {source.robot_path for source in files.sources}
     placed: dict[str, set[str]] = {}
-    for script in scripts:
-        written, copies = _read(files, script)
+    for script in installing:
+        written, copies = _read(files, script, scripts)
         for source in written:
             if source.robot_path not in known:
                 files.join(source)
@@ -63,15 +60,11 @@ def join_installed(files: Files) -> None:
     _place(files, {path: next(iter(places)) for path, places in placed.items() if len(places) == 1})
 
 
-def _installs(source: Source) -> bool:
-    return not source.template and len(source.text) <= SIZE and bool(_MARKS.search(source.text))
-
-
-def _read(files: Files, script: Source) -> tuple[list[Source], list[tuple[str, str]]]:
+def _read(files: Files, script: Source, scripts: Scripts) -> tuple[list[Source], list[tuple[str, str]]]:
     """The files that a script writes, and the paths of the tree that it copies, with their paths on the robot."""
     texts: dict[str, list[Written]] = {}
     copies: list[tuple[str, str]] = []
-    for did in _done(files, script):
+    for did in scripts.done(script):
         if isinstance(did, Written):
             _write(texts, did)
         elif did.name in _COPIES:
@@ -81,10 +74,6 @@ def _read(files: Files, script: Source) -> tuple[list[Source], list[tuple[str, s
             _edit(texts, did)
     sources = [_source(script, path, written) for path, written in list(texts.items())[:MOST_FILES]]
     return [source for source in sources if source is not None], copies
-
-
-def _done(files: Files, script: Source) -> list[Run | Written]:
-    return next(iter(files.parsed(lambda source: list(runs(source)), [script])), [])
 
 
 def _write(texts: dict[str, list[Written]], did: Written) -> None:

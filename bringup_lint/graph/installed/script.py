@@ -59,6 +59,11 @@ class Run(NamedTuple):
         return plain(word, self.values)
 
     @property
+    def reads_input(self) -> int:
+        """For a shell: the number of words that follow when it reads its script from its standard input."""
+        return len(self.words) - 1 if len(self.words) > 1 and self.words[1] in ("-", "-s", "-x", "-e") else 0
+
+    @property
     def arguments(self) -> list[str]:
         return [self.text(word) for word in self.words[1:]]
 

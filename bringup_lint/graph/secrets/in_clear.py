@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 from typing import NamedTuple
@@ -23,6 +24,7 @@ from bringup_lint.graph.secrets.ros import launch_words
 from bringup_lint.graph.secrets.ros import named_values
 from bringup_lint.parsers.env_file import parse
 from bringup_lint.source import Located
+from bringup_lint.source import Origin
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 from bringup_lint.templates import has_placeholder
@@ -31,6 +33,8 @@ from bringup_lint.templates import is_stand_in
 
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
+    from bringup_lint.graph.installed.script import Written
+    from bringup_lint.graph.installed.scripts import Scripts
     from bringup_lint.graph.launch.launch import Launch
     from bringup_lint.graph.params.params import Params
     from bringup_lint.graph.runners.runners import Runners
@@ -61,6 +65,13 @@ _SAMPLE = re.compile(
 )
 
 
+_SETTING = re.compile(
+    r"^[ \t]*(?P<name>[\w-]*(?:password|passwd|passphrase|psk|secret|token))[ \t]*[=:][ \t]*"
+    r"[\"']?(?P<value>[^\s\"']{3,})"
+    r"[\"']?[ \t]*$",
+    re.M | re.I,
+)
+"""A line of a configuration file that sets a password."""
 HOLDERS = {
     RunnerKind.UNIT: "unit",
     RunnerKind.SERVICE: "compose",
@@ -95,6 +106,7 @@ class Secrets:
     dockerfiles: Callable[[], list[Dockerfile]]
     launch: Callable[[], Launch]
     params: Callable[[], Params]
+    scripts: Callable[[], Scripts]
 
     def in_clear(self) -> Iterator[Secret]:
         """Every secret of the judged files, each place once."""
@@ -122,6 +134,9 @@ class Secrets:
         yield from self._of_env_files()
         yield from self._of_ros()
         yield from _of_programs(self.files)
+        if self.files.of_kind("shell-script"):
+            joined = {source.origin.whole for source in self.files.sources if source.origin is not None}
+            yield from _of_written(self.scripts(), joined)
         yield from self._passwords()
 
     def _passwords(self) -> Iterator[Secret]:
@@ -245,6 +260,27 @@ def _of_programs(files: Files) -> Iterator[Secret]:
         found = secret(each.name, each.value, "program")
         if found is not None and not found.weak:
             yield found
+
+
+def _of_written(scripts: Scripts, joined: AbstractSet[Span]) -> Iterator[Secret]:
+    """What scripts write to files that are of no kind: a password alone in a file of that name, and
+    ``password = ...`` lines."""
+    for source, written in scripts.written("pass", "pwd", "psk", "secret", "token", "PASS"):
+        if written.where.span in joined:
+            continue
+        text = str(written.text or "")
+        if text.count("\n") <= 1 and _NAME.search(written.path):
+            yield from _one(_written_secret(source, written, written.path.rpartition("/")[2], 0, len(text.rstrip())))
+        for line in _SETTING.finditer(text):
+            yield from _one(_written_secret(source, written, line["name"], *line.span("value")))
+
+
+def _written_secret(source: Source, written: Written, name: str, start: int, end: int) -> Secret | None:
+    if written.text is None or end <= start:
+        return None
+    place = Origin(written.where.span, written.text.pieces).span(start, end)
+    value = source.located(place.start, place.end)
+    return None if re.search(r"[\s{}$*]", value) else secret(name, value, "file")
 
 
 def _one(found: Secret | None) -> Iterator[Secret]:

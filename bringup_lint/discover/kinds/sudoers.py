@@ -1,0 +1,18 @@
+"""Who may run what as another user: sudoers(5)."""
+
+from __future__ import annotations
+
+import re
+
+from bringup_lint.discover.kinds import Head
+from bringup_lint.discover.kinds import Kind
+
+_NAME = re.compile(r"/sudoers$|/sudoers\.d/[^/.~]+$|/[\w-]*sudoers[\w-]*$")
+_RULE = re.compile(r"^[ \t]*[^#\s][^\n]*?=[ \t]*(?:\(|NOPASSWD|ALL)", re.M)
+
+
+def _is_sudoers(path: str, head: Head) -> bool:
+    return bool(_NAME.search(f"/{path}")) and bool(_RULE.search(head()))
+
+
+KINDS = (Kind("sudoers", _is_sudoers),)

@@ -1,0 +1,63 @@
+"""The scripts of a tree and what they do, each read once."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+from bringup_lint.discover.starters import STARTING
+from bringup_lint.graph.files import Files
+from bringup_lint.graph.installed.script import Run
+from bringup_lint.graph.installed.script import Written
+from bringup_lint.graph.installed.script import runs
+from bringup_lint.source import Source
+
+KINDS = ("shell-script",)
+SIZE = 200_000
+"""Characters of a script that is read for what it does."""
+
+
+@dataclass(eq=False)
+class Scripts:
+    files: Files
+
+    def done(self, source: Source) -> list[Run | Written]:
+        """What a script does; nothing for a template or a very long one."""
+        if source not in self._done:
+            usable = not source.template and len(source.text) <= SIZE
+            read = self.files.parsed(lambda script: list(runs(script)), [source]) if usable else []
+            self._done[source] = next(iter(read), [])
+        return self._done[source]
+
+    @cached_property
+    def _done(self) -> dict[Source, list[Run | Written]]:
+        return {}
+
+    def run(self, *names: str) -> Iterator[tuple[Source, Run]]:
+        """The runs of the programs in all judged scripts."""
+        for source in self._saying(*names):
+            for did in self.done(source):
+                if isinstance(did, Run) and did.name in names:
+                    yield source, did
+
+    def written(self, *parts: str) -> Iterator[tuple[Source, Written]]:
+        """What judged scripts write to files, where their text has one of the parts."""
+        for source in self._saying(*parts):
+            for did in self.done(source):
+                if isinstance(did, Written):
+                    yield source, did
+
+    def _saying(self, *parts: str) -> Iterator[Source]:
+        for source in self.files.of_kind(*KINDS):
+            if source.judged and any(part in source.text for part in parts):
+                yield source
+
+    def starts_by_itself(self, source: Source) -> bool:
+        """Whether something of the tree runs the script, so that it may run at every boot: it names the file, or the
+        name of the script is that of an entry point."""
+        name = source.basename
+        if name in ("rc.local", "entrypoint.sh") or "entrypoint" in name or "/init.d/" in f"/{source.name}":
+            return True
+        starters = (each for kind in STARTING if kind not in KINDS for each in self.files.of_kind(kind))
+        return any(name in each.text for each in starters)

@@ -1,0 +1,51 @@
+"""The first line of a script ends in a carriage return.
+
+## What it finds
+A shell script whose first line, `#!/bin/bash`, ends in CR LF.
+
+## Why it matters on a robot
+The kernel takes the carriage return as part of the interpreter's name and looks for `/bin/bash\\r`. A unit that
+starts the script fails with status 203/EXEC, a shell says `bad interpreter`. An editor or git on Windows adds the
+characters, and most editors do not show them.
+
+## Bad
+```sh
+#!/bin/bash<CR>
+```
+
+## Good
+```sh
+#!/bin/bash
+```
+
+## When to ignore it
+When every caller names the interpreter itself (`bash start.sh`) and the commands tolerate the carriage returns.
+
+## References
+- execve(2), "Interpreter scripts"
+- systemd.exec(5), "Process Exit Codes": 203/EXEC
+- gitattributes(5), "eol"
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["203/EXEC", "bad interpreter: No such file or directory", "/bin/bash^M"])
+def crlf_shebang(robot: Robot) -> Iterator[Finding]:
+    for source in robot.of_kind("shell-script"):
+        end = source.text.find("\n")
+        if not source.judged or not source.text.startswith("#!") or source.text[end - 1 : end] != "\r":
+            continue
+        line = source.located(0, end - 1)
+        yield finding(
+            line,
+            f"The kernel looks for {line[2:].split()[0]!r} with a carriage return at its end: the script does not start"
+            if line[2:].strip()
+            else "The first line names no interpreter",
+            advice="save the file with LF line ends, and put '*.sh text eol=lf' in .gitattributes",
+        )
