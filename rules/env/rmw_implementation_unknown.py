@@ -1,7 +1,7 @@
 """RMW_IMPLEMENTATION is not a known middleware.
 
 ## What it finds
-A value that is neither an RMW package of ROS 2 nor a package of the workspace. On distributions before Jazzy also
+A value that is neither an RMW package of ROS 2 nor a package of the workspace. On distributions before Humble also
 rmw_zenoh_cpp.
 
 ## Why it matters on a robot
@@ -23,6 +23,7 @@ When the robot has an RMW package that is not in the tree, such as one of a vend
 ## References
 - https://docs.ros.org/en/rolling/Concepts/Intermediate/About-Different-Middleware-Vendors.html
 - https://github.com/BerkeleyAutomation/FogROS2/issues/40
+- https://index.ros.org/r/rmw_zenoh: released for Humble since 0.1.0
 """
 
 from collections.abc import Iterator
@@ -63,7 +64,7 @@ def rmw_implementation_unknown(robot: Robot) -> Iterator[Finding]:
 
 
 def _has_zenoh(robot: Robot) -> bool:
-    return at_least(robot.target.ros, "jazzy") is not False
+    return at_least(robot.target.ros, "humble") is not False
 
 
 def _own(robot: Robot) -> set[str]:

@@ -2,7 +2,7 @@
 
 ## What it finds
 Variables that the robot's distribution does not read: discovery range and static peers before Iron, variables of
-rmw_zenoh before Jazzy, and `RCUTILS_CONSOLE_STDOUT_LINE_BUFFERED`, which nothing reads any more.
+rmw_zenoh before Humble, and `RCUTILS_CONSOLE_STDOUT_LINE_BUFFERED`, which nothing reads any more.
 
 ## Why it matters on a robot
 The setting has no effect, and no message says so: discovery, for example, stays as wide as it was.
@@ -36,9 +36,9 @@ from bringup_lint.api.ros import at_least
 SINCE = {
     "ROS_AUTOMATIC_DISCOVERY_RANGE": ("iron", "use ROS_LOCALHOST_ONLY"),
     "ROS_STATIC_PEERS": ("iron", "name the peers in the DDS configuration"),
-    "ZENOH_ROUTER_CONFIG_URI": ("jazzy", "rmw_zenoh exists from Jazzy on"),
-    "ZENOH_SESSION_CONFIG_URI": ("jazzy", "rmw_zenoh exists from Jazzy on"),
-    "ZENOH_CONFIG_OVERRIDE": ("jazzy", "rmw_zenoh exists from Jazzy on"),
+    "ZENOH_ROUTER_CONFIG_URI": ("humble", "rmw_zenoh exists from Humble on"),
+    "ZENOH_SESSION_CONFIG_URI": ("humble", "rmw_zenoh exists from Humble on"),
+    "ZENOH_CONFIG_OVERRIDE": ("humble", "rmw_zenoh exists from Humble on"),
 }
 GONE = {"RCUTILS_CONSOLE_STDOUT_LINE_BUFFERED": "use RCUTILS_LOGGING_BUFFERED_STREAM"}
 

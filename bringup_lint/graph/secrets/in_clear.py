@@ -14,9 +14,9 @@ from typing import NamedTuple
 from bringup_lint.graph.runners.runner import Runner
 from bringup_lint.graph.runners.runner import RunnerKind
 from bringup_lint.graph.secrets.passwords import Password
-from bringup_lint.graph.secrets.passwords import in_commands
+from bringup_lint.graph.secrets.passwords import given_to_programs
+from bringup_lint.graph.secrets.passwords import in_images
 from bringup_lint.graph.secrets.passwords import in_wifi_files
-from bringup_lint.graph.secrets.passwords import may_log_in
 from bringup_lint.graph.secrets.programs import assigned
 from bringup_lint.graph.secrets.ros import Indirect
 from bringup_lint.graph.secrets.ros import indirect
@@ -142,10 +142,9 @@ class Secrets:
     def _passwords(self) -> Iterator[Secret]:
         for password in in_wifi_files(self.files):
             yield from _one(_of_password(password, "file"))
-        for password in in_commands(self.files.of_kind("shell-script")):
+        for password in given_to_programs(self.files):
             yield from _one(_of_password(password, "program"))
-        images = (source for source in self.files.of_kind("dockerfile") if may_log_in(source))
-        for password in in_commands(images):
+        for password in in_images(self.files):
             yield from _one(_of_password(password, "image"))
 
     def _of_env_files(self) -> Iterator[Secret]:

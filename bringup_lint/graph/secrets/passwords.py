@@ -25,7 +25,7 @@ _WIFI = {
 
 _SUDO = r"(?:sudo[ \t]+(?:-\w+[ \t]+)*)?"
 _SECRET = r"(?P<value>[^\s\"'`$|;&<>\\{}]{1,100})"
-_COMMANDS = (
+_ACCOUNTS = (
     re.compile(
         r"\b(?:echo|printf)[ \t]+(?:-[en]+[ \t]+)*(?P<quote>[\"']?)(?P<user>[a-z_][\w-]{0,31}):"
         + _SECRET
@@ -40,6 +40,9 @@ _COMMANDS = (
         + _SUDO
         + r"passwd\b(?:[ \t]+(?P<user>[a-z_][\w-]{0,31}))?"
     ),
+)
+"""Commands that set the password of a user."""
+_PROGRAMS = (
     re.compile(r"\b(?P<program>sshpass)[ \t]+-p[ \t]*(?P<quote>[\"']?)" + _SECRET + r"(?P=quote)(?=[ \t])"),
     re.compile(
         r"\b(?P<program>x11vnc)[ \t][^\n|;&]{0,300}?-passwd[ \t]+(?P<quote>[\"']?)" + _SECRET + r"(?P=quote)(?=\s|$)"
@@ -49,6 +52,7 @@ _COMMANDS = (
         r"(?P<quote>[\"']?)" + _SECRET + r"(?P=quote)(?=\s|$)"
     ),
 )
+"""Commands that are given a password."""
 _REMOTE_LOGIN = re.compile(r"\b(?:sshd|openssh-server|xrdp|x11vnc|tigervnc|vncserver)\b")
 
 
@@ -69,19 +73,25 @@ def in_wifi_files(files: Files) -> Iterator[Password]:
                     yield Password(match["name"], source.located(*match.span("value")).strip_located())
 
 
-def in_commands(sources: Iterable[Source]) -> Iterator[Password]:
-    """The passwords on command lines of scripts."""
+def given_to_programs(files: Files) -> Iterator[Password]:
+    """The passwords on command lines of scripts; those that a script sets for a user are not among them."""
+    yield from _matches(files.of_kind("shell-script"), _PROGRAMS)
+
+
+def in_images(files: Files) -> Iterator[Password]:
+    """The passwords on command lines of Dockerfiles; those of users where an image lets somebody log in from outside,
+    so that they matter."""
+    yield from _matches(files.of_kind("dockerfile"), _PROGRAMS)
+    yield from _matches((each for each in files.of_kind("dockerfile") if _REMOTE_LOGIN.search(each.text)), _ACCOUNTS)
+
+
+def _matches(sources: Iterable[Source], patterns: Iterable[re.Pattern[str]]) -> Iterator[Password]:
     for source in sources:
         if not source.judged or source.template:
             continue
-        for match in (match for pattern in _COMMANDS for match in pattern.finditer(source.text)):
+        for match in (match for pattern in patterns for match in pattern.finditer(source.text)):
             if not _is_comment(source.text, match.start()):
                 yield _password(source, match)
-
-
-def may_log_in(source: Source) -> bool:
-    """Whether an image lets somebody log in from outside, so that the passwords of its users matter."""
-    return bool(_REMOTE_LOGIN.search(source.text))
 
 
 def _password(source: Source, match: re.Match[str]) -> Password:
