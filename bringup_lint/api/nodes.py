@@ -26,8 +26,12 @@ from bringup_lint.graph.nodes.questions.stopping import unhandled_shutdown
 from bringup_lint.graph.nodes.questions.undefined_names import dict_ranges
 from bringup_lint.graph.nodes.questions.undefined_names import range_text
 from bringup_lint.graph.nodes.questions.undefined_names import undefined
+from bringup_lint.model.node_source import Endpoint
+from bringup_lint.model.node_source import Timer
 
 __all__ = [
+    "Endpoint",
+    "Timer",
     "awaits_asyncio",
     "blocking",
     "commands",

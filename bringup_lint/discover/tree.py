@@ -22,6 +22,9 @@ from bringup_lint.source import Problem
 from bringup_lint.source import Source
 from bringup_lint.templates import template_language
 
+_ANY_ENCODING = frozenset({"cpp-node"})
+"""Kinds that compilers read in whatever encoding their comments have."""
+
 
 @dataclass(eq=False)
 class Tree:
@@ -68,7 +71,7 @@ class Tree:
             source.mode = stat.S_IMODE(status.st_mode)
             source.uid, source.gid = status.st_uid, status.st_gid
         text, complaint = decode(data)
-        if complaint and source.judged:
+        if complaint and source.judged and source.kind not in _ANY_ENCODING:
             self.problems.append(Problem("encoding", source.whole, complaint))
         return text, template_language(source.name, text)
 

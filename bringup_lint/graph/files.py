@@ -38,6 +38,7 @@ _ROS_KINDS = (
     "launch-xml",
     "launch-yaml",
     "python-node",
+    "cpp-node",
     "ros-param",
     "params",
     "cyclonedds",

@@ -74,7 +74,7 @@ def find_target(sources: Iterable[Source], ros: str | None, systemd: int | None)
 def _mentioned_ros(sources: Iterable[Source]) -> tuple[str | None, str, bool]:
     mentions: dict[str, Source] = {}
     for source in sources:
-        if not source.judged or source.kind == "python-node":
+        if not source.judged or source.kind in ("python-node", "cpp-node"):
             continue
         for match in _MENTIONS.finditer(source.text):
             mentions.setdefault(next(group for group in match.groups() if group), source)

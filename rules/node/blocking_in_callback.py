@@ -9,6 +9,9 @@ Calls in a callback, or in the methods that it calls, that keep the executor bus
 - Calls that wait for the executor itself: `client.call()`, `Rate.sleep()`, `rclpy.spin_until_future_complete(self,
   ...)`.
 
+In C++ the same for `sleep_for`, `sleep`, `system`, `wait_for_service()` without a timeout, `while (rclcpp::ok())` and
+`rclcpp::spin_until_future_complete`, in files that make no executor with several threads and no callback groups.
+
 ## Why it matters on a robot
 A single-threaded executor runs one callback after the other. While one blocks, no timer fires and no message is
 processed: the watchdog of cmd_vel does not run, and stop commands wait in the queue. A call that waits for an
@@ -53,6 +56,11 @@ URGENT = frozenset({"subscription", "timer", "action"})
 
 @rule("warning", tags=["CWE-833"])
 def blocking_in_callback(robot: Robot) -> Iterator[Finding]:
+    yield from _in_python(robot)
+    yield from _in_cpp(robot)
+
+
+def _in_python(robot: Robot) -> Iterator[Finding]:
     for file, node in robot.nodes.with_callbacks:
         threads = robot.nodes.threads(node)
         for found in nodes.blocking(robot.nodes.ending(file), node):
@@ -83,4 +91,27 @@ def blocking_in_callback(robot: Robot) -> Iterator[Finding]:
                 ],
                 severity=nodes.lowered(robot.nodes.purpose(file.source), "warning"),
                 confidence="high" if threads == "one" else "medium",
+            )
+
+
+def _in_cpp(robot: Robot) -> Iterator[Finding]:
+    for source in robot.nodes.cpp:
+        for wait in () if source.executors else source.waits:
+            callback = wait.callback
+            shared = [each for each in source.callbacks if each.span != callback.span and each.role in URGENT]
+            if not shared:
+                continue
+            name = f"{callback.name}()" if callback.name is not None else "a lambda"
+            lasts = wait.how_long or "forever, because only this executor could end the wait"
+            yield finding(
+                wait.span,
+                f"{wait.what} in {name} stops the node's {len(shared)} other "
+                f"callback{'s' if len(shared) > 1 else ''} {lasts}",
+                advice="use a timer, async_send_request with a callback, or a separate thread",
+                related=[
+                    note(callback.span, f"{name} is the callback of a {callback.role}"),
+                    *(note(each.span, "does not run in the meantime") for each in shared[:3]),
+                ],
+                severity=nodes.lowered(robot.nodes.purpose(source.source), "warning"),
+                confidence="medium",
             )

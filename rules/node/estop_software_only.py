@@ -38,7 +38,7 @@ from bringup_lint.api import topics
 
 @rule("info", confidence="medium")
 def estop_software_only(robot: Robot) -> Iterator[Finding]:
-    stops = [each for each in robot.topics.endpoints if each.name is not None and topics.is_stop(each.name)]
+    stops = [each for each in robot.topics.endpoints if each.name is not None and _is_command(each.name)]
     if stops and not robot.topics.has_stop_hardware:
         yield finding(
             stops[0].name,
@@ -46,3 +46,8 @@ def estop_software_only(robot: Robot) -> Iterator[Finding]:
             "computer or the node",
             advice="let a wired circuit cut the drive power; if there is one, ignore this rule in the configuration",
         )
+
+
+def _is_command(name: str) -> bool:
+    """Whether a topic stops the robot, and does not only report that something else has."""
+    return topics.is_stop(name) and not name.endswith(("status", "state", "active", "pressed"))

@@ -28,6 +28,7 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -37,9 +38,8 @@ from bringup_lint.api import rule
 
 @rule("error", fix="unsafe", symptoms=["rclpy.exceptions.InvalidNodeNameException: Invalid node name"])
 def node_name_invalid(robot: Robot) -> Iterator[Finding]:
-    for file, node in robot.nodes.with_callbacks:
-        name = node.node_name
-        if name is None or nodes.valid_node_name(name) or name.span.source is not file.source:
+    for name in _names(robot):
+        if nodes.valid_node_name(name):
             continue
         better = re.sub(r"[^A-Za-z0-9_]", "_", name.strip("/ "))
         better = f"_{better}" if better[:1].isdigit() else better
@@ -51,3 +51,12 @@ def node_name_invalid(robot: Robot) -> Iterator[Finding]:
             advice=f"write '{better}'" if valid else "use letters, digits and underscores",
             fix=change if valid and name and name.span.text == name else None,
         )
+
+
+def _names(robot: Robot) -> Iterator[Located]:
+    """The names that nodes in Python and C++ give themselves."""
+    for file, node in robot.nodes.with_callbacks:
+        if node.node_name is not None and node.node_name.span.source is file.source:
+            yield node.node_name
+    for source in robot.nodes.cpp:
+        yield from source.names

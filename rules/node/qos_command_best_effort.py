@@ -40,21 +40,21 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api import topics
+from bringup_lint.api.nodes import Endpoint
+from bringup_lint.api.nodes import Timer
 
 QUEUE = 10
 
 
 @rule("warning")
 def qos_command_best_effort(robot: Robot) -> Iterator[Finding]:
-    for node in robot.nodes.classes:
-        if robot.nodes.purpose(node.source):
-            continue
-        for endpoint in node.endpoints:
+    for endpoints, timers in _nodes(robot):
+        for endpoint in endpoints:
             if endpoint.name is None or endpoint.qos is None or endpoint.role not in ("publisher", "subscription"):
                 continue
             stop, drive = topics.is_stop(endpoint.name), topics.is_velocity(endpoint.name, endpoint.type)
             related = [note(endpoint.name, f"{endpoint.name} is set up here")]
-            if endpoint.qos.reliability == "BEST_EFFORT" and (stop or (drive and not node.all_timers)):
+            if endpoint.qos.reliability == "BEST_EFFORT" and (stop or (drive and not timers)):
                 yield finding(
                     endpoint.qos.span,
                     f"The {endpoint.role} of {endpoint.name} is best effort: a single "
@@ -70,3 +70,13 @@ def qos_command_best_effort(robot: Robot) -> Iterator[Finding]:
                     advice="use depth 1, so that only the newest command applies",
                     related=related,
                 )
+
+
+def _nodes(robot: Robot) -> Iterator[tuple[list[Endpoint], list[Timer]]]:
+    """The endpoints of each Python class and C++ file for the robot, with all timers of its node."""
+    for node in robot.nodes.classes:
+        if not robot.nodes.purpose(node.source):
+            yield node.endpoints, node.all_timers
+    for source in robot.nodes.cpp:
+        if not robot.nodes.purpose(source.source):
+            yield source.endpoints, source.timers

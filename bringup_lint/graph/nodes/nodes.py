@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.runners.launching import Launching
     from bringup_lint.graph.runners.runner import Runner
     from bringup_lint.graph.runners.runners import Runners
+    from bringup_lint.model.cpp_source import CppNode
     from bringup_lint.model.launch import Action
 
 _TIMERS = re.compile(r"\bcreate_(?:timer|rate|wall_timer)\b|\bTimer\(|\bcreate_task\b")
@@ -46,10 +47,13 @@ _STARTERS = (
     *("systemd-unit", "systemd-dropin", "compose", "dockerfile", "shell-script"),
     *("launch-python", "launch-xml", "launch-yaml", "env-file", "cmake", "setup-py"),
 )
+_UNJUDGED = ("test", "ci", "archive")
+"""Purposes whose sources are not for a robot."""
 _RUNNERS = ("systemd-unit", "systemd-dropin", "compose", "dockerfile", "supervisord", "cron")
 _TEST = re.compile(r"(?:^|[/_-])tests?(?:[/_.-]|$)|(?:^|/)(?:testing|integration_tests?)/", re.I)
 _EXAMPLE = re.compile(
-    r"(?:^|[/_-])(?:examples?|demos?|tutorials?|samples?)(?:[/_.-]|$)|(?:^|/)(?:docs?|tools?|benchmarks?)/", re.I
+    r"(?:^|[/_-])(?:examples?|demos?|tutorials?|samples?|benchmarks?)(?:[/_.-]|$)|(?:^|/)(?:docs?|tools?)/",
+    re.I,
 )
 _SIMULATION = re.compile(r"(?:^|[/_-])(?:sim|simulation|simulator|gazebo|gz|mujoco|webots|isaac\w*)(?:[/_.-]|$)", re.I)
 _PURPOSES = (("test", _TEST), ("example", _EXAMPLE), ("simulation", _SIMULATION))
@@ -81,6 +85,17 @@ class Nodes:
 
     def __iter__(self) -> Iterator[NodeSource]:
         return iter(self.judged)
+
+    @cached_property
+    def cpp(self) -> list[CppNode]:
+        """The judged C++ sources of nodes but tests, those that hold a construct of rclcpp."""
+        if not self.files.of_kind("cpp-node"):
+            return []
+        from bringup_lint.parsers.cpp_node import parse as parse_cpp
+
+        sources = (each for each in self.files.of_kind("cpp-node") if each.judged and not each.template)
+        programs = [each for each in sources if self.purpose(each) not in _UNJUDGED]
+        return self.files.parsed(parse_cpp, programs)
 
     @property
     def classes(self) -> Iterator[NodeClass]:
@@ -245,7 +260,7 @@ class Nodes:
     @cached_property
     def programs(self) -> list[NodeSource]:
         """The judged sources but tests: those whose ends are looked at."""
-        return [file for file in self.judged if self.purpose(file.source) not in ("test", "ci", "archive")]
+        return [file for file in self.judged if self.purpose(file.source) not in _UNJUDGED]
 
     @property
     def with_callbacks(self) -> Iterator[tuple[NodeSource, NodeClass]]:

@@ -47,7 +47,6 @@ COMPARED = 100
 """Publishers and subscriptions of one topic that are compared with each other."""
 SPEAKING = ("python-node", "params", "launch-python", "launch-xml", "launch-yaml", "udev-rules", "ros-package")
 """Kinds of files that may name the hardware of the robot."""
-CPP = (".cpp", ".cc", ".cxx", ".hpp", ".h")
 
 
 @dataclass(eq=False)
@@ -133,14 +132,12 @@ class Topics:
 
     @property
     def endpoints(self) -> Iterator[Endpoint]:
-        """Every endpoint in the sources of nodes, of tests none: all of Python, of C++ what launch files start."""
+        """Every endpoint in the sources of nodes, of tests none."""
         for node in self.nodes.classes:
             if self.nodes.purpose(node.source) != "test":
                 yield from node.endpoints
-        launched = (self.code(node.started) for running in self.entries for node in running.nodes)
-        for code in dict.fromkeys(launched):
-            if code is not None and code.node_class is None:
-                yield from (each for each in code.endpoints if each.span.source.name.endswith(CPP))
+        for source in self.nodes.cpp:
+            yield from source.endpoints
 
     @cached_property
     def node_names(self) -> NodeNames:

@@ -4,26 +4,13 @@ from __future__ import annotations
 
 import ast
 
+from bringup_lint.facts.short_programs import returns_at_once
 from bringup_lint.graph.nodes.sources.ending import Ending
-
-_SHORT = frozenset(
-    "clear cls reset tput stty echo true false date mkdir touch rm ln cp mv chmod chown kill killall pkill sync "
-    "reboot poweroff halt shutdown amixer notify-send".split()
-)
-_SYSTEMCTL_AT_ONCE = frozenset({"reboot", "poweroff", "halt", "suspend", "kexec", "kill", "is-active", "is-enabled"})
 
 
 def is_short(ending: Ending, call: ast.Call) -> bool:
     """Whether the first argument of ``os.system`` or ``subprocess.run`` names a program that returns at once."""
-    words = _words(ending, call)
-    if not words:
-        return False
-    while words[0] == "sudo" and len(words) > 1:
-        words = words[1:]
-    program = words[0].rpartition("/")[2]
-    if program == "systemctl":
-        return "--no-block" in words or not _SYSTEMCTL_AT_ONCE.isdisjoint(words)
-    return program in _SHORT or words[-1].endswith("&")
+    return returns_at_once(_words(ending, call))
 
 
 def _words(ending: Ending, call: ast.Call) -> list[str]:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.topics.sources.code import Code
 from bringup_lint.graph.workspace import Package
+from bringup_lint.model.cpp_source import CppNode
 from bringup_lint.model.package import Build
-from bringup_lint.parsers.cpp_node import CppNode
 from bringup_lint.parsers.cpp_node import parse
 from bringup_lint.source import Source
 
@@ -76,10 +77,14 @@ class CppCode:
     def _parse(self, path: str) -> CppNode | None:
         if path not in set(self._files.tree.named(os.path.basename(path))):
             return None
-        source = self._files.tree.read(path, judged=True)
+        source = self._known_sources.get(path) or self._files.tree.read(path, "cpp-node")
         if source is None or source.template or "Node" not in source.text:
             return None
         return next(iter(self._files.parsed(parse, [source])), None)
+
+    @cached_property
+    def _known_sources(self) -> dict[str, Source]:
+        return {os.path.abspath(source.name): source for source in self._files.of_kind("cpp-node")}
 
 
 def _plugin_of(build: Build, library: str) -> str | None:

@@ -1,0 +1,62 @@
+"""A C++ source of nodes: what it makes, declares, opens and waits for."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from dataclasses import field
+from typing import NamedTuple
+
+from bringup_lint.model.node_source import Callback
+from bringup_lint.model.node_source import Endpoint
+from bringup_lint.model.node_source import Parameter
+from bringup_lint.model.node_source import Timer
+from bringup_lint.source import Located
+from bringup_lint.source import Problem
+from bringup_lint.source import Source
+from bringup_lint.source import Span
+
+
+class Waiting(NamedTuple):
+    """A call or loop that gives the executor nothing back for a while."""
+
+    span: Span
+    what: str
+    """What it is, in words: ``sleep_for(2 s)``."""
+    how_long: str
+    """``for 2 s``, ``as long as the program runs``; empty when it lasts forever."""
+    callback: Callback
+    """The callback that runs it."""
+
+
+class Read(NamedTuple):
+    """``get_parameter`` of a literal name."""
+
+    name: Located
+    required: bool
+    """It raises an exception when the parameter is not declared."""
+
+
+@dataclass(eq=False, slots=True)
+class CppNode:
+    source: Source
+    endpoints: list[Endpoint] = field(default_factory=list)
+    """In the order of the text; without a name where it is not a literal."""
+    timers: list[Timer] = field(default_factory=list)
+    callbacks: list[Callback] = field(default_factory=list)
+    names: list[Located] = field(default_factory=list)
+    """The literal names that nodes give themselves."""
+    classes: list[str] = field(default_factory=list)
+    """Classes that build on a node."""
+    components: list[str] = field(default_factory=list)
+    """Classes that are registered as components."""
+    parameters: list[Parameter] = field(default_factory=list)
+    """What it declares under a literal name."""
+    reads: list[Read] = field(default_factory=list)
+    declares_others: bool = False
+    """It may declare parameters under names that are not literal, or all that it is given."""
+    waits: list[Waiting] = field(default_factory=list)
+    executors: bool = False
+    """It makes an executor of several threads, or callback groups."""
+    devices: list[Located] = field(default_factory=list)
+    """Literal paths below ``/dev``."""
+    problems: list[Problem] = field(default_factory=list)

@@ -1,0 +1,78 @@
+"""C++ sources of nodes, read from the syntax tree of tree-sitter; nothing of them is compiled."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from bringup_lint.model.cpp_source import CppNode
+from bringup_lint.parsers.cpp_node.classes import components
+from bringup_lint.parsers.cpp_node.classes import node_classes
+from bringup_lint.parsers.cpp_node.classes import node_names
+from bringup_lint.parsers.cpp_node.endpoints import endpoint
+from bringup_lint.parsers.cpp_node.endpoints import timer
+from bringup_lint.parsers.cpp_node.parameters import LOOSE
+from bringup_lint.parsers.cpp_node.parameters import declarations
+from bringup_lint.parsers.cpp_node.parameters import is_open
+from bringup_lint.parsers.cpp_node.parameters import reads
+from bringup_lint.parsers.cpp_node.syntax import Code
+from bringup_lint.parsers.cpp_node.values import Names
+from bringup_lint.parsers.cpp_node.waits import waits
+from bringup_lint.source import Located
+from bringup_lint.source import Problem
+from bringup_lint.source import Source
+
+TEXT = 400_000
+"""Code points of a node source."""
+CALLBACKS = 200
+"""Callbacks of one file that are looked into."""
+_OF_NODES = re.compile(
+    r"\bcreate_(?:publisher|subscription|service|client|server|wall_timer|timer)\b|\w*_parameters?\w*\s*[<(]"
+    r"|\bNode\b|\bLifecycleNode\b|/dev/|RCLCPP_COMPONENTS_REGISTER_NODE"
+)
+_EXECUTORS = re.compile(
+    r"MultiThreadedExecutor|EventsExecutor|create_callback_group|component_container_(?:mt|isolated)"
+)
+_DEVICE = re.compile(r"/dev/[A-Za-z][\w.+-]*(?:/[\w.:+-]+)*\Z")
+
+
+def parse(source: Source) -> CppNode:
+    """What a file makes, declares and waits for. Never raises; ``problems``: ``too-large``."""
+    node = CppNode(source)
+    if len(source.text) > TEXT:
+        node.problems.append(Problem("too-large", source.whole))
+        return node
+    if not _OF_NODES.search(source.text):
+        return node
+    code = Code(source)
+    node.classes = node_classes(code)
+    node.components = components(code)
+    node.names = node_names(code)
+    _read_calls(node, code)
+    node.declares_others |= bool(LOOSE.search(source.text))
+    node.executors = bool(_EXECUTORS.search(source.text))
+    node.devices = list(_devices(code))
+    node.waits = list(waits(code, node.callbacks[:CALLBACKS]))
+    return node
+
+
+def _read_calls(node: CppNode, code: Code) -> None:
+    names = Names(code)
+    for call in code.calls:
+        made = endpoint(code, names, call)
+        if made is not None:
+            node.endpoints.append(made[0])
+        clocked = timer(code, call)
+        if clocked is not None:
+            node.timers.append(clocked[0])
+        node.callbacks += [each[1] for each in (made, clocked) if each is not None and each[1] is not None]
+        node.parameters += declarations(code, call)
+        node.reads += reads(code, call)
+        node.declares_others |= is_open(code, call)
+
+
+def _devices(code: Code) -> Iterator[Located]:
+    for each in code.written.get("string", ()):
+        text = code.literal(each)
+        if text is not None and _DEVICE.match(text):
+            yield text

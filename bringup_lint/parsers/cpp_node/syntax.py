@@ -1,0 +1,222 @@
+"""The syntax tree of a C++ file, and its calls, as tree-sitter reads them. An error costs the construct that has it."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cache
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from bringup_lint.source import Located
+from bringup_lint.source import Source
+from bringup_lint.source import Span
+
+if TYPE_CHECKING:
+    from tree_sitter import Node
+    from tree_sitter import Query
+    from tree_sitter import Tree
+
+DEPTH = 200
+"""Nodes above a call that are looked at."""
+_WRITTEN = """
+(call_expression) @call
+(assignment_expression) @assignment
+(init_declarator) @made
+(declaration) @declaration
+(field_initializer) @initializer
+(function_definition) @function
+(class_specifier) @class
+(struct_specifier) @class
+(using_declaration) @using
+(alias_declaration) @alias
+(string_literal) @string
+(while_statement) @while
+(new_expression) @new
+(field_declaration) @field
+"""
+_BRANCHES = frozenset(
+    "if_statement for_statement for_range_loop while_statement do_statement switch_statement catch_clause "
+    "conditional_expression lambda_expression".split()
+)
+_FUNCTIONS = frozenset({"function_definition", "lambda_expression"})
+
+
+@cache
+def _query() -> Query:
+    import tree_sitter
+    import tree_sitter_cpp
+
+    return tree_sitter.Query(tree_sitter.Language(tree_sitter_cpp.language()), _WRITTEN)
+
+
+def _parsed(data: bytes) -> Tree:
+    import tree_sitter
+    import tree_sitter_cpp
+
+    return tree_sitter.Parser(tree_sitter.Language(tree_sitter_cpp.language())).parse(data)
+
+
+@dataclass(frozen=True, eq=False)
+class Call:
+    """``owner.name<template>(arguments)``."""
+
+    node: Node
+    name: str
+    qualified: str
+    """The function as it is written, without blanks and template arguments."""
+    template: Node | None
+    arguments: list[Node]
+
+
+class Code:
+    """One file."""
+
+    def __init__(self, source: Source) -> None:
+        import tree_sitter
+
+        self.source = source
+        self._data = source.text.encode("utf-8", "surrogatepass")
+        self.tree = _parsed(self._data)
+        found = tree_sitter.QueryCursor(_query()).captures(self.tree.root_node)
+        self.written: dict[str, list[Node]] = {
+            name: sorted(nodes, key=lambda node: (node.start_byte, -node.end_byte)) for name, nodes in found.items()
+        }
+        """Kind of construct -> where it is written, in the order of the text."""
+
+    @cached_property
+    def _wide(self) -> list[tuple[int, int]] | None:
+        """Where characters of several bytes end: byte offset, and how many bytes are too many up to there."""
+        if len(self._data) == len(self.source.text):
+            return None
+        found, at, extra = [(0, 0)], 0, 0
+        for char in self.source.text:
+            size = len(char.encode("utf-8", "surrogatepass"))
+            at += size
+            if size > 1:
+                extra += size - 1
+                found.append((at, extra))
+        return found
+
+    def offset(self, byte: int) -> int:
+        """The place of a byte in code points."""
+        if self._wide is None:
+            return byte
+        return byte - self._wide[bisect_right(self._wide, (byte, len(self._data))) - 1][1]
+
+    def span(self, node: Node) -> Span:
+        return Span(self.source, self.offset(node.start_byte), self.offset(node.end_byte))
+
+    def text(self, node: Node | None) -> str:
+        return self._data[node.start_byte : node.end_byte].decode("utf-8", "replace") if node is not None else ""
+
+    def literal(self, node: Node | None) -> Located | None:
+        """The text of a string literal without escapes, also in ``std::string("...")`` or braces."""
+        node = self.unwrapped(node)
+        if node is None or node.type != "string_literal":
+            return None
+        text = self.text(node)
+        if not text.startswith('"') or "\\" in text or len(text) < 2:
+            return None
+        span = self.span(node)
+        return self.source.located(span.start + 1, span.end - 1)
+
+    def unwrapped(self, node: Node | None) -> Node | None:
+        """What is inside ``std::string(...)``, ``rclcpp::ParameterValue(...)`` or parentheses."""
+        for _ in range(4):
+            if node is None or node.type not in (
+                "call_expression",
+                "parenthesized_expression",
+                "compound_literal_expression",
+            ):
+                return node
+            if node.type == "parenthesized_expression":
+                node = node.named_children[0] if node.named_child_count == 1 else None
+                continue
+            wrapper = node.child_by_field_name("function") or node.child_by_field_name("type")
+            given = node.child_by_field_name("arguments") or node.child_by_field_name("value")
+            if given is None or self.text(wrapper).replace(" ", "") not in _WRAPPERS or given.named_child_count != 1:
+                return node
+            node = given.named_children[0]
+        return node
+
+    @cached_property
+    def calls(self) -> list[Call]:
+        return [call for node in self.written.get("call", ()) if (call := self.call(node)) is not None]
+
+    def call(self, node: Node) -> Call | None:
+        function, given = node.child_by_field_name("function"), node.child_by_field_name("arguments")
+        if function is None or given is None:
+            return None
+        template = None
+        name = function
+        for _ in range(8):
+            if name.type in ("template_function", "template_method"):
+                template = name.child_by_field_name("arguments")
+            inner = name.child_by_field_name("field" if name.type == "field_expression" else "name")
+            if name.type == "dependent_name" and name.named_child_count:
+                inner = name.named_children[0]
+            if inner is None:
+                break
+            name = inner
+        written = self.text(function)
+        if template is not None:
+            at = template.start_byte - function.start_byte
+            written = written.encode()[:at].decode("utf-8", "replace")
+        arguments = [each for each in given.named_children if each.type != "comment"]
+        return Call(node, self.text(name), "".join(written.split()), template, arguments)
+
+    def above(self, node: Node) -> Iterator[Node]:
+        """What a node is in, innermost first."""
+        current = node.parent
+        for _ in range(DEPTH):
+            if current is None:
+                return
+            yield current
+            current = current.parent
+
+    def is_conditional(self, node: Node) -> bool:
+        """Whether a branch, loop or handler of its function decides about a node."""
+        for outer in self.above(node):
+            if outer.type in _BRANCHES:
+                return True
+            if outer.type == "function_definition":
+                return False
+        return False
+
+    def function_name(self, node: Node) -> str | None:
+        """``Class::method`` or ``function`` for the definition that a node is in."""
+        for outer in self.above(node):
+            if outer.type == "function_definition":
+                return self.defined_name(outer)
+        return None
+
+    def defined_name(self, definition: Node) -> str | None:
+        """The name of a function definition, without blanks."""
+        declarator = definition.child_by_field_name("declarator")
+        for _ in range(6):
+            if declarator is None or declarator.type == "function_declarator":
+                break
+            declarator = declarator.child_by_field_name("declarator")
+        name = declarator.child_by_field_name("declarator") if declarator is not None else None
+        return "".join(self.text(name).split()) or None
+
+    def kept(self, node: Node) -> str | None:
+        """The variable or member that a value is assigned to, or initialises."""
+        for outer in self.above(node):
+            if outer.type == "assignment_expression":
+                return self.text(outer.child_by_field_name("left")).removeprefix("this->")
+            if outer.type == "init_declarator":
+                return self.text(outer.child_by_field_name("declarator")).lstrip("*& ")
+            if outer.type == "field_initializer":
+                return self.text(outer.named_children[0]) if outer.named_child_count else None
+            if outer.type not in ("call_expression", "field_expression", "argument_list", "parenthesized_expression"):
+                return None
+        return None
+
+    def is_inside_function(self, node: Node) -> bool:
+        return any(outer.type in _FUNCTIONS for outer in self.above(node))
+
+
+_WRAPPERS = frozenset({"std::string", "rclcpp::ParameterValue", "ParameterValue", "std::string_view", "string"})

@@ -1,0 +1,143 @@
+"""Calls in the callbacks of a C++ file that keep the executor busy."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.model.cpp_source import Waiting
+from bringup_lint.model.node_source import Callback
+from bringup_lint.parsers.cpp_node.endpoints import seconds
+from bringup_lint.parsers.cpp_node.syntax import Call
+from bringup_lint.parsers.cpp_node.syntax import Code
+
+if TYPE_CHECKING:
+    from tree_sitter import Node
+
+SHORT = 0.1
+"""Seconds; a shorter sleep delays nothing that matters."""
+DEPTH = 3
+"""Calls of methods of the same file that are followed."""
+_AT_START = re.compile(r"(?i)_?(?:on_?)?(?:init|setup|start_?up)")
+"""Names of callbacks of a timer that runs once, before the node has anything else to do."""
+_LEAVES = frozenset({"break_statement", "return_statement", "throw_statement", "co_return_statement", "goto_statement"})
+_ENDLESS = ("true", "1", "rclcpp::ok()")
+
+
+class Bodies:
+    """The functions of a file by their last name, and the calls and loops that each holds itself."""
+
+    def __init__(self, code: Code) -> None:
+        self.code = code
+        self.functions: dict[str, list[Node]] = {}
+        for node in code.written.get("function", ()):
+            name = code.defined_name(node)
+            if name is not None:
+                self.functions.setdefault(name.rpartition("::")[2], []).append(node)
+        self._calls = code.calls
+        self._loops = code.written.get("while", [])
+
+    def of(self, callback: Callback) -> Node | None:
+        """The definition of a callback; None when there is none, or several."""
+        if callback.name is None:
+            start, end = callback.span.start, callback.span.end
+            found = [each for each in self._lambdas if self.code.span(each).start == start]
+            return found[0] if found and self.code.span(found[0]).end == end else None
+        found = self.functions.get(callback.name, [])
+        return found[0] if len(found) == 1 else None
+
+    @property
+    def _lambdas(self) -> list[Node]:
+        every = (each for call in self._calls for each in call.arguments)
+        return [each for each in every if each.type == "lambda_expression"]
+
+    def reached(self, body: Node) -> Iterator[Call | Node]:
+        """The calls and loops that a body runs, and those of the methods of the file that it calls."""
+        todo, seen = [(body, 0)], {body.id}
+        while todo:
+            node, depth = todo.pop()
+            for loop in self._loops:
+                if _runs(node, loop):
+                    yield loop
+            for call in self._calls:
+                if not _runs(node, call.node):
+                    continue
+                yield call
+                inner = self.functions.get(call.name, [])
+                own = call.qualified in (call.name, f"this->{call.name}")
+                if own and len(inner) == 1 and inner[0].id not in seen and depth < DEPTH:
+                    seen.add(inner[0].id)
+                    todo.append((inner[0], depth + 1))
+
+
+def _runs(body: Node, node: Node) -> bool:
+    """Whether a body holds a node itself, and not in a lambda that something else may run."""
+    if not body.start_byte < node.start_byte or node.end_byte > body.end_byte:
+        return False
+    outer = node.parent
+    while outer is not None and outer.id != body.id:
+        if outer.type == "lambda_expression":
+            return False
+        outer = outer.parent
+    return True
+
+
+def waits(code: Code, callbacks: list[Callback]) -> Iterator[Waiting]:
+    """The calls that block in the callbacks of a file, each place once."""
+    bodies = Bodies(code)
+    seen: set[int] = set()
+    for callback in callbacks:
+        body = bodies.of(callback) if not _AT_START.match(callback.name or "") else None
+        for each in bodies.reached(body) if body is not None else ():
+            node = each.node if isinstance(each, Call) else each
+            found = _call(code, each) if isinstance(each, Call) else _loop(code, each)
+            if found is not None and node.id not in seen:
+                seen.add(node.id)
+                yield Waiting(code.span(node), *found, callback)
+
+
+def _call(code: Code, call: Call) -> tuple[str, str] | None:
+    if call.name == "sleep_for" and call.arguments:
+        return _sleep(call.name, seconds(code.text(call.arguments[-1])))
+    if call.qualified in ("sleep", "::sleep", "usleep", "::usleep") and call.arguments:
+        number = code.text(call.arguments[0]).rstrip("uUlL")
+        unit = 1e-6 if "usleep" in call.name else 1.0
+        return _sleep(call.name, float(number) * unit if number.isdigit() else None)
+    if call.qualified in ("system", "std::system", "::system"):
+        text = code.literal(call.arguments[0]) if call.arguments else None
+        return None if text is not None and _is_short(text) else (call.name, "as long as the program runs")
+    if call.qualified == "rclcpp::spin_until_future_complete" and len(call.arguments) < 3:
+        own = call.arguments and ("this" in code.text(call.arguments[0]))
+        return (call.qualified, "") if own else None
+    if call.name in ("wait_for_service", "wait_for_action_server") and not call.arguments and "." not in call.qualified:
+        return f"{call.name}()", "until the other node appears"
+    return None
+
+
+def _sleep(name: str, duration: float | None) -> tuple[str, str] | None:
+    if duration is None or duration < SHORT:
+        return None
+    return f"{name}({duration:g} s)", f"for {duration:g} s"
+
+
+def _is_short(command: str) -> bool:
+    from bringup_lint.facts.short_programs import returns_at_once
+
+    return returns_at_once(command.split())
+
+
+def _loop(code: Code, node: Node) -> tuple[str, str] | None:
+    """A loop without an end: no condition of its own, and no way out."""
+    condition = "".join(code.text(node.child_by_field_name("condition")).split())
+    if condition.removeprefix("(").removesuffix(")") not in _ENDLESS:
+        return None
+    stack = [node.child_by_field_name("body")]
+    while stack:
+        current = stack.pop()
+        if current is None or current.type == "lambda_expression":
+            continue
+        if current.type in _LEAVES:
+            return None
+        stack += current.named_children
+    return f"while {condition}", "forever"

@@ -1,0 +1,72 @@
+"""C++ sources of nodes: what the syntax tree shows, and that no text makes the reader fail."""
+
+from __future__ import annotations
+
+from hypothesis import given
+from hypothesis import strategies as st
+
+from bringup_lint.parsers.cpp_node import parse
+from bringup_lint.source import Source
+
+NODE = """
+#include "rclcpp/rclcpp.hpp"
+using Scan = sensor_msgs::msg::LaserScan;
+static const std::string GOAL = "goal";
+
+Relay::Relay(const rclcpp::NodeOptions & options) : rclcpp::Node("relay", options)
+{
+  // Straße: create_publisher<Scan>("comment", 1)
+  declare_parameter<std::string>("scan_topic", "scan");
+  declare_parameter("rate", 12.5);
+  this->declare_parameter("retries", 3);
+  auto topic = get_parameter("scan_topic").as_string();
+  scan_ = create_subscription<Scan>(topic, rclcpp::SensorDataQoS(), std::bind(&Relay::on_scan, this, _1));
+  goal_ = node->template create_publisher<geometry_msgs::msg::Twist>(GOAL, rclcpp::QoS(1).transient_local());
+  if (wanted_) {
+    save_ = create_service<std_srvs::srv::Trigger>("~/save", [this](auto q, auto a) { sleep(2); });
+  }
+  timer_ = create_wall_timer(std::chrono::milliseconds(250), std::bind(&Relay::tick, this));
+  port_ = open("/dev/ttyUSB1", O_RDWR);
+}
+RCLCPP_COMPONENTS_REGISTER_NODE(Relay)
+"""
+
+
+def test_node() -> None:
+    node = parse(Source("relay.cpp", NODE))
+    found = [(each.role, each.type, each.name, each.parameter, each.conditional) for each in node.endpoints]
+    assert found == [
+        ("subscription", "sensor_msgs/msg/LaserScan", "scan", "scan_topic", False),
+        ("publisher", "geometry_msgs/msg/Twist", "goal", None, False),
+        ("service", "std_srvs/srv/Trigger", "~/save", None, True),
+    ]
+    assert [each.span.text for each in node.names] == ["relay"]
+    assert [(each.name, each.default) for each in node.parameters] == [
+        ("scan_topic", "scan"),
+        ("rate", 12.5),
+        ("retries", 3),
+    ]
+    assert [(each.period, each.callback) for each in node.timers] == [(0.25, "tick")]
+    assert [(each.name, each.required) for each in node.reads] == [("scan_topic", True)]
+    assert [each.what for each in node.waits] == ["sleep(2 s)"]
+    assert (node.devices, node.components) == (["/dev/ttyUSB1"], ["Relay"])
+
+
+def test_qos() -> None:
+    scan, goal, _ = parse(Source("relay.cpp", NODE)).endpoints
+    assert scan.qos is not None and (scan.qos.reliability, scan.qos.depth) == ("BEST_EFFORT", 5)
+    assert goal.qos is not None and (goal.qos.durability, goal.qos.depth) == ("TRANSIENT_LOCAL", 1)
+
+
+def test_an_error_costs_its_construct() -> None:
+    text = NODE.replace('declare_parameter("rate", 12.5);', "declare_parameter(((;")
+    assert len(parse(Source("relay.cpp", text)).endpoints) == 3
+
+
+@given(st.text(max_size=80), st.integers(0, len(NODE)), st.integers(0, 40))
+def test_no_text_fails(text: str, at: int, size: int) -> None:
+    broken = NODE[:at] + text + NODE[at + size :]
+    node = parse(Source("relay.cpp", broken))
+    for each in (*node.endpoints, *node.timers, *node.waits):
+        assert 0 <= each.span.start <= each.span.end <= len(broken)
+    assert all(each.span.text == each for each in node.devices)
