@@ -5,7 +5,8 @@
 `net.core.rmem_max` or `wmem_max`: the kernel doubles the requested size and limits it there. `max` alone is
 only a request and is not reported.
 - **error**: a sysctl file sets the limit, or the tree is a complete root file system.
-- **warning**: no file of the tree sets the limit, so the kernel's default of 212992 is assumed.
+- **warning**: no file of the tree sets the limit, so the kernel's default of 212992 is assumed. It is information
+  where a script of the tree sets it.
 
 ## Why it matters on a robot
 The library reports `failed to increase socket receive buffer size` and creates no participant: no ROS node
@@ -64,16 +65,26 @@ def socket_buffer_exceeds_sysctl(robot: Robot) -> Iterator[Finding]:
             if wanted <= 2 * granted or (limit is not None and not robot.same_robot(limit.value, configuration.source)):
                 continue
             known = limit is not None or robot.tree.complete
+            scripted = not known and _in_script(robot, limit_name)
             has = f"this robot has {granted}" if known else f"no file of this tree raises it from {granted}"
+            if scripted:
+                has = f"only a script of this tree raises it from {granted}"
             yield finding(
                 setting.value,
-                f"At least {setting.value} needs {limit_name} >= {(wanted + 1) // 2}, but {has}: no node starts",
+                f"At least {setting.value} needs {limit_name} >= {(wanted + 1) // 2}, but {has}: no node starts"
+                + (" until it ran" if scripted else ""),
                 advice=f"set {limit_name} = {wanted} in /etc/sysctl.d, or use max instead of min",
                 related=[*_limit(limit), *_readers(robot, configuration)],
                 chain=robot.provenance.chain_to(setting.value, f"DDS requires at least {setting.value}"),
-                severity=None if known else "warning",
+                severity=None if known else "info" if scripted else "warning",
                 confidence="high" if known else "medium",
             )
+
+
+def _in_script(robot: Robot, name: str) -> bool:
+    """Whether a script or an image may raise a limit."""
+    spelt = (name, name.replace(".", "/"))
+    return any(each in source.text for source in robot.of_kind("shell-script", "dockerfile") for each in spelt)
 
 
 def _limit(limit: KernelParameter | None) -> list[Related]:

@@ -9,7 +9,8 @@ NetworkManager, those that a script gives to `sshpass`, `x11vnc` or `nmcli`, and
 where the image lets somebody log in.
 
 Not reported: variables, paths of credential files, placeholders such as `<your-password>`, and environment files
-that only root and a group can read. A weak or well-known value is a warning, and a sample value is info.
+that only root and a group can read. A weak or well-known value is a warning, and a sample value is info. Places of a
+file with the same value are one finding.
 
 ## Why it matters on a robot
 Every local user can read the settings of a unit with `systemctl show`, and can read arguments in the process list.
@@ -39,8 +40,11 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
+from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.secrets import Secret
 
 WHO = {
     "unit": "every local user can read it with systemctl show",
@@ -70,15 +74,20 @@ INSTEAD = {
 
 @rule("error", tags=["CWE-798", "CWE-312"])
 def plain_secret(robot: Robot) -> Iterator[Finding]:
+    found: dict[tuple[Source, str], list[Secret]] = {}
     for secret in robot.secrets:
-        source = secret.value.span.source
-        who = WHO[secret.holder]
-        if secret.holder == "env-file" and source.mode is not None:
+        key = str(secret.value.span.start) if secret.weak or secret.sample else str(secret.value)
+        found.setdefault((secret.value.span.source, key), []).append(secret)
+    for first, *others in found.values():
+        source = first.value.span.source
+        who = WHO[first.holder]
+        if first.holder == "env-file" and source.mode is not None:
             who = f"every local user can read this file (mode {source.mode:04o})"
         yield finding(
-            secret.value,
-            f"{secret.name} is a secret in clear text: {who}",
-            advice=INSTEAD[secret.holder],
-            severity="info" if secret.sample else "warning" if secret.weak else None,
-            secrets=[secret.value],
+            first.value,
+            f"{first.name} is a secret in clear text: {who}",
+            advice=INSTEAD[first.holder],
+            related=[note(each.value, "the same secret") for each in others],
+            severity="info" if first.sample else "warning" if first.weak else None,
+            secrets=[first.value],
         )

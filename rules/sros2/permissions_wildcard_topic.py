@@ -37,7 +37,9 @@ robot.
 """
 
 import re
+from collections.abc import Iterable
 from collections.abc import Iterator
+from typing import NamedTuple
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
@@ -45,6 +47,8 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.sros2 import Grant
+from bringup_lint.api.sros2 import PolicyEnclave
 
 TOPICS = "publish '{}', which is every topic of the robot, including /cmd_vel"
 CALLS = "call '{}', which is every service of the robot, including set_parameters of every node"
@@ -58,31 +62,57 @@ OF_POLICIES = {("topic", "publish"): TOPICS, ("service", "request"): CALLS, ("se
 ALL = ("*", "/*", "/**")
 
 
+class Wide(NamedTuple):
+    """A right that is too wide."""
+
+    enclave: str
+    text: str
+    """What it allows, with a place for the pattern."""
+    pattern: Located
+
+
 @rule("warning", tags=["CWE-732"])
 def permissions_wildcard_topic(robot: Robot) -> Iterator[Finding]:
-    for _, grant in robot.sros2.ros_grants:
-        topics = [topic for allowed in grant.allowed for topic in allowed.publish]
-        wide = [(text, topic) for pattern, text in OF_GRANTS.items() for topic in topics if pattern.match(topic)]
-        yield from _wide(str(grant.enclave), wide, "list what its nodes use, and sign the document again")
+    keystores: dict[str, list[Wide]] = {}
+    for document, grant in robot.sros2.ros_grants:
+        keystores.setdefault(document.source.name.partition("enclaves/")[0], []).extend(_of_grant(grant))
+    for rights in keystores.values():
+        yield from _by_right(rights, "list what its nodes use, and sign the document again")
     for policy in robot.sros2.used_policies:
-        for enclave in policy.enclaves:
-            rights = [right for profile in enclave.profiles for right in profile.rights if right.name.strip() in ALL]
-            wide = [
-                (text, right.name)
-                for (kind, way), text in OF_POLICIES.items()
-                for right in rights
-                if right.kind == kind and right.allows(way)
-            ]
-            yield from _wide(str(enclave.path), wide, "list what its nodes use (ros2 security generate_policy)")
+        rights = [right for enclave in policy.enclaves for right in _of_enclave(enclave)]
+        yield from _by_right(rights, "list what its nodes use (ros2 security generate_policy)")
 
 
-def _wide(enclave: str, wide: list[tuple[str, Located]], advice: str) -> Iterator[Finding]:
-    """One finding for an enclave: the widest right, and the others beside it."""
-    if wide:
-        (text, name), *others = wide
+def _of_grant(grant: Grant) -> Iterator[Wide]:
+    """The widest right of a grant."""
+    topics = [topic for allowed in grant.allowed for topic in allowed.publish]
+    for wide, text in OF_GRANTS.items():
+        matching = [topic for topic in topics if wide.match(topic)]
+        if matching:
+            yield Wide(str(grant.enclave), text, matching[0])
+            return
+
+
+def _of_enclave(enclave: PolicyEnclave) -> Iterator[Wide]:
+    """The widest right of an enclave."""
+    rights = [right for profile in enclave.profiles for right in profile.rights if right.name.strip() in ALL]
+    for (kind, way), text in OF_POLICIES.items():
+        names = [right.name for right in rights if right.kind == kind and right.allows(way)]
+        if names:
+            yield Wide(str(enclave.path), text, names[0])
+            return
+
+
+def _by_right(rights: Iterable[Wide], advice: str) -> Iterator[Finding]:
+    """One finding for all enclaves of a keystore or policy that have the same right."""
+    found: dict[str, list[Wide]] = {}
+    for each in rights:
+        found.setdefault(each.text, []).append(each)
+    for first, *others in found.values():
+        who = f"{first.enclave} and {len(others)} more" if others else first.enclave
         yield finding(
-            name,
-            f"{enclave} may {text.format(name.strip())}",
+            first.pattern,
+            f"{who} may {first.text.format(first.pattern.strip())}",
             advice=advice,
-            related=[note(other, "and this one") for _, other in others],
+            related=[note(each.pattern, f"the same for {each.enclave}") for each in others],
         )

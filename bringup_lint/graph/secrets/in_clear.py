@@ -57,7 +57,7 @@ _NO_VALUE = re.compile(
     r"[/~]|\$|%|file:|env:|true$|false$|yes$|no$|on$|off$|\d{1,5}$|.*\.(?:pem|key|crt|cer|p12|env|json|ya?ml|txt)$",
     re.I,
 )
-_WEAK = re.compile(r"(?:change[-_ ]?me|password|passwd|secret|admin|default|test|example|xxx+|foo|bar)\d*$", re.I)
+_WEAK = re.compile(r"(?:change[-_ ]?me|password|passwd|secret|admin|default|test|example|xxx+|foo|bar|abc)\d*$", re.I)
 _OPTION = re.compile(r"--([A-Za-z][\w.-]*)(?:=(.*))?$", re.S)
 _SAMPLE = re.compile(
     r"_(?:example|sample|template)s?\.|[.-](?:example|sample|template|dist|tmpl|default)s?(?:$|\.)|^(?:example|sample)",
