@@ -96,7 +96,7 @@ class Robot:
         purposes: Mapping[str, str] | None = None,
     ) -> None:
         self.files = Files(tree, configured_ros, configured_systemd, purposes or {}, today or date.today())
-        if self.files.of_kind("shell-script"):
+        if self.files.of_kind("shell-script", "ansible", "cloud-init"):
             from bringup_lint.graph.installed.installed import join_installed
 
             join_installed(self.files, self.scripts)

@@ -125,8 +125,8 @@ def _assignment(text: Located, section: Section | None, unit: UnitFile) -> None:
 
 def unit_name(source: Source) -> tuple[str, bool]:
     """The unit that a file describes, and whether the file is a drop-in of it. A service kept under the name
-    ``robot.conf`` is installed as ``robot.service``."""
-    *_, folder, name = ("", "", *source.name.split("/"))
+    ``robot.conf`` is installed as ``robot.service``; a file that is installed under another name has that one."""
+    *_, folder, name = ("", "", *(source.robot_path or source.name).split("/"))
     if folder.endswith(".d") and source.kind == "systemd-dropin":
         return folder[:-2], True
     name = final_name(name)

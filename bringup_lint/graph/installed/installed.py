@@ -14,11 +14,15 @@ from bringup_lint.graph.files import Files
 from bringup_lint.graph.installed.paths import destination
 from bringup_lint.graph.installed.paths import in_tree
 from bringup_lint.graph.installed.paths import robot_path
+from bringup_lint.graph.installed.provisioning import KINDS as PROVISIONING
+from bringup_lint.graph.installed.provisioning import copies as copies_of
+from bringup_lint.graph.installed.provisioning import written
 from bringup_lint.graph.installed.script import Run
 from bringup_lint.graph.installed.script import Written
 from bringup_lint.graph.installed.scripts import KINDS
 from bringup_lint.graph.installed.scripts import Scripts
 from bringup_lint.graph.installed.text import Text
+from bringup_lint.parsers.ansible import puts
 from bringup_lint.source import Origin
 from bringup_lint.source import Source
 from bringup_lint.templates import template_language
@@ -50,9 +54,10 @@ def join_installed(files: Files, scripts: Scripts) -> None:
     installing = [source for source in files.of_kind(*KINDS) if _MARKS.search(source.text)][:MOST_SCRIPTS]
     known = {source.robot_path for source in files.sources}
     placed: dict[str, set[str]] = {}
-    for script in installing:
-        written, copies = _read(files, script, scripts)
-        for source in written:
+    provisioning = [source for source in files.of_kind(*PROVISIONING) if _MARKS.search(source.text)][:MOST_SCRIPTS]
+    for script in (*installing, *provisioning):
+        made, copies = _read(files, script, scripts) if script.kind in KINDS else _provisioned(files, script)
+        for source in made:
             if source.robot_path not in known:
                 files.join(source)
         for path, place in copies:
@@ -74,6 +79,19 @@ def _read(files: Files, script: Source, scripts: Scripts) -> tuple[list[Source],
             _edit(texts, did)
     sources = [_source(script, path, written) for path, written in list(texts.items())[:MOST_FILES]]
     return [source for source in sources if source is not None], copies
+
+
+def _provisioned(files: Files, source: Source) -> tuple[list[Source], list[tuple[str, str]]]:
+    """The same for Ansible's tasks and cloud-init's user data."""
+    texts: dict[str, list[Written]] = {}
+    copies: list[tuple[str, str]] = []
+    for put in next(iter(files.parsed(lambda each: list(puts(each)), [source])), []):
+        did = written(put)
+        if did is not None:
+            _write(texts, did)
+        copies += copies_of(put, files.tree, source)
+    sources = [_source(source, path, found) for path, found in list(texts.items())[:MOST_FILES]]
+    return [each for each in sources if each is not None], copies
 
 
 def _write(texts: dict[str, list[Written]], did: Written) -> None:

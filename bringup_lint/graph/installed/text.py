@@ -102,6 +102,13 @@ def _quoted(word: Word) -> Iterator[tuple[int, int, str]]:
         yield stretch[0][0], stretch[-1][1], quote
 
 
+def as_it_is(part: Located) -> Text:
+    """A text in which nothing is expanded."""
+    text = Text()
+    _keep(text, part)
+    return text
+
+
 def plain(word: Located, values: Values) -> str:
     return str(word_text(word, values))
 

@@ -149,3 +149,33 @@ def test_never_raises_and_every_piece_lies_in_the_script(script: str) -> None:
     for did in runs(Source("setup.sh", script)):
         if isinstance(did, Written) and did.text is not None:
             assert all(0 <= piece.start <= piece.end <= len(script) for piece in did.text.pieces)
+
+
+def test_a_unit_has_the_name_under_which_it_is_installed(tmp_path: Path) -> None:
+    robot = robot_of(
+        tmp_path,
+        setup_sh="cp files/base.unit /etc/systemd/system/rover.service",
+        **{"files__base.unit": "[Service]\nExecStart=/opt/base\n"},
+    )
+    assert [unit.name for unit in robot.units.all] == ["rover.service"]
+
+
+def test_ansible_and_cloud_init(tmp_path: Path) -> None:
+    play = (
+        f"- name: rule\n  copy:\n    dest: /etc/udev/rules.d/1.rules\n    content: |\n      {RULE}\n"
+        "- name: unit\n  template:\n    src: base.service.j2\n    dest: /etc/systemd/system/rover.service\n"
+        "  become: true\n"
+    )
+    data = f"#cloud-config\nwrite_files:\n  - path: /etc/udev/rules.d/2.rules\n    content: |\n      {RULE}\n"
+    files = {
+        "roles__tasks__main.yml": play,
+        "user-data": data,
+        "roles__templates__base.service.j2": "[Service]\nExecStart=/opt/base\n",
+    }
+    robot = robot_of(tmp_path, **files)
+    assert [source.robot_path for source in robot.of_kind("udev-rules")] == [
+        "/etc/udev/rules.d/1.rules",
+        "/etc/udev/rules.d/2.rules",
+    ]
+    assert all(source.text == RULE + "\n" and source.origin for source in robot.of_kind("udev-rules"))
+    assert [unit.name for unit in robot.units.all] == ["rover.service"]

@@ -1,0 +1,29 @@
+"""What sets a machine up: Ansible's tasks and playbooks, cloud-init's user data."""
+
+from __future__ import annotations
+
+import re
+
+from bringup_lint.discover.kinds import Head
+from bringup_lint.discover.kinds import Kind
+
+_YAML = re.compile(r"\.ya?ml$")
+_FOLDER = re.compile(r"/(?:tasks|handlers|playbooks|ansible|roles)/")
+_TASKS = re.compile(r"^[ \t]*-[ \t]+(?:name|hosts|become|ansible\.builtin\.\w+)[ \t]*:", re.M)
+_USER_DATA = re.compile(r"#cloud-config\b")
+
+
+def _is_ansible(path: str, head: Head) -> bool:
+    path = f"/{path}"
+    return bool(_YAML.search(path) and _FOLDER.search(path)) and bool(_TASKS.search(head()))
+
+
+def _is_cloud_init(path: str, head: Head) -> bool:
+    name = path.rpartition("/")[2]
+    return (bool(_YAML.search(name)) or "user-data" in name or "cloud" in name) and bool(_USER_DATA.match(head()))
+
+
+KINDS = (
+    Kind("ansible", _is_ansible),
+    Kind("cloud-init", _is_cloud_init),
+)

@@ -1,0 +1,60 @@
+"""Ansible's tasks and cloud-init's user data, as far as they put files on a machine (the modules copy, template,
+blockinfile and lineinfile; ``write_files``)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from bringup_lint.model.yaml_node import Mapping
+from bringup_lint.model.yaml_node import Scalar
+from bringup_lint.parsers.yaml_nodes import parse
+from bringup_lint.source import Located
+from bringup_lint.source import Source
+
+_MODULES = frozenset({"copy", "template", "blockinfile", "lineinfile"})
+_CONTENTS = {"content": False, "block": True, "line": True}
+"""Key that holds the text of a file -> whether the text is added to the file."""
+
+
+class Put(NamedTuple):
+    """A file that a task puts on the machine."""
+
+    path: Located
+    text: Located | None
+    """Its text, where the task holds it."""
+    copied: Located | None
+    """The file of the tree that it is a copy of."""
+    appends: bool
+    certain: bool
+    """The task has no condition."""
+
+
+def puts(source: Source) -> Iterator[Put]:
+    """The files that the tasks or the user data put on the machine."""
+    for node in parse(source).nodes:
+        if not isinstance(node, Mapping):
+            continue
+        for key, value in node.entries:
+            if isinstance(value, Mapping) and key.value.rpartition(".")[2] in _MODULES:
+                yield from _put(value, node.get("when") is None and node.get("loop") is None)
+        files = node.sequence("write_files")
+        for each in files or ():
+            if isinstance(each, Mapping) and each.get("encoding") is None:
+                yield from _put(each, True)
+
+
+def _put(module: Mapping, certain: bool) -> Iterator[Put]:
+    path = module.scalar("dest") or module.scalar("path")
+    state = module.scalar("state")
+    if path is None or (state is not None and state.value == "absent"):
+        return
+    for key, appends in _CONTENTS.items():
+        text = module.scalar(key)
+        if isinstance(text, Scalar):
+            added = appends or module.get("append") is not None
+            yield Put(path.value, text.value, None, added, certain)
+            return
+    copied = module.scalar("src")
+    if copied is not None:
+        yield Put(path.value, None, copied.value, False, certain)
