@@ -5,7 +5,10 @@
 
 - Error: units and their environment files, compose, launch and parameter files.
 - Warning: scripts, and default values of shell variables.
-- Info: the default of a launch argument.
+- Info: the default of a launch argument; a warning where a unit launches the file without giving the argument a
+  value.
+
+Several uses of one path in a file are one finding.
 
 On-board ports (ttyS, ttyTHS, ttyAMA), links by id or path, and files for simulation are not reported.
 
@@ -40,20 +43,53 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.host import DeviceUse
+from bringup_lint.api.udev import Link
 
 _SEVERITY = {"script": "warning", "default": "warning", "argument": "info"}
+_RANK = ("literal", "unit", "host", "default", "script", "argument")
 
 
 @rule("error", symptoms=["could not open port /dev/ttyUSB0", "Could not open device /dev/ttyUSB0"])
 def unstable_path(robot: Robot) -> Iterator[Finding]:
+    found: dict[tuple[str, str], list[tuple[DeviceUse, list[Link]]]] = {}
     for use, links in robot.devices.unstable:
-        severity = _SEVERITY.get(use.certainty)
-        names = " or ".join(link.path for link in links[:3])
-        yield finding(
-            use.path,
-            f"{use.path} is numbered in the order of discovery: after a reboot it may be another device",
-            advice=f"use {names}" if links else "create a link with a udev rule, or use a path below /dev/serial/by-id",
-            related=[note(link.name, f"creates {link.path}") for link in links[:3]],
-            severity=severity,
-            chain=robot.provenance.chain_to(use.path, f"{use.path} is opened"),
-        )
+        found.setdefault((use.path.span.path, str(use.path)), []).append((use, links))
+    for uses in found.values():
+        (use, links), *others = sorted(uses, key=lambda one: _RANK.index(one[0].certainty))
+        yield _finding(robot, use, links, [other for other, _ in others])
+
+
+def _finding(robot: Robot, use: DeviceUse, links: list[Link], others: list[DeviceUse]) -> Finding:
+    names = " or ".join(link.path for link in links[:3])
+    severity = _SEVERITY.get(use.certainty)
+    if use.certainty == "argument" and _is_launched_at_boot(robot, use):
+        severity = "warning"
+    return finding(
+        use.path,
+        f"{use.path} is numbered in the order of discovery: after a reboot it may be another device",
+        advice=f"use {names}" if links else f"create a link with a udev rule, or use a path below {_folder(use.path)}",
+        related=[
+            *(note(link.name, f"creates {link.path}") for link in links[:3]),
+            *(note(other.path, "also used here") for other in others[:10]),
+        ],
+        severity=severity,
+        chain=robot.provenance.chain_to(use.path, f"{use.path} is opened"),
+    )
+
+
+def _folder(path: str) -> str:
+    """Where udev keeps stable names of a device of this kind."""
+    return "/dev/v4l/by-id or /dev/v4l/by-path" if path.startswith("/dev/video") else "/dev/serial/by-id"
+
+
+def _is_launched_at_boot(robot: Robot, use: DeviceUse) -> bool:
+    """Whether a unit launches the file of a launch argument without giving the argument a value."""
+    source = use.path.span.source
+    around = source.text[max(0, use.path.span.start - 200) : use.path.span.start]
+    for each in robot.runners.launches:
+        if each.file is None or each.file.source is not source or each.runner.unit is None:
+            continue
+        if not any(f"'{name}'" in around or f'"{name}"' in around for name, _ in each.arguments):
+            return True
+    return False

@@ -61,6 +61,7 @@ TEXTS = {
     Work.PROBABLY_ROS: "{name} (probably ROS: it is not in this tree)",
     Work.IN_HOME: "{name}, which user {owner} can change,",
     Work.OWN_SCRIPT: "{name}",
+    Work.OWN_PROGRAM: "{name}",
     Work.RELAY: "{name}, which needs no root,",
 }
 CERTAIN = (Work.ROS, Work.IN_HOME)

@@ -16,6 +16,7 @@ from bringup_lint.graph.commands.shells import profiles
 from bringup_lint.model.shell import Command
 from bringup_lint.source import Located
 from bringup_lint.source import Source
+from bringup_lint.source import Span
 
 _ROS1_TEXT = re.compile(r"/opt/ros/(?:noetic|melodic|kinetic|lunar|jade|indigo)\b|\b(?:roslaunch|rosrun|roscore)\b")
 _ROS_TEXT = re.compile(r"\bros2 |/opt/ros/|install/(?:local_)?setup\.(?:bash|sh)|component_container")
@@ -48,6 +49,8 @@ class CommandLine:
     steps: list[Step] = field(default_factory=list)
     opaque: bool = False
     """It starts something that could not be followed, so that nothing it lacks can be called missing."""
+    own_setups: set[Span] = field(default_factory=set)
+    """Where files called ``setup.sh`` are sourced that are the robot's own, and whose commands are among the steps."""
     scripts_outside: list[Located] = field(default_factory=list)
     """The shell scripts that are started and that the tree does not hold."""
 
@@ -76,18 +79,12 @@ class CommandLine:
 
     @cached_property
     def setup_files(self) -> list[tuple[Step, Located]]:
-        """The setup files that are sourced, in order; of a script of the tree that sources others, those others."""
-        found = self._sourced
-        inner = {step.script.basename for step, _ in found if step.script is not None}
-        return [(step, word) for step, word in found if word.rpartition("/")[2] not in inner]
-
-    @cached_property
-    def _sourced(self) -> list[tuple[Step, Located]]:
+        """The setup files that are sourced, in order; instead of a robot's own, which was followed, those in it."""
         return [
             (step, step.command.words[1])
             for step in self.steps
             if step.command.name in ("source", ".") and len(step.command.words) > 1
-            if SETUP_FILE.search(step.command.words[1])
+            if SETUP_FILE.search(step.command.words[1]) and step.command.words[1].span not in self.own_setups
         ]
 
     def sourced_before(self, step: Step) -> bool:

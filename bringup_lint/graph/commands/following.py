@@ -67,8 +67,10 @@ class _Follower:
         """Whether a sourced file is the robot's own: a ``setup.sh`` is where the tree holds it outside install/."""
         if not SETUP_FILE.search(path):
             return True
-        generated = _GENERATED.search(path) or "$" in path or "%" in path
-        return not generated and self.find(path) is not None
+        if _GENERATED.search(path) or "$" in path or "%" in path or self.find(path) is None:
+            return False
+        self.line.own_setups.add(path.span)
+        return True
 
     def shell(self, name: str, words: tuple[Located, ...], depth: int) -> Iterator[Step]:
         read = shell_input(words)

@@ -19,7 +19,11 @@ if TYPE_CHECKING:
     from bringup_lint.graph.systemd.units import Units
     from bringup_lint.model.launch import Action
     from bringup_lint.model.launch_values import Value
+    from bringup_lint.model.params import Parameter
+    from bringup_lint.model.params import ParameterFile
 
+_ADDRESS = re.compile(r"(?:.*[._])?(?:ip|ip_?addr(?:ess)?|host(?:_?name)?)", re.I)
+_HOST = re.compile(r"\d{1,3}(?:\.\d{1,3}){3}|[A-Za-z][\w-]*(?:\.[\w-]+)+")
 _PATH = re.compile(r"(?<![\w./$}])/dev/[A-Za-z][\w.+-]*(?:/[\w.:+-]+)*")
 
 
@@ -105,16 +109,26 @@ def of_params(params: Params) -> Iterator[DeviceUse]:
     for file, parameter in params.parameters:
         if "/dev/" not in parameter.text or (params.loads(file) and not params.effective(file, parameter)):
             continue
+        if _is_on_network(parameter, file):
+            continue
         nodes = parameter.node.items if hasattr(parameter.node, "items") else [parameter.node]
         for node in nodes:
             if isinstance(node, Scalar) and "/dev/" in node.value:
                 yield from uses_in(node.value, f"{parameter.block.name}")
 
 
+def _is_on_network(parameter: Parameter, file: ParameterFile) -> bool:
+    """Whether the same block gives the driver the network address of its device, so that it opens no port."""
+    block = parameter.block
+    others = (other for other in file.parameters if other.block is block)
+    return any(_ADDRESS.fullmatch(other.name) and _HOST.fullmatch(other.text.strip("'\"")) for other in others)
+
+
 def of_launch(launch: Launch) -> Iterator[DeviceUse]:
     for file in launch.judged:
+        declared = _with_default(file.actions)
         for action in _all_actions(file.actions):
-            yield from _of_action(action)
+            yield from _of_action(action, declared)
 
 
 def _all_actions(actions: tuple[Action, ...]) -> Iterator[Action]:
@@ -123,32 +137,41 @@ def _all_actions(actions: tuple[Action, ...]) -> Iterator[Action]:
     return walk_actions(actions)
 
 
-def _of_action(action: Action) -> Iterator[DeviceUse]:
+def _with_default(actions: tuple[Action, ...]) -> frozenset[str]:
+    """The launch arguments that are declared with a default: what else is said of their default never counts."""
+    from bringup_lint.model.launch import DeclareArgument
+    from bringup_lint.model.launch_values import literal
+
+    found = (action for action in _all_actions(actions) if isinstance(action, DeclareArgument) and action.default)
+    return frozenset(str(name) for action in found if (name := literal(action.name)) is not None)
+
+
+def _of_action(action: Action, declared: frozenset[str]) -> Iterator[DeviceUse]:
     from bringup_lint.model.launch import ComposableNode
     from bringup_lint.model.launch import DeclareArgument
     from bringup_lint.model.launch import Node
 
     if isinstance(action, DeclareArgument):
-        yield from _of_value(action.default, "the launch argument", "argument")
+        yield from _of_value(action.default, "the launch argument", "argument", declared)
     if isinstance(action, (Node, ComposableNode)):
         values = (*action.parameters, *(action.arguments if isinstance(action, Node) else ()))
         for value in values:
-            yield from _of_value(value, "a node", "literal")
+            yield from _of_value(value, "a node", "literal", declared)
         for component in action.components if isinstance(action, Node) else ():
-            yield from _of_action(component)
+            yield from _of_action(component, declared)
 
 
-def _of_value(value: Value | None, user: str, certainty: Certainty) -> Iterator[DeviceUse]:
+def _of_value(value: Value | None, user: str, certainty: Certainty, declared: frozenset[str]) -> Iterator[DeviceUse]:
     from bringup_lint.model.launch_values import Argument
     from bringup_lint.model.launch_values import Env
     from bringup_lint.model.launch_values import children
     from bringup_lint.model.launch_values import literal
 
-    if value is None:
+    if value is None or (isinstance(value, Argument) and value.name in declared):
         return
     text = literal(value)
     if text is not None:
         yield from uses_in(text, user, certainty)
     inner: Certainty = "default" if certainty != "argument" and isinstance(value, (Argument, Env)) else certainty
     for child in children(value):
-        yield from _of_value(child, user, inner)
+        yield from _of_value(child, user, inner, declared)

@@ -34,13 +34,14 @@ OVERRIDES = (
 
 
 def check_definitions(plan: Plan, file: NetplanFile) -> None:
-    """Check what a file defines against all that was read so far; nothing when a name is still missing."""
-    if any(problem.code in ("undefined", "vlan-link") for problem in plan.problems):
-        return
+    """Check what a file defines against all that was read so far; only what is certain by itself when a name is still
+    missing."""
+    stopped = any(problem.code in ("undefined", "vlan-link") for problem in plan.problems)
     for name in dict.fromkeys(str(definition.name) for definition in file.definitions):
         interface = plan.interfaces[name]
         for check in (*COMMON, *BY_KIND.get(interface.kind, ())):
-            plan.problems.extend(check(interface))
+            if not stopped or check in (_set_name, _vlan):
+                plan.problems.extend(check(interface))
 
 
 def check_plan(plan: Plan) -> None:

@@ -14,7 +14,16 @@ from bringup_lint.source import Located
 _HOME = re.compile(r"/home/([^/]+)/")
 _INTERPRETER = re.compile(r"(?:python[0-9.]*|node|nodejs|ruby|perl|bash|sh|dash)$")
 _OF_DISTRIBUTION = ("/usr/lib/", "/usr/share/", "/usr/bin/", "/lib/")
-_RELAYS = frozenset({"socat", "nc", "ncat", "netcat", "websockify", "ttyd", "gunicorn", "uvicorn", "mjpg_streamer"})
+_RELAYS = frozenset(
+    "socat nc ncat netcat websockify ttyd gunicorn uvicorn mjpg_streamer x0vncserver x0tigervncserver x11vnc jupyter "
+    "jupyter-lab jupyter-notebook code-server foxglove_bridge node-red".split()
+)
+_OWN_PLACE = re.compile(r"/(?:opt|srv)/")
+_NEEDS_ROOT = re.compile(
+    r"\b(?:ip (?:-\S+ )*link|ifconfig|modprobe|insmod|mount|iptables|nft|sysctl|systemctl|nvpmodel|jetson_clocks|slcand"
+    r"|hciconfig|rfkill|reboot|poweroff|shutdown|chown|setcap)\b"
+)
+"""What a script does that only root may."""
 _CONTAINERS = frozenset(
     {"docker", "docker-compose", "podman", "podman-compose", "nerdctl", "systemd-nspawn", "machinectl", "lxc"}
 )
@@ -26,6 +35,7 @@ class Work(Enum):
     PROBABLY_ROS = "a script outside the tree, in a tree for ROS"
     IN_HOME = "a program in the home of a user, who can change it"
     OWN_SCRIPT = "a script that the distribution does not ship"
+    OWN_PROGRAM = "a program that no package of the distribution brings"
     RELAY = "a program that relays data"
 
 
@@ -63,4 +73,7 @@ def needless_root(process: Process, units: Units) -> NeedlessRoot | None:
             return NeedlessRoot(Work.IN_HOME, path, home[1])
     if _INTERPRETER.match(process.name) and len(paths) > 1 and not paths[1].startswith(_OF_DISTRIBUTION):
         return NeedlessRoot(Work.OWN_SCRIPT, paths[1])
-    return NeedlessRoot(Work.RELAY, process.program) if process.name in _RELAYS else None
+    if process.name in _RELAYS:
+        return NeedlessRoot(Work.RELAY, process.program)
+    own = _OWN_PLACE.match(process.program) and not any(_NEEDS_ROOT.search(text) for text in process.texts)
+    return NeedlessRoot(Work.OWN_PROGRAM, process.program) if own else None
