@@ -6,6 +6,8 @@ from bringup_lint.facts.ros.node_roles import lifecycle_names
 from bringup_lint.graph.launch.delays import delayed
 from bringup_lint.graph.launch.delays import undelayed
 from bringup_lint.graph.launch.delays import waiting_comment
+from bringup_lint.graph.launch.entry_points import MissingEntry
+from bringup_lint.graph.launch.entry_points import missing_entries
 from bringup_lint.graph.launch.expansion import Expansion
 from bringup_lint.graph.launch.expansion import Used
 from bringup_lint.graph.launch.lifecycle import Managed
@@ -88,6 +90,7 @@ __all__ = [
     "Log",
     "Managed",
     "Manager",
+    "MissingEntry",
     "Node",
     "Opaque",
     "Operation",
@@ -113,6 +116,7 @@ __all__ = [
     "literal",
     "literal_text",
     "managers",
+    "missing_entries",
     "outside",
     "respawns",
     "same",

@@ -12,6 +12,7 @@ from pathlib import Path
 from bringup_lint.discover.git_index import UnknownFormat
 from bringup_lint.discover.git_index import index_of
 from bringup_lint.discover.git_index import read_index
+from bringup_lint.discover.ignored import is_ignored
 from bringup_lint.discover.reading import Unreadable
 from bringup_lint.discover.reading import decode
 from bringup_lint.discover.reading import read_bytes
@@ -188,6 +189,11 @@ class Tree:
             if index is not None:
                 return os.fsencode(file.relative_to(folder)) in self._tracked_by(index)
         return None
+
+    @staticmethod
+    def is_ignored(path: str) -> bool:
+        """Whether git leaves a file out, there or not."""
+        return is_ignored(path)
 
     def _tracked_by(self, index: str) -> frozenset[bytes]:
         if index not in self._indexes:

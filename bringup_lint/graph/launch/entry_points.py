@@ -1,0 +1,91 @@
+"""Console scripts of Python packages, and the modules and functions that they call."""
+
+from __future__ import annotations
+
+import ast
+import os
+import warnings
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+from typing import NamedTuple
+
+from bringup_lint.graph.workspace import Package
+from bringup_lint.source import Located
+from bringup_lint.source import Source
+
+if TYPE_CHECKING:
+    from bringup_lint.discover.tree import Tree
+
+
+class MissingEntry(NamedTuple):
+    """A console script that ends before its first line."""
+
+    package: Package
+    script: Located
+    module: str
+    function: str
+    """Empty when the whole module is missing."""
+    file: Source | None
+    """The module, where it exists."""
+
+
+def missing_entries(tree: Tree, package: Package) -> Iterator[MissingEntry]:
+    """The console scripts whose module or function the package does not have; of unknown packages none."""
+    for name, target in package.entry_points.items():
+        module, _, function = (part.strip() for part in target.partition(":"))
+        stem = _stem(tree, package, module)
+        if stem is None:
+            continue
+        path = next((each for each in (f"{stem}.py", f"{stem}/__init__.py") if tree.exists(each)), None)
+        if path is None:
+            if not _may_be_made(tree, stem):
+                yield MissingEntry(package, package.executables[name], module, "", None)
+            continue
+        source = tree.beside(package.manifest.source, os.path.relpath(path, package.folder))
+        first = function.partition(".")[0]
+        if first and source is not None and not _defines(source.text, first):
+            yield MissingEntry(package, package.executables[name], module, function, source)
+
+
+def _stem(tree: Tree, package: Package, module: str) -> str | None:
+    """The path of a module without its ending; None when it is not one of the package's own."""
+    top, *inner = module.split(".")
+    if not top or not all(part.isidentifier() for part in (top, *inner)):
+        return None
+    for folder in (package.folder, os.path.join(package.folder, "src")):
+        if tree.exists(os.path.join(folder, top, "__init__.py")):
+            return os.path.join(folder, top, *inner)
+    return None
+
+
+def _may_be_made(tree: Tree, stem: str) -> bool:
+    """Whether the module is a folder, is compiled, or is made on the machine."""
+    endings = (".pyx", ".pyi", ".so", ".pyd", ".c", ".cpp", ".py.in")
+    if any(tree.exists(f"{stem}{ending}") for ending in ("", *endings)) or tree.is_ignored(f"{stem}.py"):
+        return True
+    # A folder that is missing as a whole may be a submodule or a link to another package.
+    return tree.is_link(os.path.dirname(stem)) or not tree.exists(os.path.dirname(stem))
+
+
+def _defines(text: str, name: str) -> bool:
+    """Whether a module has a name at its top, as far as that is known."""
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            tree = ast.parse(text)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return True
+    return any(name in names or "*" in names for names in map(_names, ast.walk(tree)))
+
+
+def _names(node: ast.AST) -> tuple[str, ...]:
+    """The names that a statement or an expression may bind; ``*`` when any may be bound."""
+    if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)):
+        return ("*",) if node.name == "__getattr__" else (node.name,)
+    if isinstance(node, (ast.Import, ast.ImportFrom)):
+        return tuple((alias.asname or alias.name).partition(".")[0] for alias in node.names)
+    if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
+        return (node.id,)
+    if isinstance(node, ast.Name) and node.id in ("globals", "exec", "setattr"):
+        return ("*",)
+    return ()
