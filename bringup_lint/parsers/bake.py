@@ -53,8 +53,8 @@ def _builds(targets: dict[str, _Block], variables: dict[str, str]) -> Iterator[I
         names = tuple(expanded(name) for name in block.lists.get("tags", ()))
         if names:
             texts = _inherited(block, targets)
-            parts = (expanded(texts.get(key, "")) for key in ("context", "dockerfile", "target"))
-            yield ImageBuild(names, *parts, block.name)
+            context, dockerfile, target = (expanded(texts.get(key, "")) for key in ("context", "dockerfile", "target"))
+            yield ImageBuild(names, context, dockerfile, target, block.name)
 
 
 def _inherited(block: _Block, targets: dict[str, _Block], depth: int = 0) -> dict[str, str]:

@@ -152,10 +152,11 @@ class Reader:
             return
         words = self.words([word for word in command.arguments[1:] if word not in ("PARENT_SCOPE", "CACHE", "FORCE")])
         name = str(command.arguments[0])
-        if command.conditional or None in words:
+        known = [word for word in words if word is not None]
+        if command.conditional or len(known) < len(words):
             self.variables.pop(name, None)
         else:
-            self.variables[name] = ";".join(words)
+            self.variables[name] = ";".join(known)
 
     def do_list(self, command: Command) -> None:
         if len(command.arguments) > 1:
@@ -255,25 +256,26 @@ class Reader:
         for argument in command.arguments[1:]:
             (options if options or argument in _KEYWORDS else sources).append(argument)
         destination = self.destination(options)
-        if kind in ("TARGETS", "PROGRAMS", "FILES", "DIRECTORY") and destination is None:
+        if kind in ("SCRIPT", "CODE"):
+            self.build.installs_known = False
+        elif kind not in ("TARGETS", "PROGRAMS", "FILES", "DIRECTORY"):
+            return
+        elif destination is None:
             runtime = kind != "TARGETS" or any(option == "RUNTIME" for option in options) or not options
             self.build.installs_known = False
             if runtime:
                 self.build.executables_known = self.build.executables_known and kind == "TARGETS" and not options
-            return
-        if kind == "TARGETS":
+        elif kind == "TARGETS":
             if destination.startswith("lib/"):
                 self.executable(sources)
         elif kind in ("PROGRAMS", "FILES"):
             self.files(kind, destination, sources, options)
-        elif kind == "DIRECTORY":
+        else:
             filtered = any(option in ("FILES_MATCHING", "PATTERN", "REGEX", "EXCLUDE") for option in options)
             for source in sources:
                 self.install(destination, source, True, filtered)
             if destination.startswith("lib/"):
                 self.build.executables_known = False
-        elif kind in ("SCRIPT", "CODE"):
-            self.build.installs_known = False
 
     def files(self, kind: str, destination: str, sources: list[Located], options: list[Located]) -> None:
         renamed = [after for before, after in itertools.pairwise(options) if before == "RENAME"]
@@ -285,8 +287,8 @@ class Reader:
                 if word is None:
                     self.build.executables_known = False
                 else:
-                    name = word.rpartition("/")[2]
-                    self.build.executables[name] = Located(name, word.span)
+                    program = word.rpartition("/")[2]
+                    self.build.executables[program] = Located(program, word.span)
 
     def destination(self, options: list[Located]) -> str | None:
         """The destination of programs, else the only one."""

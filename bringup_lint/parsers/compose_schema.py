@@ -11,6 +11,7 @@ from bringup_lint.model.schema import Code
 from bringup_lint.model.schema import Fault
 from bringup_lint.model.schema import Item
 from bringup_lint.model.schema import Remark
+from bringup_lint.model.yaml_node import Alias
 from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.model.yaml_node import Node
 from bringup_lint.model.yaml_node import Scalar
@@ -81,7 +82,7 @@ def _is_extension(key: Scalar, inside: Item) -> bool:
 
 
 def _value(node: Node, wanted: Shape, item: Item, key: Located) -> Iterator[Remark]:
-    if wanted.anything or node.tag == "!reset":
+    if isinstance(node, Alias) or wanted.anything or node.tag == "!reset":
         return
     if isinstance(node, Mapping):
         yield from _in_mapping(node, wanted, item, key)

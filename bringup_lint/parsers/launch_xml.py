@@ -10,6 +10,7 @@ from bringup_lint.model.launch_tag import Written
 from bringup_lint.model.xml import Element
 from bringup_lint.parsers import xml
 from bringup_lint.parsers.launch_frontend.actions import Builder
+from bringup_lint.parsers.launch_frontend.entity import Attribute
 from bringup_lint.parsers.launch_frontend.entity import Entity
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
@@ -36,7 +37,7 @@ def parse(source: Source) -> LaunchFile:
 
 
 def entity(element: Element, depth: int) -> Entity:
-    attributes = {str(attribute.name): attribute.value for attribute in element.attributes}
+    attributes: dict[str, Attribute] = {str(attribute.name): attribute.value for attribute in element.attributes}
     children = [] if depth > DEPTH else [entity(child, depth + 1) for child in element.children]
     keys = {str(attribute.name): attribute.name for attribute in element.attributes}
     return Entity(element.name, element.tag, attributes, children, keys)

@@ -62,9 +62,13 @@ def missing_middleware(compose: Compose, processes: Iterable[RosProcess]) -> Ite
                 found.setdefault(each.variable.value.span, each)
     for dockerfile in compose.images.dockerfiles:
         stage = dockerfile.final
-        variables = [each for one in reversed(list(stage.chain)) for each in image_variables(one)] if stage else []
+        if stage is None:
+            continue
+        variables = [each for one in reversed(list(stage.chain)) for each in image_variables(one)]
         selected = [each for each in variables if each.name == RMW]
-        for each in _of_stage(stage, selected[-1]) if selected else ():
+        if not selected:
+            continue
+        for each in _of_stage(stage, selected[-1]):
             found.setdefault(each.variable.value.span, each)
     yield from found.values()
 

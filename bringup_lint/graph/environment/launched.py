@@ -80,8 +80,9 @@ def _extended(result: Environment, name: str, change: EnvChange, text: str | Non
 def text_in(value: Value, environment: Environment) -> str | None:
     """The text of a value when the launch process has this environment; None when that is not known."""
     if isinstance(value, Concat):
-        parts = [text_in(part, environment) for part in value.parts]
-        return None if None in parts else "".join(parts)
+        texts = [text_in(part, environment) for part in value.parts]
+        known = [text for text in texts if text is not None]
+        return "".join(known) if len(known) == len(texts) else None
     if isinstance(value, Env):
         if environment.defines(str(value.name)) is False:
             return None if value.default is None else text_in(value.default, environment)

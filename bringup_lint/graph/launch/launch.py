@@ -311,7 +311,7 @@ class Launch:
     @cached_property
     def managed_names(self) -> frozenset[str] | None:
         """The bare names of all nodes that any lifecycle manager of the tree lists; None when a list is not known."""
-        found = set()
+        found: set[str] = set()
         for expansion in self.expansions:
             for manager in managers(expansion):
                 if manager.managed is None:

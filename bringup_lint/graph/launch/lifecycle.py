@@ -15,6 +15,7 @@ from bringup_lint.graph.launch.resolve import truth
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.workspace import place
+from bringup_lint.model.launch import ComposableNode
 from bringup_lint.model.launch import Emit
 from bringup_lint.model.launch import Node
 from bringup_lint.model.launch import Other
@@ -92,7 +93,10 @@ class Manager:
 
     def parameters(self) -> Iterator[tuple[Located, Value]]:
         """The literal keys given in the launch file itself."""
-        for source in self.node.action.parameters:
+        action = self.node.action
+        if not isinstance(action, (Node, ComposableNode)):
+            return
+        for source in action.parameters:
             if isinstance(source, DictValue):
                 for key, value in source.items:
                     name = literal_text(key)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import operator
 import warnings
+from collections.abc import Callable
 from typing import Any
 
 LENGTH = 2_000
@@ -21,9 +22,9 @@ _COMPARE = {
     ast.IsNot: operator.is_not,
 }
 _ARITHMETIC = {ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul, ast.Div: operator.truediv}
-_METHODS = {"lower": str.lower, "upper": str.upper, "strip": str.strip}
-_TESTS = {"startswith": str.startswith, "endswith": str.endswith}
-_KINDS = {"str": str, "int": int, "float": float, "bool": bool, "len": len}
+_METHODS: dict[str, Callable[[str], str]] = {"lower": str.lower, "upper": str.upper, "strip": str.strip}
+_TESTS: dict[str, Callable[[str, Any], bool]] = {"startswith": str.startswith, "endswith": str.endswith}
+_KINDS: dict[str, Callable[[Any], Any]] = {"str": str, "int": int, "float": float, "bool": bool, "len": len}
 
 
 class NotEvaluated(Exception):

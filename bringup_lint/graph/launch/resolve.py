@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import math
 import posixpath
+from collections.abc import Callable
 from collections.abc import Iterable
+from typing import Any
 
 from bringup_lint.graph.launch.python_expression import NotEvaluated
 from bringup_lint.graph.launch.python_expression import evaluate
@@ -118,8 +120,9 @@ def _extended(changes: EnvChanges, span: Span) -> Value:
     """What a variable holds after something was put to the end or front of it."""
     start = max((at for at, change in enumerate(changes) if change.is_plain), default=None)
     counted = () if start is None else changes[start:]
-    texts = [text_of(each.value) if each.value is not None and each.certain else None for each in counted]
-    if not texts or None in texts:
+    certain = [each.value for each in counted if each.value is not None and each.certain]
+    texts = texts_of(certain)
+    if not texts or len(texts) < len(counted):
         return Unknown("extended environment", span)
     result = texts[0]
     for change, text in zip(counted[1:], texts[1:]):
@@ -135,6 +138,17 @@ def text_of(value: Value) -> str | None:
     return str(value.value) if isinstance(value, Literal) and value.value is not None else None
 
 
+def texts_of(values: Iterable[Value]) -> list[str] | None:
+    """None when one of them is not literal."""
+    found: list[str] = []
+    for value in values:
+        text = text_of(value)
+        if text is None:
+            return None
+        found.append(text)
+    return found
+
+
 def _concat(self: Resolver, value: Concat) -> Value:
     parts: list[Value] = []
     for part in self.values(value.parts):
@@ -143,8 +157,8 @@ def _concat(self: Resolver, value: Concat) -> Value:
 
 
 def joined(parts: list[Value], span: Span) -> Value:
-    texts = [text_of(part) for part in parts]
-    if None not in texts:
+    texts = texts_of(parts)
+    if texts is not None:
         filled = [part for part, text in zip(parts, texts) if text]
         if len(filled) == 1:
             return filled[0]
@@ -162,8 +176,8 @@ def _path(self: Resolver, value: PathJoin) -> Value:
         parts.extend(part.parts if isinstance(part, PathJoin) else (part,))
     if len(parts) == 1:
         return parts[0]
-    texts = [text_of(part) for part in parts]
-    if None in texts:
+    texts = texts_of(parts)
+    if texts is None:
         return PathJoin(tuple(parts), value.span)
     return Literal(Located(posixpath.join(*texts), value.span), value.span)
 
@@ -298,7 +312,7 @@ def _file(self: Resolver, value: ParameterFile) -> Value:
     return ParameterFile(self.value(value.file), self.optional(value.allow_substs), value.span)
 
 
-_RESOLVE = {
+_RESOLVE: dict[type[Value], Callable[[Resolver, Any], Value]] = {
     Argument: _argument,
     Env: _env,
     Concat: _concat,

@@ -72,7 +72,7 @@ def _simulates(expansion: Expansion) -> bool:
         if "sim" in name.lower() and truth(binding.value) is not False:
             return True
     for node in expansion.nodes:
-        words = [literal_text(value) for value in (node.package, node.executable, node.plugin)]
+        words: list[str | None] = [literal_text(value) for value in (node.package, node.executable, node.plugin)]
         if not node.is_node and not words[0]:
             words = [text_of(value) for value in node.arguments]
         if any(word is None and node.is_node for word in words[:2]) or any(

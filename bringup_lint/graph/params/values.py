@@ -37,10 +37,11 @@ def items(parameter: Parameter) -> list[Item]:
     """The scalars of a value; empty when a list holds anything else."""
     node = parameter.node
     nodes = node.items if isinstance(node, Sequence) else [node]
-    if not all(isinstance(each, Scalar) for each in nodes):
+    scalars = [each for each in nodes if isinstance(each, Scalar)]
+    if len(scalars) < len(nodes):
         return []
     found = []
-    for each in nodes:
+    for each in scalars:
         value = scalar(each.value, each.style, each.tag)
         found.append(Item(value.type, value.data, str(each.value), each.span, bool(each.style or each.tag)))
     return found
@@ -100,13 +101,18 @@ def indenting_tabs(file: ParameterFile) -> Iterator[Span]:
                 yield Span(file.source, at, at + 1)
 
 
+def _with_blanks(text: str, width: int) -> str:
+    """Tabs in the indentation replaced by as many blanks each."""
+    return TAB.sub(lambda match: match[0].replace("\t", " " * width), text)
+
+
 def tab_width(file: ParameterFile) -> int | None:
     """How many spaces a tab stands for, when the file can be read then and means the same with every usual width."""
     if len(file.source.text) > 200_000:
         return None
     tables = []
     for width in WIDTHS:
-        text = TAB.sub(lambda match, width=width: match[0].replace("\t", " " * width), file.source.text)
+        text = _with_blanks(file.source.text, width)
         read = parse(Source(file.source.name, text))
         if read.accepted:
             tables.append(

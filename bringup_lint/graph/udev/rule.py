@@ -171,7 +171,7 @@ class UdevRule:
     @property
     def swapped_usb_id(self) -> tuple[Token, Token] | None:
         """The tokens for vendor and product when only the other way round they name a known device."""
-        tokens = {token.attribute: token for token in self.line.matches("ATTRS") if token.operator == "=="}
+        tokens = {str(token.attribute): token for token in self.line.matches("ATTRS") if token.operator == "=="}
         vendor, product = tokens.get("idVendor"), tokens.get("idProduct")
         if vendor is None or product is None:
             return None

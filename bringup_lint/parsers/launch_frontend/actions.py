@@ -284,7 +284,7 @@ def _set_env(mode: str) -> Callable[[Builder, Entity], tuple[Action, ...]]:
     return build
 
 
-def _named_value(kind: type[Action]) -> Callable[[Builder, Entity], tuple[Action, ...]]:
+def _named_value(kind: Callable[..., Action]) -> Callable[[Builder, Entity], tuple[Action, ...]]:
     def build(self: Builder, entity: Entity) -> tuple[Action, ...]:
         return (kind(**self.base(entity), name=self.value(entity, "name"), value=self.value(entity, "value")),)
 

@@ -103,7 +103,7 @@ def blocking(ending: Ending, cls: NodeClass) -> Iterator[Blocking]:
             continue
         name, body = code_of(ending, cls, callback)
         for node in reached(ending.syntax, body, cls):
-            if node in seen:
+            if node in seen or not isinstance(node, (ast.Call, ast.While)):
                 continue
             found = _blocks(ending, node, cls)
             if found is not None:
