@@ -50,7 +50,9 @@ def unknown_keys(configurations: Iterable[Daemon], target: Target) -> Iterator[F
                 advice=f"did you mean {meant[0]}?" if meant else f"remove the line, or see {MANUALS[daemon.name]}",
                 fix=fix(f"rename to {meant[0]}", (key, meant[0])) if len(meant) == 1 else None,
             )
-        for assignment, since in newer_keys(daemon, target.systemd) if target.systemd_known else ():
+        if not target.systemd_known:
+            continue
+        for assignment, since in newer_keys(daemon, target.systemd):
             yield finding(
                 assignment.key,
                 f"{assignment.key}= needs systemd {since}; the robot has {target.systemd} ({target.systemd_why}), "

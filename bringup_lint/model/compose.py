@@ -150,10 +150,11 @@ class Service:
             for key, value in node.merged:
                 text = value.value if isinstance(value, Scalar) and not value.is_null else None
                 found[str(key.value)] = Variable(key.value, text)
-        for line in _scalars(node) if isinstance(node, Sequence) else ():
-            name, equals, _ = line.value.partition("=")
-            text = line.value.part(len(name) + 1, len(line.value)) if equals else None
-            found[name] = Variable(line.value.part(0, len(name)), text, True)
+        if isinstance(node, Sequence):
+            for line in _scalars(node):
+                name, equals, _ = line.value.partition("=")
+                text = line.value.part(len(name) + 1, len(line.value)) if equals else None
+                found[name] = Variable(line.value.part(0, len(name)), text, True)
         return found
 
     @cached_property
@@ -169,23 +170,25 @@ class Service:
     def devices(self) -> list[Device]:
         found = [_short_device(text) for text in self.items("devices")]
         node = self.get("devices")
-        for item in node if isinstance(node, Sequence) else ():
-            if isinstance(item, Mapping) and (host := item.scalar("source")):
-                target = item.scalar("target")
-                found.append(Device(host.value, host.value, target.value if target else None))
+        if isinstance(node, Sequence):
+            for item in node:
+                if isinstance(item, Mapping) and (host := item.scalar("source")):
+                    target = item.scalar("target")
+                    found.append(Device(host.value, host.value, target.value if target else None))
         return found
 
     @cached_property
     def volumes(self) -> list[Volume]:
         found = list(self.base.volumes) if self.base else []
         node = self.body.get("volumes")
-        for item in node if isinstance(node, Sequence) else ():
-            if isinstance(item, Scalar):
-                found.append(_short_volume(item.value))
-            elif isinstance(item, Mapping) and (target := item.scalar("target")):
-                source, flag = item.scalar("source"), item.scalar("read_only")
-                read_only = bool(flag and flag.boolean)
-                found.append(Volume(source.value if source else None, target.value, read_only, target.value))
+        if isinstance(node, Sequence):
+            for item in node:
+                if isinstance(item, Scalar):
+                    found.append(_short_volume(item.value))
+                elif isinstance(item, Mapping) and (target := item.scalar("target")):
+                    source, flag = item.scalar("source"), item.scalar("read_only")
+                    read_only = bool(flag and flag.boolean)
+                    found.append(Volume(source.value if source else None, target.value, read_only, target.value))
         return found
 
     @property

@@ -60,7 +60,8 @@ def _builds(targets: dict[str, _Block], variables: dict[str, str]) -> Iterator[I
 def _inherited(block: _Block, targets: dict[str, _Block], depth: int = 0) -> dict[str, str]:
     """The settings of a target, those of the targets that it inherits below its own."""
     found: dict[str, str] = {}
-    for name in block.lists.get("inherits", ()) if depth < _DEEPEST else ():
-        if name in targets:
-            found |= _inherited(targets[name], targets, depth + 1)
+    if depth < _DEEPEST:
+        for name in block.lists.get("inherits", ()):
+            if name in targets:
+                found |= _inherited(targets[name], targets, depth + 1)
     return found | block.texts

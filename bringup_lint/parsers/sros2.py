@@ -42,12 +42,15 @@ def governance(source: Source) -> Governance:
     document = _document(source)
     model = Governance(source, document, _remarks(document, "governance"))
     top = document.root.find("domain_access_rules") if document.root is not None else None
-    for element in top.find_all("domain_rule") if top is not None else ():
+    if top is None:
+        return model
+    for element in top.find_all("domain_rule"):
         rule = DomainRule(element, _domains(element.find("domains"), model.remarks), _fields(element))
         rules = element.find("topic_access_rules")
-        for each in rules.find_all("topic_rule") if rules is not None else ():
-            fields = _fields(each)
-            rule.topic_rules.append(TopicRule(each, fields.pop("topic_expression", None), fields))
+        if rules is not None:
+            for each in rules.find_all("topic_rule"):
+                fields = _fields(each)
+                rule.topic_rules.append(TopicRule(each, fields.pop("topic_expression", None), fields))
         model.rules.append(rule)
     return model
 
@@ -56,7 +59,9 @@ def permissions(source: Source) -> Permissions:
     document = _document(source)
     model = Permissions(source, document, _remarks(document, "permissions"))
     top = document.root.find("permissions") if document.root is not None else None
-    for element in top.find_all("grant") if top is not None else ():
+    if top is None:
+        return model
+    for element in top.find_all("grant"):
         validity = element.find("validity")
         grant = Grant(
             element,

@@ -50,7 +50,9 @@ FOREVER = re.compile(r"\bsleep\s+(?:infinity|inf)\b|\btail\s+-[fF]\b")
 def script_keeps_signal(robot: Robot) -> Iterator[Finding]:
     found: dict[object, tuple[Step, Ros, list[Runner]]] = {}
     for runner in robot.runners.all:
-        for step, ros in _kept(runner) if runner.in_container else ():
+        if not runner.in_container:
+            continue
+        for step, ros in _kept(runner):
             found.setdefault(ros.where.span, (step, ros, []))[2].append(runner)
     for step, ros, runners in found.values():
         related = [note(runner.where, f"{runner.name} starts the script") for runner in runners]

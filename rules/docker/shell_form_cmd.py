@@ -44,7 +44,9 @@ EXEC = re.compile(r"(?:^|&&|;)\s*exec\s")
 def shell_form_cmd(robot: Robot) -> Iterator[Finding]:
     for file in robot.dockerfiles:
         stage = file.final
-        for name in ("ENTRYPOINT", "CMD") if stage else ():
+        if not stage:
+            continue
+        for name in ("ENTRYPOINT", "CMD"):
             instruction = stage.last(name)
             if instruction is None or instruction.exec_form is not None or not ROS.search(instruction.value):
                 continue

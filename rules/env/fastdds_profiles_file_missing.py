@@ -39,7 +39,9 @@ VARIABLES = ("FASTRTPS_DEFAULT_PROFILES_FILE", "FASTDDS_DEFAULT_PROFILES_FILE")
 @rule("warning", symptoms=["realpath failed"])
 def fastdds_profiles_file_missing(robot: Robot) -> Iterator[Finding]:
     for process in robot.ros.processes:
-        for name in VARIABLES if process.unit else ():
+        if not process.unit:
+            continue
+        for name in VARIABLES:
             found = process.environment.get(name)
             if found and found.text and found.text.startswith("/") and robot.tree.has(found.text) is False:
                 yield finding(

@@ -46,10 +46,11 @@ def zenoh_config_invalid(robot: Robot) -> Iterator[Finding]:
     for process in robot.ros.processes:
         if process.environment.text("RMW_IMPLEMENTATION") not in (None, "rmw_zenoh_cpp"):
             continue
-        for name in FILES if process.unit else ():
-            variable = process.environment.get(name)
-            if variable is not None and variable.text and variable.text.startswith("/"):
-                read.setdefault(variable.value.span, (variable, process))
+        if process.unit:
+            for name in FILES:
+                variable = process.environment.get(name)
+                if variable is not None and variable.text and variable.text.startswith("/"):
+                    read.setdefault(variable.value.span, (variable, process))
         variable = process.environment.get("ZENOH_CONFIG_OVERRIDE")
         if variable is not None and variable.text and variable.value == variable.text:
             read.setdefault(variable.value.span, (variable, process))

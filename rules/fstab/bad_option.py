@@ -41,7 +41,9 @@ def bad_option(robot: Robot) -> Iterator[Finding]:
     for fstab in robot.fstabs:
         for mount in fstab.mounts:
             known = robot.mount_options(str(mount.type or ""))
-            for option in mount.options if known else ():
+            if not known:
+                continue
+            for option in mount.options:
                 name = option.partition("=")[0]
                 near = (
                     nearest(name, known)

@@ -41,7 +41,9 @@ OVERLAY = re.compile(r"^[ \t]*overlayroot=[\"']?(tmpfs)", re.M)
 def overlayroot_persistent_journal(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("overlayroot"):
         overlay = OVERLAY.search(source.text)
-        for journald in robot.journald if overlay else ():
+        if not overlay:
+            continue
+        for journald in robot.journald:
             storage = journald.get("Storage", read=lambda text: text or None)
             if storage is not None and storage[1] == "persistent":
                 yield finding(

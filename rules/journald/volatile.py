@@ -39,7 +39,9 @@ from bringup_lint.api import rule
 def volatile(robot: Robot) -> Iterator[Finding]:
     by_design = any(mount.target == "/" and mount.is_read_only for fstab in robot.fstabs for mount in fstab.mounts)
     by_design = by_design or bool(robot.of_kind("overlayroot"))
-    for daemon in robot.journald if not by_design else ():
+    if by_design:
+        return
+    for daemon in robot.journald:
         storage = daemon.get("Storage", read=str)
         if (
             storage is not None

@@ -47,7 +47,9 @@ def arg_empty_default_path(robot: Robot) -> Iterator[Finding]:
             for each in expansion.declared
             if each.file is file and launch.literal(each.action.default) == ""
         }
-        for action, owner in expansion.actions if empty else ():
+        if not empty:
+            continue
+        for action, owner in expansion.actions:
             if owner is not file:
                 continue
             for value, what in paths(action):

@@ -60,7 +60,9 @@ def include_missing_required_arg(robot: Robot) -> Iterator[Finding]:
     for command in robot.runners.launches:
         passed = {str(name) for name, _ in command.arguments}
         known = command.file is not None and command.runner.certain
-        for declared in robot.launch.expansion(command.file).declared if known else ():
+        if not known:
+            continue
+        for declared in robot.launch.expansion(command.file).declared:
             own = declared.file is command.file and not declared.conditions and declared.before is None
             if own and declared.action.default is None and declared.name not in passed:
                 yield finding(

@@ -68,7 +68,9 @@ def lifecycle_bond(robot: Robot) -> Iterator[Finding]:
                     "bond_timeout is 0: the manager does not notice when a managed node dies",
                     advice="set bond_timeout to 4.0",
                 )
-            for managed, node in foreign if manager.watches else ():
+            if not manager.watches:
+                continue
+            for managed, node in foreign:
                 yield finding(
                     managed.name,
                     f"{launch.literal_text(node.package)} opens no bond: its activation fails after the bond_timeout",

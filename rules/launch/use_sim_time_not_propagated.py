@@ -49,7 +49,9 @@ def use_sim_time_not_propagated(robot: Robot) -> Iterator[Finding]:
             if node.file is file and hasattr(node.action, "parameters")
         ]
         given = [node for node in own if any(reads(source) for source in getattr(node.action, "parameters", ()))]
-        for node in own if given else ():
+        if not given:
+            continue
+        for node in own:
             inline = all(isinstance(source, launch.DictValue) and not source.open for source in node.parameters)
             if robot.launch.role(node).role not in TIMED or not inline or launch.setting(node, "use_sim_time").value:
                 continue

@@ -51,7 +51,9 @@ UNITS = {"": 1, "k": 1024, "m": 1024**2, "g": 1024**3}
 @rule("warning", symptoms=["No space left on device"])
 def larger_than_tmpfs(robot: Robot) -> Iterator[Finding]:
     fstab = robot.fstabs[0] if len(robot.fstabs) == 1 else None
-    for stanza in robot.logs.stanzas if fstab else ():
+    if not fstab:
+        return
+    for stanza in robot.logs.stanzas:
         limit = stanza.get("size", "minsize") or stanza.get("maxsize")
         mounts = [fstab.mount_of(path) for path in stanza.paths if robot.same_robot(path, fstab.source)]
         mount = next((each for each in mounts if each is not None and each.is_tmpfs and each.option("size")), None)

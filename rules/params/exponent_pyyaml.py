@@ -47,7 +47,9 @@ _EXPONENT = re.compile(r"([+-]?)([0-9]+)(\.[0-9]*)?[eE]([+-]?)([0-9]+)\Z")
 def exponent_pyyaml(robot: Robot) -> Iterator[Finding]:
     for file, parameter in robot.params.parameters:
         composed = next((load for load in robot.params.loads(file) if load.how == "pyyaml"), None)
-        for item in robot.params.items(parameter) if composed else ():
+        if not composed:
+            continue
+        for item in robot.params.items(parameter):
             found = None if item.quoted else _EXPONENT.match(item.text)
             if found is None or (found[3] and found[4]):
                 continue

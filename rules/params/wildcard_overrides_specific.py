@@ -42,7 +42,9 @@ from bringup_lint.api import rule
 @rule("warning")
 def wildcard_overrides_specific(robot: Robot) -> Iterator[Finding]:
     for file in robot.params.judged:
-        for specific, general in robot.params.taken_back(file) if file.accepted else ():
+        if not file.accepted:
+            continue
+        for specific, general in robot.params.taken_back(file):
             yield finding(
                 general.key,
                 f"'{general.block.name}' comes last and sets '{general.name}' of {specific.block.name} to "

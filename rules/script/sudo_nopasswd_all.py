@@ -43,7 +43,9 @@ RULE = re.compile(
 @rule("warning", tags=["CWE-250", "CWE-269"])
 def sudo_nopasswd_all(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("sudoers"):
-        for match in RULE.finditer(source.text) if source.judged else ():
+        if not source.judged:
+            continue
+        for match in RULE.finditer(source.text):
             who = "a user" if "{" in match["who"] else match["who"]
             yield finding(
                 source.located(*match.span("what")),

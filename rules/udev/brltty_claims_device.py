@@ -42,7 +42,9 @@ from bringup_lint.api import rule
 def brltty_claims_device(robot: Robot) -> Iterator[Finding]:
     jammy = robot.target.systemd_known and robot.target.systemd == 249 and not robot.tree.complete
     for line in robot.udev.judged:
-        for usb_id in line.usb_ids if line.is_serial else ():
+        if not line.is_serial:
+            continue
+        for usb_id in line.usb_ids:
             claim = robot.udev.brltty_claim(line, usb_id)
             where = line.usb_number
             if claim is not None:

@@ -41,7 +41,9 @@ def result_before_program(robot: Robot) -> Iterator[Finding]:
         for rule_line in rules.rules:
             if rule_line.line.first("PROGRAM") is not None or rule_line.source.template:
                 break
-            for token in rule_line.line.tokens if rule_line.judged else ():
+            if not rule_line.judged:
+                continue
+            for token in rule_line.line.tokens:
                 used = None if token.is_match else _RESULT.search(token.value)
                 if token.key == "RESULT" or used:
                     yield finding(

@@ -39,7 +39,9 @@ from bringup_lint.api.systemd import Unit
 def systemd_wants_unit_missing(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         for token in line.line.assignments("ENV"):
-            for name in token.value.words() if token.attribute == "SYSTEMD_WANTS" else ():
+            if token.attribute != "SYSTEMD_WANTS":
+                continue
+            for name in token.value.words():
                 near = _nearest(robot, name)
                 if _is_missing(robot, name) and (robot.tree.complete or near):
                     yield finding(

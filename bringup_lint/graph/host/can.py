@@ -105,7 +105,9 @@ class Can:
             if unit.judged:
                 yield name, place
         for source in self.sources.of_kind(*_READERS):
-            for match in _USE.finditer(source.text) if source.judged else ():
+            if not source.judged:
+                continue
+            for match in _USE.finditer(source.text):
                 yield match["name"], source.located(*match.span("name"))
 
 

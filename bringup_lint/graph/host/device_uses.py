@@ -157,8 +157,9 @@ def _of_action(action: Action, declared: frozenset[str]) -> Iterator[DeviceUse]:
         values = (*action.parameters, *(action.arguments if isinstance(action, Node) else ()))
         for value in values:
             yield from _of_value(value, "a node", "literal", declared)
-        for component in action.components if isinstance(action, Node) else ():
-            yield from _of_action(component, declared)
+        if isinstance(action, Node):
+            for component in action.components:
+                yield from _of_action(component, declared)
 
 
 def _of_value(value: Value | None, user: str, certainty: Certainty, declared: frozenset[str]) -> Iterator[DeviceUse]:

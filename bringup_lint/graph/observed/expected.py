@@ -65,7 +65,9 @@ class ExpectedNode(NamedTuple):
     def chain(self) -> list[Related]:
         """The places that lead to the node: what runs the launch file, and the includes."""
         steps = [Related(self.entry.where, f"{self.entry.who} starts it")] if self.entry.who else []
-        return [*steps, *(Related(span, "included here") for span in (self.started.chain if self.started else ()))]
+        if self.started:
+            steps += [Related(span, "included here") for span in self.started.chain]
+        return steps
 
 
 @dataclass(eq=False)

@@ -187,10 +187,15 @@ class Observed:
         if use is not None:
             return use.name_place or use.where
         known = self.expected.named(endpoint.node)
-        for _, target in known.started.remappings if known and known.started else ():
-            text, where = text_of(target), literal_text(target)
-            if where is not None and text in (endpoint.topic, endpoint.topic.rpartition("/")[2], endpoint.topic[1:]):
-                return where.span
+        if known and known.started:
+            for _, target in known.started.remappings:
+                text, where = text_of(target), literal_text(target)
+                if where is not None and text in (
+                    endpoint.topic,
+                    endpoint.topic.rpartition("/")[2],
+                    endpoint.topic[1:],
+                ):
+                    return where.span
         return known.where if known else endpoint.topic.span
 
     def profile_at(self, endpoint: Endpoint) -> Span:
@@ -202,9 +207,10 @@ class Observed:
         """The endpoint in the source of its node."""
         known = self.expected.named(endpoint.node)
         role = "publisher" if endpoint.publishes else "subscription"
-        for use in self.node_topics.node(known.started).uses if known and known.started else ():
-            if use.role == role and use.topic == endpoint.topic and not use.of_table:
-                return use
+        if known and known.started:
+            for use in self.node_topics.node(known.started).uses:
+                if use.role == role and use.topic == endpoint.topic and not use.of_table:
+                    return use
         return None
 
     @cached_property

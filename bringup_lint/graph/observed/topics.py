@@ -73,7 +73,9 @@ def meant(all_topics: list[Topic]) -> Iterator[Meant]:
     """Subscriptions without a publisher, each with the one other topic of its type that its name comes close to."""
     served: dict[str, list[Topic]] = {}
     for topic in all_topics:
-        for each in topic.types if topic.publishers else ():
+        if not topic.publishers:
+            continue
+        for each in topic.types:
             served.setdefault(each, []).append(topic)
     for topic in all_topics:
         if topic.publishers or not topic.subscriptions or len(topic.types) > 1:

@@ -221,12 +221,13 @@ class Params:
         paths = self._paths
         found: dict[int, list[Load]] = {}
         real: dict[str, str] = {}
-        for load in self._all_loads if paths else ():
-            if load.path not in real:
-                real[load.path] = self._tree_files.tree.real_path(load.path)
-            file = paths.get(load.path) or paths.get(real[load.path])
-            if file is not None:
-                found.setdefault(id(file), []).append(load)
+        if paths:
+            for load in self._all_loads:
+                if load.path not in real:
+                    real[load.path] = self._tree_files.tree.real_path(load.path)
+                file = paths.get(load.path) or paths.get(real[load.path])
+                if file is not None:
+                    found.setdefault(id(file), []).append(load)
         return found
 
     @cached_property

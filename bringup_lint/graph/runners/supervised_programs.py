@@ -70,10 +70,11 @@ def _environment(program: Program) -> Environment:
     """What ``environment=`` adds to the environment of supervisord, which is not known."""
     environment = Environment(complete=False)
     value = program.get("environment")
-    for match in _PAIR.finditer(value) if value is not None else ():
-        group = next(name for name in ("double", "single", "bare") if match[name] is not None)
-        text = value.part(*match.span(group)) if value is not None else Located("", program.header)
-        environment.set(Variable(match["name"], text, None if "%(" in text else str(text), "environment="))
+    if value is not None:
+        for match in _PAIR.finditer(value):
+            group = next(name for name in ("double", "single", "bare") if match[name] is not None)
+            text = value.part(*match.span(group))
+            environment.set(Variable(match["name"], text, None if "%(" in text else str(text), "environment="))
     return environment
 
 

@@ -87,9 +87,10 @@ def _read(environment: Environment, file: EnvironmentFile, files: Files) -> None
         environment.complete &= file.missing is True
         return
     model = files.environment_file(file.path)
-    for entry in model.entries if model else ():
-        text = None if file.source.template else str(entry.value)
-        environment.set(Variable(str(entry.name), entry.value, text, "EnvironmentFile="))
+    if model:
+        for entry in model.entries:
+            text = None if file.source.template else str(entry.value)
+            environment.set(Variable(str(entry.name), entry.value, text, "EnvironmentFile="))
     environment.complete &= not file.source.template
 
 

@@ -62,7 +62,9 @@ class NameIndex:
 
 def _install_aliases(unit: Unit) -> Iterator[str]:
     """The names that enabling the unit gives it. Its drop-ins are not joined yet, and seldom hold any."""
-    for assignment in unit.fragment.assignments if unit.fragment else []:
+    if not unit.fragment:
+        return
+    for assignment in unit.fragment.assignments:
         if assignment.key == "Alias" and assignment.section == "Install":
             yield from map(str, assignment.value.words())
 

@@ -303,6 +303,8 @@ def _speaks_of_ros(unit: Unit, started: Iterable[Process]) -> bool:
 def _unit_names(text: str) -> Iterator[str]:
     """The parts of words that start where a word may start and end with the type of a unit."""
     for word in _WORD.findall(text):
-        for suffix in _TYPE.finditer(word) if len(word) <= _LONGEST_WORD else []:
+        if len(word) > _LONGEST_WORD:
+            continue
+        for suffix in _TYPE.finditer(word):
             for start in _WORD_START.finditer(word, 0, suffix.start()):
                 yield word[start.start() : suffix.end()]

@@ -83,7 +83,9 @@ class UserDatabase:
 
 
 def _rows(source: Source | None, fields: int) -> Iterator[list[str]]:
-    for line in source.text.splitlines() if source is not None else []:
+    if source is None:
+        return
+    for line in source.text.splitlines():
         row = line.split(":")
         if len(row) >= fields:
             yield row

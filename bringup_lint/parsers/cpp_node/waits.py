@@ -89,7 +89,9 @@ def waits(code: Code, callbacks: list[Callback]) -> Iterator[Waiting]:
     seen: set[int] = set()
     for callback in callbacks:
         body = bodies.of(callback) if not _AT_START.match(callback.name or "") else None
-        for each in bodies.reached(body) if body is not None else ():
+        if body is None:
+            continue
+        for each in bodies.reached(body):
             node = each.node if isinstance(each, Call) else each
             found = _call(code, each) if isinstance(each, Call) else _loop(code, each)
             if found is not None and node.id not in seen:

@@ -1,0 +1,30 @@
+"""What a file is: each kind claims its own files only."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+from bringup_lint.discover.kinds import HEAD_SIZE
+from bringup_lint.discover.kinds import kinds
+from tests.conftest import PROJECT
+
+
+def claims(path: Path) -> list[str]:
+    """The names of all kinds that claim a file."""
+
+    def head() -> str:
+        with path.open("rb") as file:
+            return file.read(HEAD_SIZE).decode("utf-8", "replace")
+
+    return [kind.name for kind in kinds() if kind.claims(path.as_posix(), head)]
+
+
+def fixtures() -> Iterator[Path]:
+    return (path for path in (PROJECT / "fixtures").rglob("*") if path.is_file() and not path.is_symlink())
+
+
+def test_no_file_is_claimed_twice() -> None:
+    found = {str(path.relative_to(PROJECT)): claims(path) for path in fixtures()}
+    assert {path: names for path, names in found.items() if len(names) > 1} == {}
+    assert any(found.values())
