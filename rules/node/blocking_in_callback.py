@@ -96,7 +96,9 @@ def _in_python(robot: Robot) -> Iterator[Finding]:
 
 def _in_cpp(robot: Robot) -> Iterator[Finding]:
     for source in robot.nodes.cpp:
-        for wait in () if source.executors else source.waits:
+        if source.executors:
+            continue
+        for wait in source.waits:
             callback = wait.callback
             shared = [each for each in source.callbacks if each.span != callback.span and each.role in URGENT]
             if not shared:
