@@ -12,6 +12,7 @@ from bringup_lint.graph.nodes.questions.blocking import blocking
 from bringup_lint.graph.nodes.questions.blocking import deadlocks
 from bringup_lint.graph.nodes.questions.blocking import waits
 from bringup_lint.graph.nodes.questions.motion import moves
+from bringup_lint.graph.nodes.questions.rates import endless_rates
 from bringup_lint.graph.nodes.questions.safe_state import commands
 from bringup_lint.graph.nodes.questions.safe_state import fed_without_condition
 from bringup_lint.graph.nodes.questions.safe_state import has_safe_state
@@ -19,6 +20,7 @@ from bringup_lint.graph.nodes.questions.safe_state import is_watched_relay
 from bringup_lint.graph.nodes.questions.safe_state import publish_after_deactivate
 from bringup_lint.graph.nodes.questions.safe_state import relays
 from bringup_lint.graph.nodes.questions.safe_state import uncovered_sigterm
+from bringup_lint.graph.nodes.questions.signatures import without_qos
 from bringup_lint.graph.nodes.questions.stopping import double_shutdown
 from bringup_lint.graph.nodes.questions.stopping import handler_never_runs
 from bringup_lint.graph.nodes.questions.stopping import stop_after_shutdown
@@ -38,6 +40,7 @@ __all__ = [
     "deadlocks",
     "dict_ranges",
     "double_shutdown",
+    "endless_rates",
     "fed_without_condition",
     "handler_never_runs",
     "has_safe_state",
@@ -56,6 +59,7 @@ __all__ = [
     "unhandled_shutdown",
     "valid_node_name",
     "waits",
+    "without_qos",
 ]
 
 _NODE_NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,254}\Z")

@@ -134,9 +134,15 @@ def _blocks(ending: Ending, node: ast.AST, cls: NodeClass) -> tuple[str, str] | 
         return f"{name}(self)", _timeout(ending, node, _SPINS[name]) or until
     if isinstance(node.func, ast.Name) and node.func.id == "input" and ending.file.imports.get("input") is None:
         return "input()", "until somebody types"
+    if isinstance(node.func, ast.Attribute) and node.func.attr == "read_loop" and not node.args and _has_evdev(ending):
+        return "read_loop()", "until a key is pressed"
     if isinstance(node.func, ast.Attribute) and isinstance(node.func.value, ast.Attribute):
         return _method(ending, node, node.func.value, cls)
     return None
+
+
+def _has_evdev(ending: Ending) -> bool:
+    return any((name or "").partition(".")[0] == "evdev" for name in ending.file.imports.values())
 
 
 def _next(ending: Ending, node: ast.AST) -> list[tuple[ast.AST, str]]:

@@ -1,0 +1,58 @@
+"""Rates that sleep where nothing spins the node."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from bringup_lint.graph.nodes.sources.syntax import Syntax
+
+_THREADS = re.compile(
+    r"spin_once|spin_some|[Tt]hread|concurrent\.futures|multiprocessing|MultiThreadedExecutor|EventsExecutor|asyncio"
+)
+
+
+class EndlessRate(NamedTuple):
+    rate: ast.Call
+    sleep: ast.Call
+
+
+def endless_rates(syntax: Syntax) -> Iterator[EndlessRate]:
+    """The sleeps on rates of a file that runs in one thread; the first of each rate."""
+    if _THREADS.search(syntax.file.source.text) or not _makes_node(syntax):
+        return
+    for rate in syntax.calls:
+        kept = _kept(syntax, rate) if _is_method(rate, "create_rate") else None
+        sleeps = [call for call in syntax.calls if kept is not None and _is_method(call, "sleep", kept)]
+        if sleeps and not _is_in_callback(syntax, sleeps[0]):
+            yield EndlessRate(rate, sleeps[0])
+
+
+def _makes_node(syntax: Syntax) -> bool:
+    """Whether the file is the program: it initialises rclpy itself, so that nobody else spins its nodes."""
+    return any(syntax.qualified(call) == "rclpy.init" for call in syntax.calls)
+
+
+def _is_method(call: ast.Call, name: str, owner: str | None = None) -> bool:
+    function = call.func
+    if not isinstance(function, ast.Attribute) or function.attr != name:
+        return False
+    return owner is None or ast.unparse(function.value) == owner
+
+
+def _is_in_callback(syntax: Syntax, call: ast.Call) -> bool:
+    """Whether a spin may run the method that sleeps: it then blocks the executor, and is no matter of the rate."""
+    function = syntax.function(call)
+    method = any(isinstance(outer, ast.ClassDef) for outer, _ in syntax.above(call))
+    spins = any(syntax.qualified(each) == "rclpy.spin" for each in syntax.calls)
+    return method and spins and function is not None and function.name != "__init__"
+
+
+def _kept(syntax: Syntax, call: ast.Call) -> str | None:
+    """The variable or attribute that a rate is assigned to."""
+    outer = next((each for each, _ in syntax.above(call)), None)
+    if isinstance(outer, ast.Assign) and len(outer.targets) == 1:
+        return ast.unparse(outer.targets[0])
+    return None

@@ -1,0 +1,48 @@
+"""A publisher or subscription is created without a quality of service.
+
+## What it finds
+`create_publisher` with fewer than three arguments, or `create_subscription` with fewer than four, in a Python node. The
+same for `queue_size=`, which is an argument of ROS 1.
+
+## Why it matters on a robot
+The call raises a TypeError, usually in the constructor: the node never starts.
+
+## Bad
+```python
+self.create_publisher(Twist, "cmd_vel", queue_size=1)
+```
+
+## Good
+```python
+self.create_publisher(Twist, "cmd_vel", 1)
+```
+
+## When to ignore it
+When the class overrides the method and gives it a default in code that the linter does not see.
+
+## References
+- rclpy.node.Node.create_publisher and create_subscription (tried with rclpy 7.1)
+"""
+
+import ast
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import nodes
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["missing 1 required positional argument: 'qos_profile'", "keyword argument 'queue_size'"])
+def qos_missing(robot: Robot) -> Iterator[Finding]:
+    for file in robot.nodes.programs:
+        for call, wrong in nodes.without_qos(robot.nodes.syntax(file)):
+            function = call.func
+            name = function.attr if isinstance(function, ast.Attribute) else "the call"
+            yield finding(
+                file.span_of(call),
+                f"{name}() {wrong}: it raises a TypeError, and the node exits",
+                advice="give it a depth such as 10, or a QoSProfile, as the last argument",
+                severity=nodes.lowered(robot.nodes.purpose(file.source), "error"),
+            )
