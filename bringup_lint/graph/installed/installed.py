@@ -34,7 +34,9 @@ _MARKS = re.compile(r"/etc/|/systemd|/udev|/usr/l|\.config/|/opt/|sysctl|\.rules
 """What a script says that installs something."""
 _BY_LINE = frozenset({"sysctl", "udev-rules", "sudoers", "env-file"})
 """Kinds of which every line speaks for itself, so that lines added to a file can be judged."""
-_NOT_JOINED = re.compile(r"launch|python|params|package|cmake|authorized-keys|ssh-")
+_EXPANDING = frozenset({"shell-script", "env-file"})
+"""Kinds that know variables themselves: what is not known in them cannot be told from what is wrong."""
+_NOT_JOINED = re.compile(r"launch|python|limits|params|package|cmake|authorized-keys|ssh-")
 _COPIES = frozenset({"cp", "install", "ln", "mv", "rsync"})
 _VALUED = {"install": ("-o", "-g", "-m", "-S"), "rsync": ("-e",), "cp": ("-S",), "mv": ("-S",), "ln": ("-S",)}
 
@@ -160,6 +162,8 @@ def _source(script: Source, path: str, written: list[Written]) -> Source | None:
     )
     name = f"{script.name}:{path}"
     template = template_language(name, whole)
+    if template and kind in _EXPANDING:
+        return None
     return Source(name, whole, kind, path, script.judged, template, origin=origin)
 
 

@@ -179,3 +179,9 @@ def test_ansible_and_cloud_init(tmp_path: Path) -> None:
     ]
     assert all(source.text == RULE + "\n" and source.origin for source in robot.of_kind("udev-rules"))
     assert [unit.name for unit in robot.units.all] == ["rover.service"]
+
+
+def test_a_script_with_unknown_values_is_not_joined(tmp_path: Path) -> None:
+    script = "cat > /usr/local/bin/env.sh <<EOF\nexport ROS_DOMAIN_ID=$ID\nEOF\n"
+    assert not written(tmp_path, script)
+    assert written(tmp_path, script.replace("$ID", "4"))["/usr/local/bin/env.sh"].kind == "shell-script"
