@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from bringup_lint.graph.udev.conditions import Condition
+from bringup_lint.graph.udev.order import TooEarly
 from bringup_lint.graph.udev.rule import Link
 from bringup_lint.graph.udev.rule import UdevRule
 from bringup_lint.model.udev import Token
@@ -11,5 +12,6 @@ __all__ = [
     "Condition",
     "Link",
     "Token",
+    "TooEarly",
     "UdevRule",
 ]

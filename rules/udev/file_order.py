@@ -36,17 +36,33 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.udev import TooEarly
+from bringup_lint.api.udev import UdevRule
+
+_MOST_SHOWN = 20
 
 
 @rule("warning")
 def file_order(robot: Robot) -> Iterator[Finding]:
+    causes: dict[tuple[str, str], list[tuple[UdevRule, TooEarly]]] = {}
     for line, early in robot.udev.too_early:
-        name = line.source.basename
-        if early.value:
-            whose = " of the USB device node" * line.is_for_usb_nodes
-            message = f"{early.file} is read after {name} and overwrites {early.token.key}{whose} with {early.value}"
-        else:
-            message = f"{early.token.attribute} is empty in {name}, {early.file} sets it later: the rule never fires"
-        advice = f"rename the file so that it sorts after {early.file}, such as 99-robot.rules"
-        yield finding(early.token.span, message, advice=advice, confidence="medium" if line.is_for_usb_nodes else None)
+        causes.setdefault((early.token.span.path, _message(line, early)), []).append((line, early))
+    for (_, message), found in causes.items():
+        (line, early), *others = found
+        yield finding(
+            early.token.span,
+            message + (f" ({len(found)} lines)" if others else ""),
+            advice=f"rename the file so that it sorts after {early.file}, such as 99-robot.rules",
+            related=[note(other.token.span, "this line too") for _, other in others[:_MOST_SHOWN]],
+            confidence="medium" if line.is_for_usb_nodes else None,
+        )
+
+
+def _message(line: UdevRule, early: TooEarly) -> str:
+    name = line.source.basename
+    if not early.value:
+        return f"{early.token.attribute} is empty in {name}, {early.file} sets it later: the rule never fires"
+    whose = " of the USB device node" * line.is_for_usb_nodes
+    return f"{early.file} is read after {name} and overwrites {early.token.key}{whose} with {early.value}"
