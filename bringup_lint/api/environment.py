@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from bringup_lint.graph.environment.env_files import UsedEnvFile
+from bringup_lint.graph.environment.images import missing_middleware
 from bringup_lint.graph.environment.ros import RosProcess
 from bringup_lint.graph.environment.ros import Setting
 
@@ -10,4 +11,5 @@ __all__ = [
     "RosProcess",
     "Setting",
     "UsedEnvFile",
+    "missing_middleware",
 ]

@@ -35,11 +35,14 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.environment import missing_middleware
 
 
 @rule("warning", symptoms=["failed to load shared library", "Error getting RMW implementation identifier"])
 def rmw_package_missing(robot: Robot) -> Iterator[Finding]:
-    for each in robot.ros.missing_middleware:
+    if not robot.of_kind("compose", "dockerfile"):
+        return
+    for each in missing_middleware(robot.compose, robot.ros.processes):
         yield finding(
             each.variable.value,
             f"The image does not contain {each.variable.text}: every ROS process of the container exits at start",

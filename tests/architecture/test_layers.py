@@ -55,7 +55,7 @@ LAYERS = (
 )
 """From the top down. The layers of one line do not import each other; ``""`` is the version of the package."""
 LEVEL = {name: level for level, names in enumerate(LAYERS) for name in names}
-HAVE_CIRCLES = frozenset("graph.environment graph.params".split())
+HAVE_CIRCLES = frozenset("graph.params".split())
 """Layers whose files still import each other in a circle; nothing may be added."""
 
 

@@ -10,7 +10,6 @@ from typing import NamedTuple
 
 from bringup_lint.facts.ros import distros
 from bringup_lint.graph.commands.environment import Variable
-from bringup_lint.graph.runners.containers import image_variables
 from bringup_lint.source import Located
 
 if TYPE_CHECKING:
@@ -54,6 +53,8 @@ class MissingMiddleware(NamedTuple):
 
 def missing_middleware(compose: Compose, processes: Iterable[RosProcess]) -> Iterator[MissingMiddleware]:
     """Every place that selects a middleware which the described image surely does not contain."""
+    from bringup_lint.graph.runners.containers import image_variables
+
     found: dict[object, MissingMiddleware] = {}
     for process in processes:
         variable = process.environment.get(RMW)

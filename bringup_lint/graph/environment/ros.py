@@ -28,7 +28,6 @@ if TYPE_CHECKING:
     from bringup_lint.graph.commands.environment import Environment
     from bringup_lint.graph.commands.environment import Variable
     from bringup_lint.graph.compose import Compose
-    from bringup_lint.graph.environment.images import MissingMiddleware
     from bringup_lint.graph.environment.launched import Launched
     from bringup_lint.graph.files import Files
     from bringup_lint.graph.launch.expansion import Expansion
@@ -127,15 +126,6 @@ class RosEnvironment:
             if source is not None:
                 found[source.name] = source
         return list(found.values())
-
-    @property
-    def missing_middleware(self) -> Iterator[MissingMiddleware]:
-        """The places that select a middleware which the image of the container does not contain."""
-        if not self.files.of_kind("compose", "dockerfile"):
-            return iter(())
-        from bringup_lint.graph.environment.images import missing_middleware
-
-        return missing_middleware(self.compose(), self.processes)
 
     def first_mention(self, distro: str) -> Located | None:
         """The first word of a judged file that says which distribution runs."""
