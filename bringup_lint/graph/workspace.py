@@ -89,6 +89,20 @@ class Package:
         """Console script -> ``package.module:function``."""
         return {name: target for build in self.builds for name, target in build.entry_points.items()}
 
+    def is_misplaced(self, executable: str) -> bool:
+        """Whether a console script is certainly not installed where ``ros2 run`` looks, in ``lib/<package>``."""
+        if executable not in self.entry_points or any(self.origins(f"lib/{self.name}/{executable}")):
+            return False
+        return self.executables_known and self.installs_known and self._scripts_misplaced
+
+    @cached_property
+    def _scripts_misplaced(self) -> bool:
+        if not all(build.scripts_folder_known for build in self.builds):
+            return False
+        folders = [build.scripts_folder.rstrip("/") for build in self.builds if build.scripts_folder]
+        computed = any("$" in folder.removeprefix("$base/") for folder in folders)
+        return not computed and not any(folder.endswith(f"lib/{self.name}") for folder in folders)
+
     @cached_property
     def plugins(self) -> list[Located]:
         return [plugin for build in self.builds for plugin in build.plugins]

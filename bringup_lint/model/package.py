@@ -57,6 +57,9 @@ class Build:
     """What ``ros2 run`` finds, by name."""
     entry_points: dict[str, str] = field(default_factory=dict)
     """Console script -> ``package.module:function``."""
+    scripts_folder: str | None = None
+    """Where setup.cfg puts console scripts, e.g. ``$base/lib/my_robot``; None when it does not say."""
+    scripts_folder_known: bool = True
     executables_known: bool = True
     plugins: list[Located] = field(default_factory=list)
     """Component classes that are registered."""

@@ -69,13 +69,14 @@ def parse(source: Source) -> Build:
         return _unknown(build)
     _data_files(build, found[0].get("data_files"))
     _scripts(build, found[0].get("entry_points"))
+    build.scripts_folder_known = not {"options", "cmdclass"} & set(found[0])
     if "scripts" in found[0]:
         build.executables_known = False
     return build
 
 
 def _unknown(build: Build) -> Build:
-    build.installs_known = build.executables_known = False
+    build.installs_known = build.executables_known = build.scripts_folder_known = False
     return build
 
 
@@ -163,6 +164,7 @@ def parse_cfg(source: Source) -> Build:
         parser.read_string(source.text)
     except (configparser.Error, ValueError):
         return _unknown(build)
+    build.scripts_folder = _scripts_folder(parser)
     scripts = parser.get("options.entry_points", "console_scripts", fallback="")
     for match in _SCRIPT.finditer(scripts):
         build.executables[match[1]] = Located(match[1], source.whole)
@@ -172,3 +174,9 @@ def parse_cfg(source: Source) -> Build:
             for file in files.split():
                 build.installs.append(Install(destination, file, False, source.whole))
     return build
+
+
+def _scripts_folder(parser: configparser.RawConfigParser) -> str | None:
+    """``install_scripts`` of ``[install]``; setuptools takes a hyphen for an underscore."""
+    options = parser.items("install") if parser.has_section("install") else []
+    return next((value.strip() for name, value in options if name.replace("-", "_") == "install_scripts"), None)

@@ -2,8 +2,8 @@
 
 ## What it finds
 Executables of workspace packages that neither setup.py (`console_scripts`) nor CMakeLists.txt (`install`, component
-registration) provides. For gazebo_ros: every executable except `spawn_entity.py`. A node that does not start by
-default is a warning.
+registration) provides, and console scripts that setup.cfg does not put into `lib/<package>`. For gazebo_ros: every
+executable except `spawn_entity.py`. A node that does not start by default is a warning.
 
 ## Why it matters on a robot
 launch aborts with "executable 'x' not found on the libexec directory": no node of the whole launch file starts.
@@ -29,6 +29,7 @@ external project generates.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -54,7 +55,11 @@ def executable_missing(robot: Robot) -> Iterator[Finding]:
                 advice="include one of the package's launch files instead",
                 severity="warning" if node.by_default is not True else None,
             )
-        if package is None or executable is None or not package.executables_known or executable in package.executables:
+        if package is None or executable is None or not package.executables_known:
+            continue
+        if executable in package.executables:
+            if package.is_misplaced(executable):
+                yield misplaced(robot, node, package, executable)
             continue
         near = nearest(executable, sorted(package.executables), 3)
         related = [note(package.executables[near[0]], "the executable of the package")] if near else []
@@ -69,3 +74,15 @@ def executable_missing(robot: Robot) -> Iterator[Finding]:
             else None,
             severity="warning" if node.by_default is not True else None,
         )
+
+
+def misplaced(robot: Robot, node: launch.Started, package: launch.Package, executable: Located) -> Finding:
+    """A console script in ``bin``, where launch does not look."""
+    return finding(
+        executable,
+        f"'{executable}' is not installed in lib/{package.name}: launch aborts",
+        advice=f"write 'install_scripts=$base/lib/{package.name}' in the section [install] of setup.cfg",
+        chain=robot.provenance.chain_to_node(node),
+        related=[note(package.executables[executable], "the console script, which goes to bin")],
+        severity="warning" if node.by_default is not True else None,
+    )
