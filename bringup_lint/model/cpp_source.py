@@ -58,5 +58,5 @@ class CppNode:
     executors: bool = False
     """It makes an executor of several threads, or callback groups."""
     devices: list[Located] = field(default_factory=list)
-    """Literal paths below ``/dev``."""
+    """Literal paths below ``/dev`` that a call opens."""
     problems: list[Problem] = field(default_factory=list)

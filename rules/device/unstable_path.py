@@ -93,3 +93,8 @@ def _is_launched_at_boot(robot: Robot, use: DeviceUse) -> bool:
         if not any(f"'{name}'" in around or f'"{name}"' in around for name, _ in each.arguments):
             return True
     return False
+
+
+def _by_id(path: str) -> str:
+    """The folder of stable links that udev makes for a kind of device."""
+    return "/dev/v4l/by-id" if path.startswith("/dev/video") else "/dev/serial/by-id"

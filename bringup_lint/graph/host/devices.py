@@ -104,6 +104,10 @@ class Devices:
             yield from of_launch(self.launch())
         if self.files.of_kind("params"):
             yield from of_params(self.params())
+        if self.files.of_kind("python-node", "cpp-node"):
+            from bringup_lint.graph.host.device_code import of_sources
+
+            yield from of_sources(self.files)
 
     @cached_property
     def _inside_containers(self) -> frozenset[str]:

@@ -33,6 +33,7 @@ _OF_NODES = re.compile(
 _EXECUTORS = re.compile(
     r"MultiThreadedExecutor|EventsExecutor|create_callback_group|component_container_(?:mt|isolated)"
 )
+_OPENING = re.compile(r"(?i)f?open(?:_?(?:serial|port|device))?\Z|set_?port\Z|VideoCapture\Z|Serial\Z")
 _DEVICE = re.compile(r"/dev/[A-Za-z][\w.+-]*(?:/[\w.:+-]+)*\Z")
 
 
@@ -72,7 +73,8 @@ def _read_calls(node: CppNode, code: Code) -> None:
 
 
 def _devices(code: Code) -> Iterator[Located]:
-    for each in code.written.get("string", ()):
-        text = code.literal(each)
+    """The paths that a call opens directly."""
+    for call in code.calls:
+        text = code.literal(call.arguments[0]) if call.arguments and _OPENING.match(call.name) else None
         if text is not None and _DEVICE.match(text):
             yield text

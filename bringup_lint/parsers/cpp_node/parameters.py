@@ -43,7 +43,7 @@ def constant(code: Code, node: Node | None) -> str | int | float | bool | None:
     node = code.unwrapped(node)
     text = code.literal(node)
     if text is not None:
-        return str(text)
+        return text
     written = code.text(node).strip()
     if written in ("true", "false"):
         return written == "true"

@@ -1,0 +1,84 @@
+"""The device paths and camera indices that the sources of nodes name."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterable
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.discover.starters import STARTING
+from bringup_lint.graph.host.device_uses import DeviceUse
+from bringup_lint.parsers.cpp_node import parse as parse_cpp
+from bringup_lint.parsers.python_node import parse as parse_python
+from bringup_lint.source import Located
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.files import Files
+    from bringup_lint.model.node_source import NodeSource
+    from bringup_lint.model.node_source import Parameter
+    from bringup_lint.source import Source
+
+_OPENING = frozenset({"serial.Serial", "cv2.VideoCapture", "open", "evdev.InputDevice", "os.open"})
+_CAMERA = "cv2.VideoCapture"
+_GIVING = (*STARTING, "params", "env-file", "launch-python", "launch-xml", "launch-yaml")
+_NAMES = re.compile(r"/dev/|VideoCapture")
+
+
+def of_sources(files: Files) -> Iterator[DeviceUse]:
+    """What nodes open under a literal path, and the defaults of parameters that no other file gives."""
+    given = [source.text for source in files.of_kind(*_GIVING)]
+    for file in files.parsed(parse_python, _naming(files, "python-node")):
+        if file.tree is not None:
+            yield from _of_python(file, given)
+    for node in files.parsed(parse_cpp, _naming(files, "cpp-node")):
+        for path in node.devices:
+            yield DeviceUse(path, "the source of a node", "default")
+        yield from _defaults(node.parameters, given)
+
+
+def _defaults(parameters: Iterable[Parameter], given: list[str]) -> Iterator[DeviceUse]:
+    for parameter in parameters:
+        path = parameter.default
+        if isinstance(path, Located) and path.startswith("/dev/") and not _is_given(str(parameter.name), given):
+            yield DeviceUse(path, f"the parameter {parameter.name}", "argument")
+
+
+def _naming(files: Files, kind: str) -> list[Source]:
+    return [source for source in files.of_kind(kind) if source.judged and _NAMES.search(source.text)]
+
+
+def _is_given(parameter: str, texts: list[str]) -> bool:
+    """Whether a file that starts or configures nodes names a parameter."""
+    return any(parameter.rpartition(".")[2] in text for text in texts)
+
+
+def _of_python(file: NodeSource, given: list[str]) -> Iterator[DeviceUse]:
+    for call in ast.walk(file.tree) if file.tree is not None else ():
+        if not isinstance(call, ast.Call):
+            continue
+        name = file.qualified(call.func) or (call.func.id if isinstance(call.func, ast.Name) else "")
+        opened = _opened(call) if name in _OPENING else None
+        path = _path(file, opened, name) if opened is not None else None
+        if path is not None:
+            yield DeviceUse(path, "the source of a node", "default")
+    for node in file.classes:
+        yield from _defaults(node.parameters.values(), given)
+
+
+def _opened(call: ast.Call) -> ast.expr | None:
+    """The argument that names the device."""
+    if call.args:
+        return call.args[0]
+    return next((each.value for each in call.keywords if each.arg in ("port", "index", "filename", "dev")), None)
+
+
+def _path(file: NodeSource, node: ast.expr, name: str) -> Located | None:
+    if not isinstance(node, ast.Constant):
+        return None
+    span = file.span_of(node)
+    if isinstance(node.value, str) and node.value.startswith("/dev/"):
+        return Located(node.value, span)
+    index = node.value if name == _CAMERA and isinstance(node.value, int) and not isinstance(node.value, bool) else 0
+    return Located(f"/dev/video{index}", span) if index > 0 else None
