@@ -55,7 +55,9 @@ def _is_given(parameter: str, texts: list[str]) -> bool:
 
 
 def _of_python(file: NodeSource, given: list[str]) -> Iterator[DeviceUse]:
-    for call in ast.walk(file.tree) if file.tree is not None else ():
+    if file.tree is None:
+        return
+    for call in ast.walk(file.tree):
         if not isinstance(call, ast.Call):
             continue
         name = file.qualified(call.func) or (call.func.id if isinstance(call.func, ast.Name) else "")
