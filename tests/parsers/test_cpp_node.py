@@ -70,3 +70,9 @@ def test_no_text_fails(text: str, at: int, size: int) -> None:
     for each in (*node.endpoints, *node.timers, *node.waits):
         assert 0 <= each.span.start <= each.span.end <= len(broken)
     assert all(each.span.text == each for each in node.devices)
+
+
+def test_deep_nesting_is_left_out() -> None:
+    deep = parse(Source("relay.cpp", NODE + "(" * 200_000))
+    assert [problem.code for problem in deep.problems] == ["too-deep"]
+    assert deep.endpoints == []

@@ -24,12 +24,15 @@ from bringup_lint.source import Source
 
 TEXT = 400_000
 """Code points of a node source."""
+NESTED = 1_000
+"""Brackets that are open at one place, comments and texts included: with more, recovery from errors takes too long."""
 CALLBACKS = 200
 """Callbacks of one file that are looked into."""
 _OF_NODES = re.compile(
     r"\bcreate_(?:publisher|subscription|service|client|server|wall_timer|timer)\b|\w*_parameters?\w*\s*[<(]"
     r"|\bNode\b|\bLifecycleNode\b|/dev/|RCLCPP_COMPONENTS_REGISTER_NODE"
 )
+_BRACKET = re.compile(r"[()\[\]{}]")
 _EXECUTORS = re.compile(
     r"MultiThreadedExecutor|EventsExecutor|create_callback_group|component_container_(?:mt|isolated)"
 )
@@ -38,12 +41,15 @@ _DEVICE = re.compile(r"/dev/[A-Za-z][\w.+-]*(?:/[\w.:+-]+)*\Z")
 
 
 def parse(source: Source) -> CppNode:
-    """What a file makes, declares and waits for. Never raises; ``problems``: ``too-large``."""
+    """What a file makes, declares and waits for. Never raises; ``problems``: ``too-large``, ``too-deep``."""
     node = CppNode(source)
     if len(source.text) > TEXT:
         node.problems.append(Problem("too-large", source.whole))
         return node
     if not _OF_NODES.search(source.text):
+        return node
+    if _open_brackets(source.text) > NESTED:
+        node.problems.append(Problem("too-deep", source.whole))
         return node
     code = Code(source)
     node.classes = node_classes(code)
@@ -55,6 +61,15 @@ def parse(source: Source) -> CppNode:
     node.devices = list(_devices(code))
     node.waits = list(waits(code, node.callbacks[:CALLBACKS]))
     return node
+
+
+def _open_brackets(text: str) -> int:
+    """The most brackets that are open at one place, of whatever kind."""
+    most = level = 0
+    for found in _BRACKET.finditer(text):
+        level = level + 1 if found[0] in "([{" else max(0, level - 1)
+        most = max(most, level)
+    return most
 
 
 def _read_calls(node: CppNode, code: Code) -> None:
