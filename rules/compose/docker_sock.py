@@ -35,7 +35,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
-@rule("error", tags=["CWE-250"])
+@rule("warning", tags=["CWE-250"])
 def docker_sock(robot: Robot) -> Iterator[Finding]:
     for service in robot.compose.services:
         for volume in service.volumes:

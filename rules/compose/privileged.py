@@ -43,7 +43,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.compose import Service
 
 
-@rule("error", tags=["CWE-250"])
+@rule("warning", tags=["CWE-250"])
 def privileged(robot: Robot) -> Iterator[Finding]:
     places: dict[Span, list[Service]] = {}
     for service in robot.compose.services:
