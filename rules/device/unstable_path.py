@@ -3,17 +3,11 @@
 ## What it finds
 `/dev/ttyUSB0`, `/dev/ttyACM1`, `/dev/video2` and similar paths. The severity depends on the place:
 
-<<<<<<< HEAD
-- Error: units and their environment files, compose, launch and parameter files.
-- Warning: scripts, and default values of shell variables.
-- Info: the default of a launch argument; a warning where a unit launches the file without giving the argument a
-  value.
+- Warning: units and their environment files, compose, launch and parameter files, scripts; the default of a launch
+  argument where a unit launches the file without giving the argument a value.
+- Info: any other default of a launch argument.
 
 Several uses of one path in a file are one finding.
-=======
-- Warning: units and their environment files, compose, launch and parameter files, scripts.
-- Info: the default of a launch argument.
->>>>>>> 4622f7dc (Call a risk a warning: device numbers, privileged containers, the Docker socket)
 
 On-board ports (ttyS, ttyTHS, ttyAMA), links by id or path, and files for simulation are not reported.
 
@@ -51,12 +45,8 @@ from bringup_lint.api import rule
 from bringup_lint.api.host import DeviceUse
 from bringup_lint.api.udev import Link
 
-<<<<<<< HEAD
-_SEVERITY = {"script": "warning", "default": "warning", "argument": "info"}
-_RANK = ("literal", "unit", "host", "default", "script", "argument")
-=======
 _SEVERITY = {"argument": "info"}
->>>>>>> 4622f7dc (Call a risk a warning: device numbers, privileged containers, the Docker socket)
+_RANK = ("literal", "unit", "host", "default", "script", "argument")
 
 
 @rule("warning", symptoms=["could not open port /dev/ttyUSB0", "Could not open device /dev/ttyUSB0"])
