@@ -24,7 +24,9 @@ from bringup_lint.model.shell import Redirect
 from bringup_lint.parsers.shell import blocks
 from bringup_lint.parsers.shell import flatten
 from bringup_lint.source import Located
+from bringup_lint.source import Origin
 from bringup_lint.source import Source
+from bringup_lint.source import Span
 
 STEPS = 20_000
 """Statements that are looked at in one script."""
@@ -57,6 +59,11 @@ class Run(NamedTuple):
     def text(self, word: Located) -> str:
         """A word with the variables that are known."""
         return plain(word, self.values)
+
+    def given_at(self, start: int, end: int) -> Span:
+        """Where a stretch of its standard input is in the script."""
+        where = self.command.words[0].span
+        return Origin(where, self.given.pieces if self.given else ()).span(start, end)
 
     @property
     def reads_input(self) -> int:

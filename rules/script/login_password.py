@@ -1,0 +1,82 @@
+"""A script sets a password that it holds itself.
+
+## What it finds
+A password as a literal that goes to `chpasswd` or `passwd`, or after `useradd -p` and `usermod -p`. A value from a
+variable that the script does not set, and a command that asks for it, are fine.
+
+## Why it matters on a robot
+Everybody who can read the repository can log in on every robot that was set up with it: over SSH, or at a screen. For
+root, or for a user who may use sudo, that is the whole robot and its motors.
+
+## Bad
+```sh
+echo 'rover:rover123' | sudo chpasswd
+```
+
+## Good
+```sh
+sudo passwd --lock rover
+install -D -m 600 -o rover operator.pub /home/rover/.ssh/authorized_keys
+```
+
+## When to ignore it
+When the password expires at the first login (`chage -d 0`), or when the image is never connected to a network.
+
+## References
+- chpasswd(8)
+- CWE-798: Use of Hard-coded Credentials
+"""
+
+import re
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Located
+from bringup_lint.api import Robot
+from bringup_lint.api import Source
+from bringup_lint.api import Span
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+from bringup_lint.api.shell import Run
+
+PAIR = re.compile(r"^(?P<user>[a-z_][\w-]*):(?P<password>[^\s:{}$]+)$", re.M)
+TWICE = re.compile(r"(?P<password>[^\s{}$]+)\n(?P=password)\n?")
+EXPIRES = re.compile(r"\bchage\s+(?:-d\s*0|--lastday[= ]0)|passwd\s+(?:-e|--expire)\b")
+
+
+@rule("error", tags=["CWE-798", "CWE-259"])
+def login_password(robot: Robot) -> Iterator[Finding]:
+    for source, run in robot.scripts.run("chpasswd", "passwd", "useradd", "usermod"):
+        if EXPIRES.search(source.text):
+            continue
+        for user, password in _set(run):
+            yield finding(
+                password,
+                f"The password of {user} is in this script: everybody with a copy of it can log in on the robot",
+                advice="lock the password and log in with keys, or make a password for each robot at its first boot",
+                secrets=[password],
+                confidence=None if run.certain else "medium",
+            )
+
+
+def _set(run: Run) -> Iterator[tuple[str, Located]]:
+    """The users whose passwords a command sets, with the passwords."""
+    source = run.command.words[0].span.source
+    text = str(run.given or "")
+    place = run.given_at
+    if run.name == "chpasswd":
+        for pair in PAIR.finditer(text):
+            yield pair["user"], _located(source, place(*pair.span("password")))
+    elif run.name == "passwd":
+        twice = TWICE.fullmatch(text)
+        if twice:
+            users = [word for word in run.arguments if not word.startswith("-")]
+            yield (users[-1] if users else "the user"), _located(source, place(*twice.span("password")))
+    else:
+        for option, value in zip(run.words[1:], run.words[2:]):
+            if option in ("-p", "--password") and re.fullmatch(r"[^\s${}()`*!]+", value):
+                yield str(run.words[-1]), value
+
+
+def _located(source: Source, span: Span) -> Located:
+    return source.located(span.start, span.end)
