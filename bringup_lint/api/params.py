@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from bringup_lint.graph.params.matching import unreached
+from bringup_lint.graph.params.matching import unused
+from bringup_lint.graph.params.time import simulated
 from bringup_lint.model.params import Block
 from bringup_lint.model.params import Parameter
 from bringup_lint.model.params import ParameterFile
@@ -10,4 +13,7 @@ __all__ = [
     "Block",
     "Parameter",
     "ParameterFile",
+    "simulated",
+    "unreached",
+    "unused",
 ]

@@ -1,4 +1,4 @@
-"""supervisord.conf, as supervisor's options.py reads it: Python's configparser with ``;`` comments after a blank."""
+"""supervisord.conf, as supervisor's options.py reads it: Python's configparser with inline comments after a blank."""
 
 from __future__ import annotations
 
@@ -12,8 +12,9 @@ from bringup_lint.source import Source
 _HEADER = re.compile(r"[ \t]*\[program:(?P<name>[^\]\r\n]*)\]")
 _OTHER_HEADER = re.compile(r"[ \t]*\[[^\]\r\n]*\]")
 _SETTING = re.compile(r"(?P<key>[^\s=:;#\[][^=:\r\n]*?)[ \t]*[=:][ \t]*(?P<value>[^\r\n]*)")
-_CONTINUED = re.compile(r"(?:\r?\n[ \t]+[^\r\n]*)*")
-_COMMENT = re.compile(r"\s;")
+_CONTINUED = re.compile(r"\n(?:[ \t]*[;#][^\n]*|[ \t\r]*(?=\n|\Z)|[ \t]+\S[^\n]*)")
+"""A comment, an empty line, or an indented one: none of them ends a value."""
+_COMMENT = re.compile(r"(?:(?<=\s)|^)[;#][^\n]*", re.M)
 
 
 def parse(source: Source) -> list[Program]:
@@ -43,10 +44,10 @@ def _lines(text: str) -> Iterator[tuple[int, int]]:
 
 
 def _value(source: Source, start: int) -> Located:
-    """A value with its continuation lines; a comment ends it."""
+    """A value with its continuation lines; comments in it become blanks, so that every place stays."""
     end = source.text.find("\n", start)
     end = len(source.text) if end < 0 else end
-    continued = _CONTINUED.match(source.text, end)
-    end = continued.end() if continued else end
-    comment = _COMMENT.search(source.text, max(start - 1, 0), end)
-    return source.located(start, comment.start() if comment and comment.start() >= start else end).strip_located()
+    while continued := _CONTINUED.match(source.text, end):
+        end = continued.end()
+    text = _COMMENT.sub(lambda comment: " " * len(comment[0]), source.text[start:end])
+    return Located(text, source.span(start, end)).strip_located()

@@ -36,11 +36,12 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.params import unreached
 
 
 @rule("error", fix="unsafe")
 def file_key_mismatch(robot: Robot) -> Iterator[Finding]:
-    for found in robot.params.unreached:
+    for found in unreached(robot.params):
         tail = found.name.rpartition("/")[2]
         better = found.name if found.misspelt else f"/**/{tail}"
         single = len(found.block.keys) == 1

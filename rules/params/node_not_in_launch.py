@@ -40,11 +40,12 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.params import unused
 
 
 @rule("warning", fix="unsafe")
 def node_not_in_launch(robot: Robot) -> Iterator[Finding]:
-    for found in robot.params.unused:
+    for found in unused(robot.params):
         name = found.name.removeprefix("/")
         single = len(found.block.keys) == 1
         yield finding(

@@ -37,11 +37,12 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.params import simulated
 
 
 @rule("error", fix="unsafe")
 def use_sim_time_real_robot(robot: Robot) -> Iterator[Finding]:
-    for found in robot.params.simulated:
+    for found in simulated(robot.params):
         yield finding(
             found.parameter.span,
             f"Nothing publishes /clock on the robot: the time of {found.load.node.label()} stays at zero "

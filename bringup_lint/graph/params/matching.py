@@ -57,7 +57,12 @@ def unreached(params: Params) -> Iterator[Mismatch]:
 
 
 def unused(params: Params) -> Iterator[Mismatch]:
-    """Blocks that match no node that gets the file, and are nearly the name of one."""
+    """Blocks that match no node that gets the file, and are nearly the name of one that another block matches."""
+    missed = {found.block for found in unreached(params)}
+    return (found for found in _unmatched(params) if found.block not in missed)
+
+
+def _unmatched(params: Params) -> Iterator[Mismatch]:
     for file, loads in _certain(params):
         if any(_name(load) is None for load in loads) or _read_elsewhere(params, file, loads):
             continue

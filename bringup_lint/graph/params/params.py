@@ -28,8 +28,6 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.started import Started
     from bringup_lint.graph.params.declared import Declared
     from bringup_lint.graph.params.loads import Load
-    from bringup_lint.graph.params.matching import Mismatch
-    from bringup_lint.graph.params.time import Simulated
 
 BUILD = ("params", "cmake", "setup-py", "setup-cfg", "ros-package")
 """Kinds that may name a parameter file without loading it."""
@@ -229,28 +227,6 @@ class Params:
                 if file is not None:
                     found.setdefault(id(file), []).append(load)
         return found
-
-    @cached_property
-    def unreached(self) -> list[Mismatch]:
-        """Nodes that get nothing of a file which has a block that is nearly theirs."""
-        from bringup_lint.graph.params.matching import unreached
-
-        return list(unreached(self))
-
-    @cached_property
-    def unused(self) -> list[Mismatch]:
-        """Blocks that reach no node, and are nearly the name of one that another block reaches."""
-        from bringup_lint.graph.params.matching import unused
-
-        missed = {id(found.block) for found in self.unreached}
-        return [found for found in unused(self) if id(found.block) not in missed]
-
-    @cached_property
-    def simulated(self) -> list[Simulated]:
-        """Nodes of a robot's bring-up that wait for the time of a simulation."""
-        from bringup_lint.graph.params.time import simulated
-
-        return list(simulated(self))
 
     def loads(self, file: ParameterFile) -> list[Load]:
         """The nodes of the tree's launch files that are given a file."""
