@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from bringup_lint.graph.compose_names import MissingFile
+from bringup_lint.graph.compose_names import missing_files
+from bringup_lint.graph.compose_names import undefined_names
 from bringup_lint.model.compose import Device
 from bringup_lint.model.compose import Service
 from bringup_lint.model.compose import reach
@@ -9,7 +12,10 @@ from bringup_lint.parsers.compose_schema import homes_of
 
 __all__ = [
     "Device",
+    "MissingFile",
     "Service",
     "homes_of",
+    "missing_files",
     "reach",
+    "undefined_names",
 ]

@@ -1,0 +1,183 @@
+"""What compose files name that has to exist: files beside them, volumes, networks and services."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+from typing import NamedTuple
+
+from bringup_lint.model.compose import ComposeFile
+from bringup_lint.model.compose import Service
+from bringup_lint.model.compose import is_variable
+from bringup_lint.model.yaml_node import Mapping
+from bringup_lint.model.yaml_node import Scalar
+from bringup_lint.model.yaml_node import Sequence
+from bringup_lint.source import Located
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.compose import Compose
+    from bringup_lint.graph.files import Files
+
+_DEFAULT = re.compile(r"(?:docker-)?compose\.ya?ml")
+"""The names that ``docker compose`` reads by itself; other files may only be parts of a project."""
+_NAMED_VOLUME = re.compile(r"[A-Za-z0-9][\w.-]+")
+_EXTENSION = re.compile(r"\.(?:xml|ya?ml|json|toml|conf|cfg|ini|sh|bash|py|properties|launch|rules|urdf|xacro|rviz)$")
+"""Of files that a program of the container reads."""
+
+
+class MissingFile(NamedTuple):
+    what: str
+    """``build context``, ``Dockerfile``, ``env_file`` or ``mount``."""
+    service: Service
+    path: Located
+    fatal: bool
+    """docker compose ends; for a mount, docker makes a folder of that name."""
+
+
+class UndefinedName(NamedTuple):
+    kind: str
+    """``volume``, ``network`` or ``service``."""
+    service: Service
+    name: Located
+
+
+def missing_files(files: Files, compose: Compose) -> Iterator[MissingFile]:
+    """The files that the services name beside their compose file, and that the tree certainly lacks."""
+    for file in _projects(compose):
+        for service in file.services:
+            for found in (*_built(files, service), *_read(service)):
+                if _is_own(service, found.path) and _is_missing(files, service, found):
+                    yield found
+
+
+def _projects(compose: Compose) -> Iterator[ComposeFile]:
+    for file in compose.files:
+        judged = file.source.judged and not file.source.template and file.yaml.complete
+        if judged and _DEFAULT.fullmatch(file.source.basename):
+            yield file
+
+
+def _is_own(service: Service, where: Located) -> bool:
+    return where.span.start >= service.body.span.start
+
+
+def _built(files: Files, service: Service) -> Iterator[MissingFile]:
+    build = service.build
+    if build is None or service.inline_dockerfile:
+        return
+    fatal = service.image is None
+    if build.context is not None and not _is_folder(files, service, build.context):
+        yield MissingFile("build context", service, build.context, fatal)
+    elif build.dockerfile is not None and not is_variable(build.dockerfile) and not is_variable(build.context or ""):
+        path = build.dockerfile
+        if not files.tree.exists(_beside(service, build.context or ".", path)):
+            yield MissingFile("Dockerfile", service, path, fatal)
+
+
+def _read(service: Service) -> Iterator[MissingFile]:
+    node = service.body.get("env_file")
+    items = list(node.items) if isinstance(node, Sequence) else [node]
+    for item in items:
+        if isinstance(item, Scalar) and not item.is_null:
+            yield MissingFile("env_file", service, item.value, True)
+    for volume in service.volumes:
+        is_path = volume.source is not None and volume.source.startswith("./") and _EXTENSION.search(volume.source)
+        if volume.source is not None and is_path and _EXTENSION.search(volume.target or ""):
+            yield MissingFile("mount", service, volume.source, False)
+
+
+def _is_folder(files: Files, service: Service, context: Located) -> bool:
+    remote = re.search(r"://|^git@|^[/~]|\.git(?:#|$)|^[\w-]+:", context)
+    return bool(remote) or is_variable(context) or files.tree.exists(_beside(service, context))
+
+
+def _beside(service: Service, *parts: str) -> str:
+    return os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(service.source.name)), *parts))
+
+
+def _is_missing(files: Files, service: Service, found: MissingFile) -> bool:
+    if is_variable(found.path) or found.path.startswith(("/", "~")):
+        return False
+    context = service.build.context if found.what == "Dockerfile" and service.build else None
+    relative = os.path.normpath(os.path.join(context or ".", found.path))
+    path = _beside(service, relative)
+    if files.tree.exists(path) or files.tree.is_ignored(path) or _elsewhere(files, service, relative):
+        return False
+    is_copied = found.what in ("env_file", "mount") and any(files.tree.named(os.path.basename(path)))
+    return not is_copied and not _is_made(files, path)
+
+
+def _elsewhere(files: Files, service: Service, relative: str) -> bool:
+    """Whether a folder above has it: ``--project-directory`` may name that one."""
+    folder = _beside(service, ".")
+    while (above := os.path.dirname(folder)) != folder:
+        if files.tree.exists(os.path.join(folder, ".git")):
+            return False
+        folder = above
+        if files.tree.exists(os.path.join(folder, relative)):
+            return True
+    return False
+
+
+def _is_made(files: Files, path: str) -> bool:
+    """Whether something of the tree may put it there: a template beside it, a submodule or a script."""
+    folder, name = os.path.split(path)
+    if any(files.tree.named(".gitmodules")):
+        return True
+    if any(os.path.basename(each).startswith(name) for each in files.tree.paths if os.path.dirname(each) == folder):
+        return True
+    return any(name in source.text for source in files.sources if source.kind == "shell-script")
+
+
+def undefined_names(compose: Compose) -> Iterator[UndefinedName]:
+    """Volumes, networks and services that a project names and does not define."""
+    for file in _projects(compose):
+        root = file.yaml.root
+        if not isinstance(root, Mapping) or root.get("include") is not None or _has_parts(compose, file):
+            continue
+        for service in file.services:
+            for found in _named(service):
+                if _is_own(service, found.name) and str(found.name) not in _defined(root, found.kind):
+                    yield found
+
+
+def _has_parts(compose: Compose, file: ComposeFile) -> bool:
+    """Whether other compose files are in the folder, which may define the rest."""
+    folder = os.path.dirname(file.source.name)
+    return any(os.path.dirname(other.source.name) == folder and other is not file for other in compose.files)
+
+
+def _named(service: Service) -> Iterator[UndefinedName]:
+    for volume in service.volumes:
+        short = volume.where is not volume.target
+        if short and volume.source is not None and _NAMED_VOLUME.fullmatch(volume.source):
+            yield UndefinedName("volume", service, volume.source)
+    for name in _keys(service, "networks"):
+        yield UndefinedName("network", service, name)
+    for name in _keys(service, "depends_on"):
+        yield UndefinedName("service", service, name)
+
+
+def _keys(service: Service, key: str) -> Iterator[Located]:
+    """The entries of a list, or the keys of a mapping."""
+    node = service.body.get(key)
+    if isinstance(node, Sequence):
+        names = [scalar.value for scalar in node.scalars]
+    elif isinstance(node, Mapping):
+        names = [entry.value for entry, body in node.merged if not _is_optional(body)]
+    else:
+        names = []
+    yield from (name for name in names if not is_variable(name))
+
+
+def _is_optional(body: object) -> bool:
+    required = body.scalar("required") if isinstance(body, Mapping) else None
+    return required is not None and required.boolean is False
+
+
+def _defined(root: Mapping, kind: str) -> set[str]:
+    section = root.mapping(f"{kind}s")
+    names = {str(key.value) for key, _ in section.merged} if section is not None else set()
+    return names | {"default"} if kind == "network" else names

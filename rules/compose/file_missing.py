@@ -1,0 +1,62 @@
+"""A compose file names a file or folder that does not exist.
+
+## What it finds
+Build contexts, Dockerfiles, env files and bind-mounted configuration files with a path relative to compose.yaml
+or docker-compose.yml. Files that git ignores, files of which the tree has a copy or a template, files that a shell
+script names, and paths that exist below a folder above are not reported. A mount is a
+warning, and the build of an image that may be pulled instead is info.
+
+## Why it matters on a robot
+docker compose ends with "path not found" or "env file not found" and starts none of the services. For a mount docker
+makes an empty folder of that name, and the program in the container fails to read it.
+
+## Bad
+```yaml
+services:
+  drive:
+    build: ./drvie
+```
+
+## Good
+```yaml
+services:
+  drive:
+    build: ./drive
+```
+
+## When to ignore it
+When a step before the start puts the file there.
+
+## References
+- https://docs.docker.com/reference/compose-file/build/
+- https://docs.docker.com/engine/storage/bind-mounts/
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+from bringup_lint.api.compose import MissingFile
+from bringup_lint.api.compose import missing_files
+
+
+@rule("error", symptoms=["env file", "unable to prepare context: path", "failed to read dockerfile"])
+def file_missing(robot: Robot) -> Iterator[Finding]:
+    for missing in missing_files(robot.files, robot.compose):
+        effect = "docker compose ends" if missing.fatal else "the image cannot be built here"
+        if missing.what == "mount":
+            effect = "docker mounts an empty folder in its place"
+        yield finding(
+            missing.path,
+            f"The {missing.what} '{missing.path}' of service '{missing.service.name}' does not exist: {effect}",
+            advice="write the path relative to the folder of the compose file",
+            severity=_severity(missing),
+        )
+
+
+def _severity(missing: MissingFile) -> str | None:
+    if missing.fatal:
+        return None
+    return "warning" if missing.what == "mount" else "info"

@@ -1,0 +1,54 @@
+"""A service names a volume, network or service that its compose file does not define.
+
+## What it finds
+Named volumes, networks and entries of `depends_on` in compose.yaml or docker-compose.yml without a definition. Files
+that include others, or that have other compose files in their folder, are not judged: those may define the rest.
+
+## Why it matters on a robot
+docker compose refuses the whole project ("refers to undefined volume", "depends on undefined service") and starts
+nothing.
+
+## Bad
+```yaml
+services:
+  drive:
+    image: registry.example/drive:1.2
+    volumes: [maps:/maps]
+```
+
+## Good
+```yaml
+services:
+  drive:
+    image: registry.example/drive:1.2
+    volumes: [maps:/maps]
+volumes:
+  maps:
+```
+
+## When to ignore it
+When the file is always loaded together with one in another folder.
+
+## References
+- https://docs.docker.com/reference/compose-file/volumes/
+- https://docs.docker.com/reference/compose-file/services/#depends_on
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+from bringup_lint.api.compose import undefined_names
+
+
+@rule("error", symptoms=["refers to undefined volume", "refers to undefined network", "depends on undefined service"])
+def undefined_name(robot: Robot) -> Iterator[Finding]:
+    for found in undefined_names(robot.compose):
+        yield finding(
+            found.name,
+            f"Service '{found.service.name}' needs the {found.kind} '{found.name}', which is not defined: "
+            "docker compose refuses the file",
+            advice=f"define it in the section '{found.kind}s'",
+        )
