@@ -8,12 +8,14 @@ from bringup_lint.model.dockerfile import Stage
 from bringup_lint.model.dockerfile import runs_as_root
 from bringup_lint.model.image_build import image_name
 from bringup_lint.parsers.dockerfile import commands_of
+from bringup_lint.parsers.dockerfile import commands_of_run
 
 __all__ = [
     "Runner",
     "Stage",
     "can_be_pulled",
     "commands_of",
+    "commands_of_run",
     "image_name",
     "runs_as_root",
 ]

@@ -186,5 +186,10 @@ def _heredocs(file: Dockerfile, instruction: Instruction, lines: list[tuple[int,
 def commands_of(stage: Stage) -> Iterator[Command]:
     """The shell commands of a Dockerfile stage's RUN instructions, in order."""
     for instruction in stage.all("RUN"):
-        for script in instruction.scripts:
-            yield from commands(script)
+        yield from commands_of_run(instruction)
+
+
+def commands_of_run(instruction: Instruction) -> Iterator[Command]:
+    """The shell commands of one RUN instruction."""
+    for script in instruction.scripts:
+        yield from commands(script)

@@ -1,0 +1,103 @@
+"""A build step needs root after USER has given it up.
+
+## What it finds
+`apt-get`, `apt`, `dpkg -i`, `useradd` and the like, and files that the shell writes below `/etc`, `/usr` or `/opt`,
+in a `RUN` after a `USER` that is not root. Commands that run through sudo are not reported. Where `|| true` hides the
+failure, the finding is a warning. After `RUN chown`, `chmod` or `setfacl` of a folder, writes to it are not judged.
+
+## Why it matters on a robot
+The build stops with "Permission denied", so the robot keeps the old image. With `|| true` the image is built without
+the package, and a node fails on the robot.
+
+## Bad
+```dockerfile
+USER ros
+RUN apt-get update && apt-get install -y ros-jazzy-nav2-bringup
+```
+
+## Good
+```dockerfile
+RUN apt-get update && apt-get install -y ros-jazzy-nav2-bringup
+USER ros
+```
+
+## When to ignore it
+When the user has the id 0 under another name.
+
+## References
+- https://docs.docker.com/reference/dockerfile/#user
+"""
+
+import re
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Located
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+from bringup_lint.api.docker import Stage
+from bringup_lint.api.docker import commands_of
+from bringup_lint.api.docker import commands_of_run
+from bringup_lint.api.shell import Command
+
+ROOT = re.compile(r"(?:root|0+)(?::.*)?$")
+ACCOUNTS = ("useradd", "groupadd", "usermod", "adduser", "addgroup")
+SYSTEM = re.compile(r"/(?:etc|usr|opt)/")
+OPENS = ("chown", "chmod", "setfacl")
+
+
+@rule("error", symptoms=["Could not open lock file /var/lib/dpkg/lock-frontend", "are you root?"])
+def build_without_root(robot: Robot) -> Iterator[Finding]:
+    for file in robot.dockerfiles:
+        for stage in file.stages:
+            yield from _judged(stage)
+
+
+def _judged(stage: Stage) -> Iterator[Finding]:
+    before = stage.base.last("USER") if stage.base else None
+    user = _without_root(before.value) if before else None
+    opened = any(command.name in OPENS for base in list(stage.chain)[1:] for command in commands_of(base))
+    for instruction in stage.all("USER", "RUN", "SHELL"):
+        if instruction.name == "SHELL":
+            return
+        if instruction.name == "USER":
+            user = _without_root(instruction.value)
+            continue
+        commands = list(commands_of_run(instruction))
+        opened = opened or any(command.name in OPENS for command in commands)
+        bad = next((each for command in commands if (each := _needs_root(command, opened))), None)
+        if user is not None and bad is not None:
+            hidden = _hidden(commands)
+            yield finding(
+                bad,
+                f"'{bad}' runs as {user} and needs root: "
+                + ("the failure is hidden and the image lacks its result" if hidden else "the build stops"),
+                advice="move it before USER, or switch to USER root for it",
+                related=[note(user, "the user of the steps after it")],
+                severity="warning" if hidden else None,
+            )
+
+
+def _without_root(user: Located) -> Located | None:
+    """The user of USER, if it is certainly not root."""
+    return None if ROOT.match(user) or "$" in user else user
+
+
+def _needs_root(command: Command, opened: bool) -> Located | None:
+    """The program, or the path that is written; nothing in functions, branches and loops, which may not run."""
+    if command.depth or not command.words:
+        return None
+    words = command.words
+    if command.name in ("apt", "apt-get") and {"install", "update", "upgrade", "remove", "purge"} & set(words):
+        return words[0] if not {"-s", "--simulate", "--dry-run", "download"} & set(words) else None
+    if command.name in ACCOUNTS or (command.name == "dpkg" and {"-i", "--install"} & set(words)):
+        return words[0]
+    writes = (redirect.target for redirect in command.redirects if redirect.target and redirect.writes)
+    return next((path for path in writes if not opened and SYSTEM.match(path)), None)
+
+
+def _hidden(commands: list[Command]) -> bool:
+    """Whether the failure of the step does not end it."""
+    return any(command.ends in ("||", ";", "\n") for command in commands[:-1])
