@@ -2,8 +2,9 @@
 
 ## What it finds
 Two or more ROS services with `network_mode: host` and Fast DDS, when one of them has neither `ipc: host` nor a
-shared `/dev/shm`. Silent if a transport profile or `FASTDDS_BUILTIN_TRANSPORTS` may disable shared memory. If every
-service selects Fast DDS explicitly, `fastdds/shm-docker` reports the problem.
+shared `/dev/shm`. Silent if a transport profile or `FASTDDS_BUILTIN_TRANSPORTS` may disable shared memory, and where
+the image of a service is not known, because it may select another middleware. If every service selects Fast DDS
+explicitly, `fastdds/shm-docker` reports the problem. The services of one file are one finding.
 
 ## Why it matters on a robot
 On the host network the containers look like processes of one machine. Fast DDS sends through shared memory that the
@@ -54,13 +55,18 @@ def host_net_without_ipc(robot: Robot) -> Iterator[Finding]:
         if all(robot.compose.variables(service, "RMW_IMPLEMENTATION") for service in services):
             continue
         apart = [service for service in services if not _shares_memory(service)]
-        for service in apart:
+        if apart:
+            service = apart[0]
             other = next(each for each in services if each is not service)
             yield finding(
                 service.key("network_mode"),
                 f"'{service.name}' shares the network with '{other.name}' but not its memory: no data arrives",
                 advice="give all of them ipc: host and the same user, or use a profile without shared memory",
-                related=[note(other.key("network_mode"), f"'{other.name}' is on the host network too")],
+                related=[
+                    note(each.key("network_mode"), f"'{each.name}' is on the host network too")
+                    for each in services
+                    if each is not service
+                ],
             )
 
 
@@ -70,7 +76,10 @@ def _is_fast_dds(robot: Robot, service: Service) -> bool:
     if robot.compose.variables(service, *TRANSPORTS):
         return False
     rmw = robot.compose.variables(service, "RMW_IMPLEMENTATION")
-    return not rmw or all("fastrtps" in value for _, value in rmw)
+    if rmw:
+        return all("fastrtps" in value for _, value in rmw)
+    runner = next((each for each in robot.runners.all if each.service is service), None)
+    return runner is not None and runner.environment.defines("RMW_IMPLEMENTATION") is False
 
 
 def _shares_memory(service: Service) -> bool:

@@ -3,7 +3,7 @@
 ## What it finds
 FROM without a tag, or with `:latest`. Digests, earlier stages, `scratch` and variables are not reported, and neither
 are images that the tree builds, or that no registry can hold (a name without a namespace that is not an official
-image).
+image). One image is one finding, however many Dockerfiles build on it.
 
 ## Why it matters on a robot
 The next build uses another Ubuntu, another ROS or another compiler, although nothing in the repository has changed.
@@ -39,18 +39,18 @@ from bringup_lint.api.docker import image_name
 
 @rule("warning")
 def no_pin(robot: Robot) -> Iterator[Finding]:
+    bases: dict[str, list[Located]] = {}
     for file in robot.dockerfiles:
-        bases: dict[str, list[Located]] = {}
         for stage in file.stages:
-            if stage.base is None and _is_pulled(robot, stage.resolved):
+            if stage.base is None and file.source.judged and _is_pulled(robot, stage.resolved):
                 bases.setdefault(stage.resolved, []).append(stage.image)
-        for name, (first, *others) in bases.items():
-            yield finding(
-                first,
-                f"The base image '{name}' is not pinned: the next build may use another one",
-                advice="name a version tag or a digest",
-                related=[note(other, "the same image") for other in others],
-            )
+    for name, (first, *others) in bases.items():
+        yield finding(
+            first,
+            f"The base image '{name}' is not pinned: the next build may use another one",
+            advice="name a version tag or a digest",
+            related=[note(other, "the same image") for other in others[:20]],
+        )
 
 
 def _is_pulled(robot: Robot, image: str) -> bool:

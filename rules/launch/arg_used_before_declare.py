@@ -2,7 +2,7 @@
 
 ## What it finds
 A launch configuration that is read in the description before its `DeclareLaunchArgument` (`<arg>`). A read under a
-condition is a warning.
+condition is a warning. Silent where every command of the tree that launches the file passes the argument.
 
 ## Why it matters on a robot
 launch visits the description in order. At the time of the read the configuration does not exist, and launch aborts.
@@ -39,16 +39,18 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.launch import LaunchFile
 from bringup_lint.api.python import move_before
 
 
 @rule("error", fix="safe", symptoms=["launch configuration 'robot_name' does not exist"])
 def arg_used_before_declare(robot: Robot) -> Iterator[Finding]:
     for expansion in robot.launch.entries:
+        passed = _always_passed(robot, expansion.entry)
         declared = {each.name: each for each in expansion.declared if each.file is expansion.entry}
         for used in expansion.unbound:
             later = declared.get(str(used.argument.name))
-            if later is None or not used.certain or used.file is not expansion.entry:
+            if later is None or not used.certain or used.file is not expansion.entry or later.name in passed:
                 continue
             move = move_before(later.action.span, used.argument.name.span)
             yield finding(
@@ -59,3 +61,10 @@ def arg_used_before_declare(robot: Robot) -> Iterator[Finding]:
                 related=[note(later.action.span, "declared here, later in the description")],
                 severity="warning" if used.conditions else None,
             )
+
+
+def _always_passed(robot: Robot, file: LaunchFile) -> set[str]:
+    """The arguments that every command of the tree that launches a file passes: they exist before it is read."""
+    commands = robot.runners.launching(file)
+    names = [{str(name) for name, _ in command.arguments} for command in commands]
+    return set.intersection(*names) if names else set()

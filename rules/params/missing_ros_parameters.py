@@ -33,7 +33,9 @@ same folder.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
+from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
@@ -45,36 +47,44 @@ _FOLDERS = ("config", "cfg", "conf", "param", "params")
 
 @rule("error", fix="safe", symptoms=["Cannot have a value before ros__parameters", "Couldn't parse params file"])
 def missing_ros_parameters(robot: Robot) -> Iterator[Finding]:
+    misspelt: dict[ParameterFile, list[Located | Span]] = {}
     for file, problem in robot.params.problems("misspelt-header"):
         if (
             robot.params.reader(file)
             or any(not block.name.startswith("ros_") for block in file.blocks)
             or in_config(file)
         ):
-            yield finding(
-                problem.where,
-                f"'{problem.where}' is not ros__parameters: the process that loads the file exits at start",
-                advice="write ros__parameters, with two underscores",
-                fix=fix("write ros__parameters", (problem.where, "ros__parameters")),
-            )
-    plain = set()
-    for file, problem in robot.params.problems("value-before-parameters", "list-before-parameters", "internal"):
-        known = robot.params.reader(file) == "rcl"
-        if not (known or in_config(file)) or file.source in plain:
-            continue
-        if not file.is_certain:
-            plain.add(file.source)
+            misspelt.setdefault(file, []).append(problem.where)
+    for first, *others in misspelt.values():
         yield finding(
-            problem.where,
-            "The file has no ros__parameters: the process that loads it exits at start"
-            if not file.is_certain
-            else "A value is outside ros__parameters: the process that loads the file exits at start",
-            advice="put the node name and ros__parameters above the values"
-            if not file.is_certain
-            else "move it below ros__parameters",
-            related=[note(load.where, "a node loads it here") for load in robot.params.loads(file)[:1]],
-            severity=None if known else "warning",
+            first,
+            f"'{first}' is not ros__parameters: the process that loads the file exits at start",
+            advice="write ros__parameters, with two underscores",
+            related=[note(other, "here too") for other in others],
+            fix=fix("write ros__parameters", *((where, "ros__parameters") for where in (first, *others))),
         )
+    outside: dict[ParameterFile, list[Located | Span]] = {}
+    for file, problem in robot.params.problems("value-before-parameters", "list-before-parameters", "internal"):
+        if robot.params.reader(file) == "rcl" or in_config(file):
+            outside.setdefault(file, []).append(problem.where)
+    for file, (first, *others) in outside.items():
+        yield _outside(robot, file, first, others if file.is_certain else [])
+
+
+def _outside(robot: Robot, file: ParameterFile, first: Located | Span, others: list[Located | Span]) -> Finding:
+    """rcl stops at the first value that is outside; the others are named with it."""
+    loads = [note(load.where, "a node loads it here") for load in robot.params.loads(file)[:1]]
+    return finding(
+        first,
+        "A value is outside ros__parameters: the process that loads the file exits at start"
+        if file.is_certain
+        else "The file has no ros__parameters: the process that loads it exits at start",
+        advice="move it below ros__parameters"
+        if file.is_certain
+        else "put the node name and ros__parameters above the values",
+        related=[*loads, *(note(other, "outside, too") for other in others[:20])],
+        severity=None if robot.params.reader(file) == "rcl" else "warning",
+    )
 
 
 def in_config(file: ParameterFile) -> bool:

@@ -47,4 +47,5 @@ def symlink_overwrite(robot: Robot) -> Iterator[Finding]:
                     + (", such as those in by-id" if late else ""),
                     advice="write +=",
                     fix=fix("add the link", (token.operator, "+=")),
+                    severity=None if late else "info",
                 )
