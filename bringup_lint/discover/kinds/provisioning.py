@@ -11,6 +11,8 @@ _YAML = re.compile(r"\.ya?ml$")
 _FOLDER = re.compile(r"/(?:tasks|handlers|playbooks|ansible|roles)/")
 _TASKS = re.compile(r"^[ \t]*-[ \t]+(?:name|hosts|become|ansible\.builtin\.\w+)[ \t]*:", re.M)
 _USER_DATA = re.compile(r"#cloud-config\b")
+_NETWORK = re.compile(r"^network:", re.M)
+"""User data with a network configuration is read as that."""
 
 
 def _is_ansible(path: str, head: Head) -> bool:
@@ -20,7 +22,8 @@ def _is_ansible(path: str, head: Head) -> bool:
 
 def _is_cloud_init(path: str, head: Head) -> bool:
     name = path.rpartition("/")[2]
-    return (bool(_YAML.search(name)) or "user-data" in name or "cloud" in name) and bool(_USER_DATA.match(head()))
+    named = bool(_YAML.search(name)) or "user-data" in name or "cloud" in name
+    return named and bool(_USER_DATA.match(head())) and not _NETWORK.search(head())
 
 
 KINDS = (
