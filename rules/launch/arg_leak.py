@@ -50,7 +50,7 @@ def arg_leak(robot: Robot) -> Iterator[Finding]:
                 continue
             own = robot.launch.text(declared.action.default, declared.file)
             leaked = launch.text_of(before.value)
-            if own is None or leaked is None or own == leaked:
+            if own is None or leaked is None or own.lower() == leaked.lower():
                 continue
             yield finding(
                 declared.chain[0],

@@ -2,7 +2,8 @@
 
 ## What it finds
 Nodes that drive hardware with neither `respawn` nor an exit action nor an `OnProcessExit` handler. Reported for
-launch files that also start other nodes, or that a unit launches.
+launch files that also start other nodes, or that a unit launches. A warning where a unit, container or script of the
+tree launches the file, else for information.
 
 ## Why it matters on a robot
 If the driver ends, the launch continues and the service stays "active (running)": the robot is blind until somebody
@@ -65,6 +66,7 @@ def critical_no_required(robot: Robot) -> Iterator[Finding]:
                 f"without its {role}",
                 advice="set on_exit=Shutdown() and let the unit restart it with Restart=always, or set respawn",
                 related=starts(robot, entry),
+                severity=None if robot.runners.launching(entry) else "info",
                 chain=robot.provenance.chain_to_node(node),
             )
 

@@ -42,6 +42,8 @@ def unknown_import(robot: Robot) -> Iterator[Finding]:
             known = robot.launch.names_of(imported.module)
             if known is None or imported.name in known or imported.name == "*":
                 continue
+            if _may_be_module(imported.name):
+                continue
             near = nearest(imported.name, known)
             if len(near) != 1:
                 continue
@@ -51,3 +53,8 @@ def unknown_import(robot: Robot) -> Iterator[Finding]:
                 advice=f"import {near[0]}",
                 fix=fix(f"import {near[0]}", (imported.name, near[0]), safe=False),
             )
+
+
+def _may_be_module(name: str) -> bool:
+    """Whether a name has the form of a module: launch keeps each action in a module of its own."""
+    return name.islower() and "_" in name

@@ -2,8 +2,8 @@
 
 ## What it finds
 Arguments such as `use_sim_time`, `use_sim` or `simulation` with the default true, in launch files that are not for
-a simulator. An error in a bringup package, in a file that a unit launches, and in a file that starts drivers. A
-warning elsewhere.
+a simulator. An error where a unit, container or script of the tree launches the file without the argument, a warning
+where nothing of the tree launches it. Silent where every command that launches it passes the argument.
 
 ## Why it matters on a robot
 Started without arguments, as a unit does it, the nodes wait for a clock that nobody publishes. Nothing moves, and
@@ -55,13 +55,14 @@ def use_sim_default_true(robot: Robot) -> Iterator[Finding]:
             word = default.text
             where = word if word.span.text == word else default.span
             false = "false" if where is word else "'false'"
-            owner = robot.launch.workspace.owner(file.source)
-            bringup = owner is None or "bringup" in owner.name or robot.runners.launching(file)
+            starters = robot.runners.launching(file)
+            if starters and all(name in {str(given) for given, _ in each.arguments} for each in starters):
+                continue
             yield finding(
                 where,
                 f"{name} is true by default: started without arguments, the nodes wait for a simulated clock",
                 advice="make the default false and pass true in the simulation",
                 chain=robot.provenance.chain_to(where, f"{name} is true unless a caller passes false"),
                 fix=fix("make the default false", (where, false), safe=False),
-                severity=None if bringup or robot.launch.drives(file) else "warning",
+                severity=None if starters else "warning",
             )

@@ -4,6 +4,8 @@
 Node keys with `-`, spaces, `~`, a leading digit, a trailing or repeated slash, a wildcard for only a part of a name
 (`cam*`), or `*` without quotes. `/**`, `"*"` and `/*/name` are valid.
 
+An error where a launch file of the tree gives the file to a node, else a warning.
+
 ## Why it matters on a robot
 rcl checks the name and rejects the whole file. Every node that loads it exits at start.
 
@@ -47,12 +49,13 @@ from bringup_lint.api import rule
     ],
 )
 def bad_node_key(robot: Robot) -> Iterator[Finding]:
-    for _, problem in robot.params.problems("unquoted-star"):
+    for file, problem in robot.params.problems("unquoted-star"):
         yield finding(
             problem.where,
             f"{problem.where} without quotes is a YAML alias: the process that loads the file exits at start",
             advice=f'write "{problem.where}"',
             fix=fix("put it in quotes", (problem.where, f'"{problem.where}"')),
+            severity=robot.params.proven(file),
         )
     for file, problem in robot.params.problems("node-key"):
         key = problem.where
@@ -63,4 +66,5 @@ def bad_node_key(robot: Robot) -> Iterator[Finding]:
             key,
             f"'{name}' is not a node name ({problem.detail}): the process that loads the file exits at start",
             advice="use letters, digits and _, and wildcards only for whole names",
+            severity=robot.params.proven(file),
         )

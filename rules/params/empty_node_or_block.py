@@ -4,6 +4,8 @@
 A node name or `ros__parameters` with nothing below it, as when all parameters are commented out. An explicit `{}`
 is valid.
 
+An error where a launch file of the tree gives the file to a node, else a warning.
+
 ## Why it matters on a robot
 rcl rejects the whole file: 'Cannot have a value before ros__parameters'. Every node that loads it exits at start.
 
@@ -51,4 +53,5 @@ def empty_node_or_block(robot: Robot) -> Iterator[Finding]:
             f"'{key}' is empty: the process that loads the file exits at start",
             advice=f"write {inner}, or remove the block",
             fix=fix(f"write {inner}", (place, f" {inner}")) if colon >= 0 else None,
+            severity=robot.params.proven(file),
         )

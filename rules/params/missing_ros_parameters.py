@@ -5,6 +5,8 @@ Values between a node name and `ros__parameters` or next to it. Misspellings suc
 `ros__parameter`. Files without any `ros__parameters` that a launch file passes to a node. A file that no launch
 file of this tree loads is checked only in a folder for configuration, and is a warning.
 
+An error where a launch file of the tree gives the file to a node, else a warning.
+
 ## Why it matters on a robot
 rcl rejects the whole file: 'Cannot have a value before ros__parameters'. Every node that loads it exits at start.
 
@@ -55,13 +57,14 @@ def missing_ros_parameters(robot: Robot) -> Iterator[Finding]:
             or in_config(file)
         ):
             misspelt.setdefault(file, []).append(problem.where)
-    for first, *others in misspelt.values():
+    for file, (first, *others) in misspelt.items():
         yield finding(
             first,
             f"'{first}' is not ros__parameters: the process that loads the file exits at start",
             advice="write ros__parameters, with two underscores",
             related=[note(other, "here too") for other in others],
             fix=fix("write ros__parameters", *((where, "ros__parameters") for where in (first, *others))),
+            severity=robot.params.proven(file),
         )
     outside: dict[ParameterFile, list[Located | Span]] = {}
     for file, problem in robot.params.problems("value-before-parameters", "list-before-parameters", "internal"):
@@ -83,7 +86,7 @@ def _outside(robot: Robot, file: ParameterFile, first: Located | Span, others: l
         if file.is_certain
         else "put the node name and ros__parameters above the values",
         related=[*loads, *(note(other, "outside, too") for other in others[:20])],
-        severity=None if robot.params.reader(file) == "rcl" else "warning",
+        severity=robot.params.proven(file),
     )
 
 

@@ -4,6 +4,8 @@
 Lists whose elements have different types for rcl, such as `[0, 0.5]` or `[1, null]`. A warning in files that only
 PyYAML reads.
 
+An error where a launch file of the tree gives the file to a node, else a warning.
+
 ## Why it matters on a robot
 rcl rejects the whole file: 'Sequence should be of same type'. Every node that loads it exits at start.
 
@@ -61,5 +63,5 @@ def mixed_list(robot: Robot) -> Iterator[Finding]:
             fix=fix("write doubles", *((item.span, f"{item.text}.0") for item in whole))
             if doubles and all(_DECIMAL.match(item.text) for item in whole)
             else None,
-            severity="warning" if only_pyyaml else None,
+            severity=robot.params.proven(file),
         )

@@ -45,6 +45,7 @@ from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 from bringup_lint.api.params import Parameter
+from bringup_lint.api.params import ParameterFile
 from bringup_lint.api.spelling import nearest
 
 _ENTITY = re.compile(r"(?:publisher|subscription)(?:_\w+)?\Z")
@@ -61,12 +62,15 @@ _FLAG = "avoid_ros_namespace_conventions"
 
 @rule("warning", symptoms=["InvalidQosOverridesException"])
 def qos_override_invalid(robot: Robot) -> Iterator[Finding]:
-    for _, parameter in robot.params.parameters:
+    said: set[tuple[ParameterFile, str, str]] = set()
+    for file, parameter in robot.params.parameters:
         parts = parameter.name.split(".")
         if parts[0] != "qos_overrides" or len(parts) < 2 or "$(" in parameter.name + parameter.text:
             continue
         message, advice, where = _wrong(parts[1:], parameter)
-        if message:
+        cause = (file, parts[1], message)
+        if message and cause not in said:
+            said.add(cause)
             yield finding(where, message, advice=advice)
 
 

@@ -3,6 +3,8 @@
 ## What it finds
 A parameter file whose outermost key is `ros__parameters`.
 
+An error where a launch file of the tree gives the file to a node, else a warning.
+
 ## Why it matters on a robot
 rcl rejects the file: 'There are no node names before ros__parameters'. Every node that loads it exits at start.
 
@@ -36,9 +38,10 @@ from bringup_lint.api import rule
 
 @rule("error", symptoms=["There are no node names before ros__parameters"])
 def root_ros_parameters(robot: Robot) -> Iterator[Finding]:
-    for _, problem in robot.params.problems("no-node-name"):
+    for file, problem in robot.params.problems("no-node-name"):
         yield finding(
             problem.where,
             "There is no node name above ros__parameters: the process that loads the file exits at start",
             advice="put the node name, or '/**' for every node, above it and indent the rest",
+            severity=robot.params.proven(file),
         )

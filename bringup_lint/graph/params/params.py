@@ -278,6 +278,11 @@ class Params:
     def _reached_by_block(self) -> dict[tuple[int, str], list[Load]]:
         return {}
 
+    def proven(self, file: ParameterFile) -> str | None:
+        """The severity of what ends the process that loads a file: a rule's own where a node of the tree loads it with
+        rcl, else a warning."""
+        return None if self.reader(file) == "rcl" else "warning"
+
     def reader(self, file: ParameterFile) -> str:
         """``rcl`` when at least one node gets the file as it is, ``pyyaml`` when all get it through PyYAML, else
         empty."""

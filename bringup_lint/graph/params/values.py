@@ -48,8 +48,9 @@ def items(parameter: Parameter) -> list[Item]:
 
 
 def holds_maps(parameter: Parameter) -> bool:
+    """Whether rcl mixes up the values of several mappings in a list; one mapping alone keeps its names and values."""
     node = parameter.node
-    return isinstance(node, Sequence) and any(isinstance(each, Mapping) for each in node.items)
+    return isinstance(node, Sequence) and sum(isinstance(each, Mapping) for each in node.items) > 1
 
 
 def is_flattened(parameter: Parameter) -> bool:
