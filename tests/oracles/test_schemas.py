@@ -200,7 +200,6 @@ REASONS: dict[str, dict[str, str]] = {
     },
     "sros2_permissions": {
         "0 subject_name emptied": "no identity has an empty name",
-        "3 id removed": "a rule without domains is not judged",
         "4 topic emptied": NO_TOPIC,
         "5 topic emptied": NO_TOPIC,
     },

@@ -7,6 +7,7 @@ import json
 from collections import Counter
 from functools import cache
 from pathlib import Path
+from typing import Any
 from typing import NamedTuple
 
 import pytest
@@ -26,16 +27,21 @@ class Found(NamedTuple):
     line: int
     rule: str
     severity: str
+    places: frozenset[tuple[str, int]]
+    """Where it is, and the related places: one cause is one finding."""
 
 
 @cache
 def findings(folder: Path) -> list[Found]:
     run = lint("--min-severity", "info", "--output-format", "json", ".", cwd=folder)
     assert run.code in (0, 1), run.stderr
-    return [
-        Found(item["location"]["path"], item["location"]["start"]["line"], item["rule"], item["severity"])
-        for item in json.loads(run.stdout)["findings"]
-    ]
+    return [_found(item) for item in json.loads(run.stdout)["findings"]]
+
+
+def _found(item: dict[str, Any]) -> Found:
+    places = [item["location"], *(each["location"] for each in item["related"])]
+    lines = [(place["path"], place["start"]["line"]) for place in places]
+    return Found(*lines[0], item["rule"], item["severity"], frozenset(lines))
 
 
 def labels(corpus: Path, kind: str) -> list[dict[str, str]]:
@@ -50,9 +56,9 @@ def is_exception(row: dict[str, str]) -> bool:
 
 
 def at(corpus: Path, row: dict[str, str]) -> list[Found]:
-    """What is found at the line of a label."""
+    """What is found at the line of a label, or names it as a place of the same cause."""
     here = (row["file"], int(row["line"]))
-    return [found for found in findings(corpus / row["repo"]) if (found.path, found.line) == here]
+    return [found for found in findings(corpus / row["repo"]) if here in found.places]
 
 
 def test_every_labelled_defect_is_found(corpus: Path) -> None:

@@ -49,7 +49,9 @@ _DDS_VARIABLE = re.compile(r"(?:ROS|RMW|CYCLONEDDS|FASTRTPS|FASTDDS|ZENOH)_(?!VE
 
 
 _OF_ROS = re.compile(
-    r"(?<![a-z])(?:micro)?ros(?:[12](?![0-9])|(?![a-z]))|launch|bring[-_ ]?up|\bnav2|moveit|gazebo", re.I
+    r"(?<![a-z])(?:micro)?ros(?:[12](?![0-9])|(?![a-z]))|launch|bring[-_ ]?up|\bnav2|moveit|gazebo"
+    r"|\bnavigation\b|\brobot[ ](?:control|stack|software)\b",
+    re.I,
 )
 _WORD = re.compile(r"[\w:.\\@-]+")
 _WORD_START = re.compile(r"\b(?=\w)")

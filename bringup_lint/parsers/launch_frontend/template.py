@@ -116,7 +116,7 @@ def _why(text: str, at: int, quote: str) -> str:
     if not sign or sign == quote:
         return "the substitution is not closed"
     if sign in " )":
-        return "only one blank may stand between the parts of a substitution"
+        return "only one blank is allowed between the parts of a substitution"
     if sign in "'\"":
         return "a quote inside an argument: quote the whole argument"
     return f"{sign!r} is not allowed here: quote the argument"
