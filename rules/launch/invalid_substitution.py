@@ -45,7 +45,7 @@ def invalid_substitution(robot: Robot) -> Iterator[Finding]:
                 near = refused.near[0] if len(refused.near) == 1 else ""
                 yield finding(
                     refused.where,
-                    f"{refused.message[:1].upper()}{refused.message[1:]}: launch refuses the file",
+                    refused.effect,
                     advice=f"write {near}" if near else "correct the substitution",
                     confidence="medium" if refused.extension else None,
                     fix=fix(f"write {near}", (refused.where, near), safe=False) if near else None,

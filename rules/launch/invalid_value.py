@@ -43,6 +43,6 @@ def invalid_value(robot: Robot) -> Iterator[Finding]:
             if refused.code == "value":
                 yield finding(
                     refused.where,
-                    f"{refused.message[:1].upper()}{refused.message[1:]}: launch refuses the file",
+                    refused.effect,
                     advice="write a value of this type",
                 )

@@ -39,6 +39,6 @@ def missing_attribute(robot: Robot) -> Iterator[Finding]:
             if refused.code == "missing":
                 yield finding(
                     refused.where,
-                    f"{refused.message[:1].upper()}{refused.message[1:]}: launch refuses the file",
+                    refused.effect,
                     advice="add it",
                 )

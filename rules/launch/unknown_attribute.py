@@ -41,7 +41,7 @@ def unknown_attribute(robot: Robot) -> Iterator[Finding]:
                 near = refused.near[0] if len(refused.near) == 1 else ""
                 yield finding(
                     refused.where,
-                    f"{refused.message[:1].upper()}{refused.message[1:]}: launch refuses the file",
+                    refused.effect,
                     advice=f"write {near}" if near else "remove it",
                     confidence="medium" if refused.extension else None,
                     fix=fix(f"write {near}", (refused.where, near), safe=False) if near else None,

@@ -44,6 +44,11 @@ class Refusal(NamedTuple):
     extension: bool = False
     """An extension of launch could define the name."""
 
+    @property
+    def effect(self) -> str:
+        """What is wrong and what follows, as a sentence."""
+        return f"{self.message[:1].upper()}{self.message[1:]}: launch refuses the file"
+
 
 class Checker:
     def __init__(self, grammar: Grammar) -> None:
