@@ -1,4 +1,5 @@
-"""Applies fixes to files: whole fixes only, never two that touch each other, never through a link."""
+"""Applies fixes to files: whole fixes only, never two that touch each other. A file that cannot be written costs its
+own fixes."""
 
 from __future__ import annotations
 
@@ -8,12 +9,15 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from dataclasses import field
 from pathlib import Path
+from typing import NamedTuple
 
 from bringup_lint.finding import Applicability
 from bringup_lint.finding import Codemod
 from bringup_lint.finding import Edit
 from bringup_lint.finding import Finding
 from bringup_lint.source import Source
+from bringup_lint.writing import NotWritten
+from bringup_lint.writing import correct
 
 
 @dataclass
@@ -24,20 +28,40 @@ class _Changes:
     edits: list[Edit] = field(default_factory=list)
     text: str | None = None
 
+    def content(self) -> bytes:
+        text = rewritten(self.source.text, self.edits) if self.text is None else self.text
+        return text.encode("utf-8")
 
-def apply_fixes(findings: Iterable[Finding], *, unsafe: bool = False) -> int:
-    """Apply what can be applied together; returns the number of findings that were fixed. Raises OSError."""
+
+class Fixed(NamedTuple):
+    """What a round of fixes has done."""
+
+    findings: int
+    failures: tuple[NotWritten, ...] = ()
+    """Why files were not written."""
+
+
+def apply_fixes(findings: Iterable[Finding], *, unsafe: bool = False) -> Fixed:
+    """Apply what can be applied together. A file that cannot be written is left as it is."""
     changes: dict[str, _Changes] = {}
-    fixed = 0
+    taken: list[set[str]] = []
     for finding in findings:
         fix = finding.fix
         if fix is None or finding.suppression or (fix.applicability is Applicability.UNSAFE and not unsafe):
             continue
-        fixed += _rewrite(fix.codemod, changes) if fix.codemod else _edit(fix.edits, changes)
-    for change in changes.values():
-        text = rewritten(change.source.text, change.edits) if change.text is None else change.text
-        _write(Path(change.source.name), text)
-    return fixed
+        if _rewrite(fix.codemod, changes) if fix.codemod else _edit(fix.edits, changes):
+            taken.append({fix.codemod.source.name} if fix.codemod else {edit.span.path for edit in fix.edits})
+    failures = {name: failure for name, change in changes.items() if (failure := _failure(change))}
+    return Fixed(sum(failures.keys().isdisjoint(names) for names in taken), tuple(failures.values()))
+
+
+def _failure(change: _Changes) -> NotWritten | None:
+    """Write the changes of a file; why that could not be done, or None."""
+    try:
+        correct(Path(change.source.name), change.source.text.encode("utf-8"), change.content())
+    except NotWritten as error:
+        return error
+    return None
 
 
 def _edit(edits: tuple[Edit, ...], changes: dict[str, _Changes]) -> bool:
@@ -82,11 +106,3 @@ def rewritten(text: str, edits: Iterable[Edit]) -> str:
     for edit in sorted(edits, key=lambda edit: edit.span.start, reverse=True):
         text = text[: edit.span.start] + edit.text + text[edit.span.end :]
     return text
-
-
-def _write(path: Path, text: str) -> None:
-    """Replace a file whole, keeping its mode."""
-    temporary = path.with_name(f".{path.name}.bringup-lint")
-    temporary.write_bytes(text.encode("utf-8"))
-    temporary.chmod(path.stat().st_mode & 0o7777)
-    temporary.replace(path)

@@ -5,6 +5,8 @@ from __future__ import annotations
 import dataclasses
 import sys
 import time
+from collections.abc import Callable
+from collections.abc import Iterable
 from datetime import date
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -39,7 +41,8 @@ if TYPE_CHECKING:
 EPILOG = "\n\n".join(
     [
         "\b\nCommands:\n" + "\n".join(f"  {name:<9}{text}" for name, text in COMMANDS.items()),
-        "\b\nExit codes:\n  0  nothing at or above --fail-on\n  1  findings\n  2  wrong usage or configuration"
+        "\b\nExit codes:\n  0  nothing at or above --fail-on\n  1  findings"
+        "\n  2  wrong usage or configuration, or a file that cannot be written"
         "\n  3  a rule or parser failed inside; everything else is still reported",
     ]
 )
@@ -87,20 +90,29 @@ def _check(outputs: list[Output], paths: tuple[str, ...], options: dict[str, Any
     registry = Registry.of(rule_folders)
     robot = read_robot(paths, config, options)
     outcome = run(robot, registry, config, ignores=not options["no_ignores"])
+    unwritten: list[str] = []
     if options["fix"]:
         from bringup_lint.fix import apply_fixes
 
-        while fixed := apply_fixes(outcome.findings, unsafe=options["unsafe_fixes"]):
-            click.echo(f"Fixed {fixed} finding{'s' * (fixed > 1)}.", err=True)
+        while (fixed := apply_fixes(outcome.findings, unsafe=options["unsafe_fixes"])).findings:
+            click.echo(f"Fixed {fixed.findings} finding{'s' * (fixed.findings > 1)}.", err=True)
             robot = read_robot(paths, config, options)
             outcome = run(robot, registry, config, ignores=not options["no_ignores"])
-    return deliver(outcome, robot, config, started, outputs, options)
+        unwritten += map(str, fixed.failures)
+    return deliver(outcome, robot, config, started, outputs, options, unwritten)
 
 
 def deliver(
-    outcome: Outcome, robot: Robot, config: Config, started: float, outputs: list[Output], options: dict[str, Any]
+    outcome: Outcome,
+    robot: Robot,
+    config: Config,
+    started: float,
+    outputs: list[Output],
+    options: dict[str, Any],
+    unwritten: Iterable[str] = (),
 ) -> int:
-    """Write the reports, and the baseline when one is asked for; returns the exit code."""
+    """Write the reports, and the baseline when one is asked for; returns the exit code. What cannot be written is said,
+    and what was not written before (``unwritten``); the rest is."""
     from bringup_lint.cli.reporting import report_of
     from bringup_lint.cli.reporting import save_baseline
     from bringup_lint.cli.reporting import wants_colour
@@ -108,12 +120,27 @@ def deliver(
 
     drawn = any(output.format == "html" for output in outputs)
     report = report_of(outcome, robot, config, started, drawn=drawn)
-    if options["write_baseline"]:
-        save_baseline(report, options["write_baseline"])
+    failures = list(unwritten)
     for output in outputs:
         colour = output.file is None and wants_colour(options["colour"])
-        write(render(output.format, dataclasses.replace(report, colour=colour)), output.file)
+        failures += _failed(write, render(output.format, dataclasses.replace(report, colour=colour)), output.file)
+    if options["write_baseline"]:
+        failures += _failed(save_baseline, report, options["write_baseline"])
+    for failure in failures:
+        click.echo(f"bringup-lint: not written: {failure}", err=True)
+    if failures:
+        return max(report.exit_code, 2)
     return 0 if options["exit_zero"] and report.exit_code == 1 else report.exit_code
+
+
+def _failed(write: Callable[..., None], *arguments: Any) -> list[str]:
+    from bringup_lint.writing import NotWritten
+
+    try:
+        write(*arguments)
+    except NotWritten as error:
+        return [str(error)]
+    return []
 
 
 def configuration(paths: tuple[str, ...], options: dict[str, Any]) -> tuple[Config, list[Path]]:

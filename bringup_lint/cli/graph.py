@@ -46,15 +46,15 @@ def command(ctx: click.Context, paths: tuple[str, ...], **options: Any) -> None:
     """
     from bringup_lint.registry import RuleError
     from bringup_lint.report.picture.selection import NothingFound
+    from bringup_lint.writing import NotWritten
 
     if options["depth"] is not None and not options["focus"]:
         raise click.UsageError("--depth needs a --focus")
     try:
-        drawn = _draw(paths or ("/" if options["root"] else ".",), options)
-    except (ConfigError, NothingFound, RuleError) as error:
+        write(_draw(paths or ("/" if options["root"] else ".",), options), options["output_file"])
+    except (ConfigError, NothingFound, NotWritten, RuleError) as error:
         click.echo(f"bringup-lint: {error}", err=True)
         ctx.exit(2)
-    write(drawn, options["output_file"])
 
 
 def _draw(paths: tuple[str, ...], options: dict[str, Any]) -> str:

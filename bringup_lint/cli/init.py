@@ -9,6 +9,8 @@ import click
 
 from bringup_lint.config import FILE_NAME
 from bringup_lint.config import schema
+from bringup_lint.writing import NotWritten
+from bringup_lint.writing import create
 
 START = """\
 # bringup-lint's configuration; every key is optional. bringup-lint init --schema prints the JSON schema.
@@ -42,12 +44,8 @@ def command(ctx: click.Context, print_schema: bool) -> None:
         return
     path = Path(FILE_NAME)
     try:
-        with path.open("x", encoding="utf-8") as file:
-            file.write(START)
-    except FileExistsError:
-        click.echo(f"bringup-lint: {path} is there already", err=True)
-        ctx.exit(2)
-    except OSError as error:
-        click.echo(f"bringup-lint: {path}: {error.strerror}", err=True)
+        create(path, START.encode("utf-8"))
+    except NotWritten as error:
+        click.echo(f"bringup-lint: {error}", err=True)
         ctx.exit(2)
     click.echo(f"Wrote {path}.", err=True)

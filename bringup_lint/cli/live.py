@@ -78,10 +78,11 @@ def command(ctx: click.Context, paths: tuple[str, ...], **options) -> None:
     """
     from bringup_lint.live.run import LiveError
     from bringup_lint.registry import RuleError
+    from bringup_lint.writing import NotWritten
 
     try:
         code = _compare(ctx.meta["outputs"], paths or ("/" if options["root"] else ".",), options)
-    except (ConfigError, RuleError, LiveError) as error:
+    except (ConfigError, LiveError, NotWritten, RuleError) as error:
         click.echo(f"bringup-lint: {error}", err=True)
         code = 2
     ctx.exit(code)

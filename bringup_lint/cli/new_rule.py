@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import re
-import shutil
 from pathlib import Path
 
 import click
 
 from bringup_lint.registry import builtin_folder
+from bringup_lint.writing import NotWritten
+from bringup_lint.writing import create
 
 _ID = re.compile(r"[a-z][a-z0-9-]*/[a-z][a-z0-9-]*")
 RULE = '''\
@@ -68,7 +69,12 @@ def command(ctx: click.Context, rule_id: str) -> None:
     if problem:
         click.echo(f"bringup-lint: {problem}", err=True)
         ctx.exit(2)
-    for path in write(rule_id, builtin_folder().parent):
+    try:
+        written = write(rule_id, builtin_folder().parent)
+    except NotWritten as error:
+        click.echo(f"bringup-lint: {error}", err=True)
+        ctx.exit(2)
+    for path in written:
         click.echo(f"Wrote {path}.", err=True)
 
 
@@ -91,26 +97,34 @@ def _problem(rule_id: str) -> str:
 
 
 def write(rule_id: str, project: Path) -> list[Path]:
-    """Write the rule file and its fixtures; returns what was written. Raises FileExistsError."""
+    """Write the rule file and its fixtures; returns what was written. Raises NotWritten."""
     from bringup_lint.registry import families
 
     family, _, name = rule_id.replace("-", "_").partition("/")
     rule = project / "rules" / family / f"{name}.py"
     reads = next(each.reads for each in families([project / "rules"]) if each.path.name == family)
     kinds = ", ".join(f'"{kind}"' for kind in sorted(reads)[:1])
-    with rule.open("x", encoding="utf-8") as file:
-        file.write(RULE.format(function=name, kinds=kinds))
+    create(rule, RULE.format(function=name, kinds=kinds).encode("utf-8"))
     fixtures = project / "fixtures" / family
     start = _smallest_good(fixtures)
     written = [rule]
     for case in ("bad", "good"):
         folder = fixtures / name / case
-        if start is None:
-            folder.mkdir(parents=True)
-        else:
-            shutil.copytree(start, folder)
+        folder.mkdir(parents=True)
+        if start is not None:
+            _copy(start, folder)
         written.append(folder)
     return written
+
+
+def _copy(start: Path, folder: Path) -> None:
+    """The files below a folder, in another one."""
+    for path in sorted(start.rglob("*")):
+        copy = folder / path.relative_to(start)
+        if path.is_dir():
+            copy.mkdir(parents=True, exist_ok=True)
+        elif path.is_file():
+            create(copy, path.read_bytes())
 
 
 def _smallest_good(fixtures: Path) -> Path | None:

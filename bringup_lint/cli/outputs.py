@@ -52,16 +52,13 @@ def pair(options: list[tuple[str, Any]]) -> list[Output]:
 
 
 def write(text: str, file: Path | None) -> None:
-    """Write a report whole, or not at all. Raises click.ClickException when the file cannot be written."""
+    """Write a report whole, or not at all. Raises NotWritten."""
     if file is None:
         sys.stdout.write(text)
         return
-    temporary = file.with_name(f".{file.name}.tmp")
-    try:
-        temporary.write_text(text, "utf-8")
-        temporary.replace(file)
-    except OSError as error:
-        raise click.FileError(str(file), error.strerror or str(error)) from error
+    from bringup_lint.writing import replace
+
+    replace(file, text.encode("utf-8", "replace"))
 
 
 format_option = click.option(

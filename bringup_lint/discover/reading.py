@@ -13,13 +13,14 @@ class Unreadable(Exception):
     """The file cannot be read; the text says why, for the user."""
 
 
-_FLAGS = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_CLOEXEC", 0)
+FLAGS = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_CLOEXEC", 0)
+"""Never through a link, and without waiting for the other end of a FIFO."""
 
 
 def read_head(path: str, size: int) -> str:
     """The first bytes of a regular file as text; empty when there is nothing to read."""
     try:
-        descriptor = os.open(path, _FLAGS)
+        descriptor = os.open(path, FLAGS)
     except OSError:
         return ""
     try:
@@ -35,7 +36,7 @@ def read_head(path: str, size: int) -> str:
 def read_bytes(path: str, limit: int = SIZE_LIMIT) -> tuple[bytes, os.stat_result]:
     """The content and status of a regular file. Raises Unreadable. Never blocks on a FIFO or device."""
     try:
-        descriptor = os.open(path, _FLAGS)
+        descriptor = os.open(path, FLAGS)
     except OSError as error:
         raise Unreadable(error.strerror or str(error)) from error
     try:

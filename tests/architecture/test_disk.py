@@ -19,7 +19,8 @@ ALLOWED = {
     "live": "starts the process that looks at the running graph",
     "config.py": "reads the configuration",
     "registry.py": "loads the rules",
-    "fix.py": "writes corrected files",
+    "fix.py": "asks whether a file is a link before it is corrected",
+    "writing.py": "writes corrected files and reports",
     "facts/__init__.py": "reads the tables of the package",
 }
 MODULES = frozenset(("pathlib", "shutil", "glob", "tempfile", "subprocess", "fileinput", "mmap"))

@@ -23,7 +23,7 @@ LAYERS = (
     {"finish"},
     {"engine"},
     {"fix", "baseline", "suppress", "config", "registry"},
-    {"report", "live"},
+    {"report", "live", "writing"},
     {"api"},
     {"robot"},
     {"graph.edges", "graph.observed", "graph.secrets"},

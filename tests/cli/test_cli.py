@@ -251,7 +251,7 @@ def test_colour_when_it_is_asked_for(
 
 def test_init_leaves_a_file_alone(tmp_path: Path) -> None:
     assert lint("init", cwd=tmp_path).code == 0
-    assert lint("init", cwd=tmp_path).stderr == "bringup-lint: bringup-lint.toml is there already\n"
+    assert lint("init", cwd=tmp_path).stderr == "bringup-lint: bringup-lint.toml: is there already\n"
 
 
 def test_rules_lists_every_rule(tmp_path: Path) -> None:
