@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import gc
 import sys
+
+YOUNG_OBJECTS = 200_000
+"""How many objects more than before start the search for garbage."""
 
 
 def main() -> None:
@@ -13,7 +17,15 @@ def main() -> None:
         return
     from bringup_lint.cli import dispatch
 
+    _collect_seldom()
     dispatch(sys.argv[1:])
+
+
+def _collect_seldom() -> None:
+    """Nearly all objects of a run live until its end, so that the search for garbage, which Python starts every 700
+    objects, finds none and takes a fifth of the time in a big repository."""
+    gc.freeze()
+    gc.set_threshold(YOUNG_OBJECTS, 20, 100)
 
 
 if __name__ == "__main__":
