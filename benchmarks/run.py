@@ -1,7 +1,8 @@
-"""Benchmarks against peers in one run, as ratios of medians: ``python benchmarks/run.py``.
+"""Benchmarks against peers in one run, as ratios of medians: ``python benchmarks/run.py [GROUP]...``.
 
-Needs yamllint; systemd-analyze and systemdlint are compared when they are there, and the units of real repositories
-when BRINGUP_LINT_CORPUS names a folder of them. Aims stand behind each line; nothing fails when an aim is missed.
+The groups are start, trees, growth and shapes. Needs yamllint. ``etc`` and ``repo`` are generated robots;
+BRINGUP_LINT_BENCH_ETC and BRINGUP_LINT_BENCH_REPO name folders of real files to take in their place. Nothing fails when
+an aim is missed, which follows each line.
 """
 
 from __future__ import annotations
@@ -10,102 +11,108 @@ import os
 import shutil
 import sys
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Callable
 from pathlib import Path
 
-from timing import Comparison
-from timing import compare
-from timing import seconds
+import robot
+import shapes
+from timing import Command
+from timing import medians
+from timing import usage
 
 PROJECT = Path(__file__).parent.parent
 OURS = (sys.executable, "-m", "bringup_lint")
-BIN = Path(sys.executable).parent
-
-UNIT = """\
+FLOOR = (sys.executable, str(Path(__file__).parent / "floor.py"))
+PLAIN = """\
 [Unit]
-Description=Drivers of the robot
-Wants=network-online.target
-After=network-online.target
+Description=Camera server
+After=network.target
 
 [Service]
-User=robot
-EnvironmentFile=/etc/robot/ros.env
-ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch robot_bringup drivers.launch.py'
-Restart=always
-RestartSec=1
-KillSignal=SIGINT
+ExecStart=/usr/bin/camera-server
+Restart=on-failure
 
 [Install]
 WantedBy=multi-user.target
 """
 YAML = "network:\n  version: 2\n  ethernets:\n    enp3s0:\n      dhcp4: true\n"
+START = {
+    "--version": (("--version",), "0.25"),
+    "one plain unit": (("plain/camera.service",), "1.0"),
+    "one ROS unit": (("ros/robot.service",), "1.2"),
+    "rules": (("rules",), "0.8"),
+    "explain RULE": (("explain", "systemd/root-user"), "0.8"),
+}
+AIMS = {"etc": "8", "repo": "6"}
+SHAPE_LIMIT = 60
+"""CPU seconds after which a run over a hostile shape is killed."""
 
 
-def installed(script: str) -> tuple[str, ...] | None:
-    path = BIN / script if (BIN / script).exists() else shutil.which(script)
-    return (str(path),) if path else None
+def start_up(folder: Path) -> None:
+    """How long the smallest tasks take, compared with yamllint on one file."""
+    shapes.write(folder / "plain/camera.service", PLAIN)
+    shapes.write(folder / "ros/robot.service", robot.UNIT.format(n=1, previous=0))
+    shapes.write(folder / "net.yaml", YAML)
+    yamllint = shutil.which("yamllint", path=f"{Path(sys.executable).parent}:{os.environ['PATH']}") or "yamllint"
+    commands = {name: Command((*OURS, *words), folder) for name, (words, _) in START.items()}
+    taken = medians({"yamllint": Command((yamllint, "net.yaml"), folder), **commands}, 9)
+    for name, (_, aim) in START.items():
+        _print(name, taken[name].seconds, taken["yamllint"].seconds, f"yamllint   aim ≤ {aim}")
 
 
-def start_up(folder: Path) -> Iterator[tuple[str, Comparison, str]]:
-    (folder / "robot.service").write_text(UNIT)
-    (folder / "net.yaml").write_text(YAML)
-    console = installed("bringup-lint") or OURS
-    yamllint = installed("yamllint")
-    if yamllint:
-        yield (
-            "--version / yamllint --version",
-            compare((*console, "--version"), (*yamllint, "--version"), folder),
-            "0.8",
-        )
-        yield (
-            "one unit / yamllint on one file",
-            compare((*console, "robot.service"), (*yamllint, "net.yaml"), folder),
-            "1",
-        )
-    systemdlint = installed("systemdlint")
-    if systemdlint:
-        ours = (*console, "robot.service")
-        yield "one unit / systemdlint", compare(ours, (*systemdlint, "robot.service"), folder), "1"
+def trees(folder: Path) -> None:
+    """Whole trees, compared with the floor."""
+    for name, aim in AIMS.items():
+        real = os.environ.get(f"BRINGUP_LINT_BENCH_{name.upper()}")
+        top = Path(real) if real else robot.generate(folder / name, 50 if name == "etc" else 150)
+        commands = {"ours": Command((*OURS, "."), top), "floor": Command((*FLOOR, "."), top)}
+        taken = medians(commands, 3)
+        memory = f"{taken['ours'].mebibytes:.0f} MiB"
+        _print(name, taken["ours"].seconds, taken["floor"].seconds, f"floor   aim ≤ {aim}, {memory}")
 
 
-def corpus_units(corpus: Path, folder: Path) -> Iterator[tuple[str, Comparison, str]]:
-    units = folder / "units"
-    units.mkdir()
-    for path in sorted((corpus / "systemd__systemd-stable/units").glob("*")):
-        if path.suffix in (".service", ".target", ".socket", ".timer", ".mount", ".path", ".slice"):
-            shutil.copy(path, units)
-    names = [f"./{path.name}" for path in sorted(units.iterdir())]
-    if shutil.which("systemd-analyze") and names:
-        verify = ("systemd-analyze", "verify", "--man=no", *names)
-        label = f"{len(names)} units of systemd / one call of systemd-analyze verify"
-        yield label, compare((*OURS, "."), verify, units, 5), "6"
-        each = sum(seconds(("systemd-analyze", "verify", "--man=no", name), units) for name in names)
-        yield "the same / one call of it for each file", Comparison(seconds((*OURS, "."), units), each), "1"
+def growth(folder: Path) -> None:
+    """One robot with three and ten times as many files."""
+    tops = {times: robot.generate(folder / f"grown{times}", 40 * times) for times in (1, 3, 10)}
+    taken = medians({str(times): Command((*OURS, "."), top) for times, top in tops.items()}, 3)
+    for times in (3, 10):
+        memory = f"{taken[str(times)].mebibytes:.0f} MiB"
+        aim = f"aim ≤ {times * 1.05:.1f}, {memory}"
+        _print(f"growth x{times}", taken[str(times)].seconds, taken["1"].seconds, f"x1   {aim}")
 
 
-def growth(folder: Path) -> Iterator[tuple[str, Comparison, str]]:
-    for count in (200, 2000):
-        many = folder / f"many{count}"
-        many.mkdir()
-        for number in range(count):
-            (many / f"robot-{number}.service").write_text(UNIT)
-    ours = compare((*OURS, folder / "many2000"), (*OURS, folder / "many200"), folder, 3)
-    yield "2000 units / 200 units", ours, "10"
+def hostile(folder: Path) -> None:
+    """Each hostile shape at its size: at most 20 times the floor, and 10 seconds."""
+    for name in shapes.SHAPES:
+        top = folder / "shape"
+        top.mkdir()
+        shapes.generate(top, name)
+        ours = usage(Command((*OURS, "."), top), SHAPE_LIMIT)
+        floor = usage(Command((*FLOOR, "."), top))
+        killed = ", killed" if ours.killed else ""
+        _print(name, ours.seconds, floor.seconds, f"floor   aim ≤ 20 and 10 s, {ours.mebibytes:.0f} MiB{killed}")
+        shutil.rmtree(top)
 
 
-def main() -> None:
+def _print(name: str, ours: float, theirs: float, unit: str) -> None:
+    print(f"{name:<18} {ours:7.3f} s / {theirs:7.3f} s = {ours / theirs:6.2f} x {unit}", flush=True)
+
+
+GROUPS: dict[str, Callable[[Path], None]] = {
+    "start": start_up,
+    "trees": trees,
+    "growth": growth,
+    "shapes": hostile,
+}
+
+
+def main(names: list[str]) -> None:
     os.environ["PYTHONPATH"] = str(PROJECT)
     os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
-    corpus = os.environ.get("BRINGUP_LINT_CORPUS")
     with tempfile.TemporaryDirectory() as name:
-        folder = Path(name)
-        lines = [start_up(folder), growth(folder)]
-        if corpus:
-            lines.insert(1, corpus_units(Path(corpus), folder))
-        for group in lines:
-            for label, result, aim in group:
-                print(f"{label:<62} {result.ours:7.3f} s / {result.theirs:7.3f} s = {result.ratio:6.2f}   aim ≤ {aim}")
+        for group in names or GROUPS:
+            GROUPS[group](Path(name))
 
 
 if __name__ == "__main__":
-    main()
+    main(sys.argv[1:])

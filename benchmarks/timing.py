@@ -1,42 +1,60 @@
-"""Times whole commands in turn, A B A B ..., so that both meet the same machine; the result is a ratio of medians."""
+"""Times whole commands in turn, A B C A B C ..., so that all meet the same machine. What counts is the CPU time of the
+process and of its children; a loaded machine stretches the clock more than that."""
 
 from __future__ import annotations
 
 import os
+import resource
 import statistics
 import subprocess
-import time
+from collections.abc import Mapping
 from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
 
-class Comparison(NamedTuple):
-    """Medians in seconds, and how much longer the first takes than the second."""
+class Command(NamedTuple):
+    """What is run, and where."""
 
-    ours: float
-    theirs: float
-
-    @property
-    def ratio(self) -> float:
-        return self.ours / self.theirs
+    words: Sequence[str | Path]
+    folder: Path
 
 
-def seconds(command: Sequence[str | Path], cwd: Path) -> float:
-    """How long one run of a command takes, from outside, its output thrown away."""
-    start = time.perf_counter()
-    subprocess.run(
-        [str(part) for part in command], cwd=cwd, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=os.environ
+class Usage(NamedTuple):
+    """What one process and its children took."""
+
+    seconds: float
+    """CPU time, of user and system."""
+    mebibytes: float
+    """The most memory at one time."""
+    killed: bool = False
+
+
+def usage(command: Command, limit: int | None = None) -> Usage:
+    """Run a command once, its output thrown away; it is killed when it takes more CPU seconds than the limit."""
+    process = subprocess.Popen(
+        [str(word) for word in command.words],
+        cwd=command.folder,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+        preexec_fn=(lambda: resource.setrlimit(resource.RLIMIT_CPU, (limit, limit))) if limit else None,
     )
-    return time.perf_counter() - start
+    _, status, used = os.wait4(process.pid, 0)
+    process.returncode = status
+    return Usage(used.ru_utime + used.ru_stime, used.ru_maxrss / 1024, os.WIFSIGNALED(status))
 
 
-def compare(ours: Sequence[str | Path], theirs: Sequence[str | Path], cwd: Path, runs: int = 9) -> Comparison:
-    """Run both commands in turn after one warm-up each."""
-    times: tuple[list[float], list[float]] = ([], [])
+def medians(commands: Mapping[str, Command], runs: int) -> dict[str, Usage]:
+    """The median usage of each command, all run in turn after one run that does not count."""
+    taken: dict[str, list[Usage]] = {name: [] for name in commands}
     for turn in range(runs + 1):
-        for command, taken in zip((ours, theirs), times, strict=True):
-            taken.append(seconds(command, cwd))
-            if turn == 0:
-                taken.clear()
-    return Comparison(*(statistics.median(taken) for taken in times))
+        for name, command in commands.items():
+            used = usage(command)
+            if turn:
+                taken[name].append(used)
+    return {
+        name: Usage(
+            statistics.median(each.seconds for each in all_), statistics.median(each.mebibytes for each in all_)
+        )
+        for name, all_ in taken.items()
+    }
