@@ -15,6 +15,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 
+from bringup_lint.graph.absence import Absence
 from bringup_lint.model.launch_values import Concat
 from bringup_lint.model.launch_values import FileDir
 from bringup_lint.model.launch_values import Literal
@@ -214,9 +215,27 @@ class Workspace:
         there = self.tree.exists(direct)
         if there:
             return Found(direct, False if package.installs_known else None, package)
-        if package.installs_known and not any(map(self.tree.exists, _templates(direct))):
-            return Found(None, False, package)
-        return None
+        if any(map(self.tree.exists, _templates(direct))):
+            return None
+        absent = package.installs_known or self._absence(package).of_file(path)
+        return Found(None, False, package) if absent else None
+
+    def lacks(self, package: Package, executable: str) -> bool:
+        """Whether ``ros2 run`` certainly does not find an executable of a package."""
+        if executable in package.executables:
+            return False
+        if any(self.tree.exists(origin) for origin in package.origins(f"lib/{package.name}/{executable}")):
+            return False
+        return package.executables_known or self._absence(package).of_executable(executable)
+
+    def _absence(self, package: Package) -> Absence:
+        if package not in self._absences:
+            self._absences[package] = Absence(self.tree, package.folder, package.builds)
+        return self._absences[package]
+
+    @cached_property
+    def _absences(self) -> dict[Package, Absence]:
+        return {}
 
 
 def _templates(path: str) -> Iterator[str]:
@@ -290,6 +309,8 @@ def _read_builds(files: Files, package: Package, sources: dict[str, Source]) -> 
             package.complete = False
     else:
         _read_cmake(files, package, lists, sources)
+        if settings is not None and any(build.installs_python for build in package.builds):
+            package.builds += files.parsed(setup_py.parse_cfg, [settings])
     package.complete = bool(package.builds) and package.complete
 
 

@@ -61,6 +61,10 @@ class Build:
     """Where setup.cfg puts console scripts, e.g. ``$base/lib/my_robot``; None when it does not say."""
     scripts_folder_known: bool = True
     executables_known: bool = True
+    names_computed: bool = False
+    """Names of targets are put together from variables that are not known."""
+    installs_python: bool = False
+    """CMake installs a Python package, with the scripts of the setup.cfg beside it."""
     plugins: list[Located] = field(default_factory=list)
     """Component classes that are registered."""
     plugins_known: bool = True

@@ -45,10 +45,17 @@ HARMLESS = frozenset(
     " add_custom_command add_custom_target find_dependency include include_guard mark_as_advanced return"
     " ament_add_gtest_test ament_add_gtest_executable ament_add_ros_isolated_gtest ament_uncrustify"
     " ament_generate_version_header add_subdirectory nav2_package generate_export_header add_compile_definitions"
-    " cmake_policy link_libraries separate_arguments get_target_property cmake_parse_arguments math".split()
+    " cmake_policy link_libraries separate_arguments get_target_property cmake_parse_arguments math"
+    " add_launch_test add_ros_test ament_auto_add_gtest ament_find_gtest ament_mypy ament_flake8 ament_pep257"
+    " ament_lint_cmake ament_clang_format ament_cppcheck ament_cpplint ament_copyright ament_xmllint ament_package_xml"
+    " pkg_check_modules pkg_search_module find_program find_file set_tests_properties set_source_files_properties"
+    " target_precompile_headers enable_language qt5_wrap_cpp rosidl_target_interfaces fetchcontent_declare"
+    " fetchcontent_makeavailable processorcount nav2_add_gtest pybind11_add_module target_compile_definitions"
+    " target_link_directories target_link_options cmake_dependent_option".split()
 )
 
-
+LOOPED = 2_000
+"""Commands that the loops of one file run."""
 _MODULES = frozenset(
     "GNUInstallDirs CTest CMakePackageConfigHelpers CheckCXXCompilerFlag CheckCCompilerFlag CheckIPOSupported "
     "FetchContent"
@@ -105,11 +112,21 @@ def _arguments(source: Source, at: int) -> tuple[list[Located], int]:
     return arguments, at
 
 
+def _end_of_loop(given: list[Command], at: int) -> int:
+    """The place of the ``endforeach`` of the loop at a place."""
+    depth = 0
+    for place in range(at, len(given)):
+        depth += {"foreach": 1, "endforeach": -1}.get(given[place].name, 0)
+        if depth == 0:
+            return place
+    return len(given)
+
+
 class Reader:
     def __init__(self, build: Build, variables: dict[str, str]) -> None:
         self.build = build
         self.variables = variables
-        self.programs: dict[str, Located] = {}
+        self.looped = 0
 
     def expand(self, text: Located) -> Located | None:
         """The text with known variables filled in; None when one is not known."""
@@ -135,12 +152,60 @@ class Reader:
         return result
 
     def read(self) -> None:
-        for command in commands(self.build.source):
-            handler = getattr(self, f"do_{command.name}", None)
-            if handler is not None:
-                handler(command)
-            if command.name in ("foreach", "function", "macro", "while") or command.name not in HARMLESS | _ENDS:
-                self.build.installs_known = self.build.executables_known = self.build.plugins_known = False
+        self.run(list(commands(self.build.source)))
+
+    def run(self, given: list[Command]) -> None:
+        at = 0
+        while at < len(given):
+            command = given[at]
+            if command.name == "foreach":
+                end = _end_of_loop(given, at)
+                self.loop(command, given[at + 1 : end])
+                at = end
+            else:
+                self.one(command)
+            at += 1
+
+    def one(self, command: Command) -> None:
+        handler = getattr(self, f"do_{command.name}", None)
+        if handler is not None:
+            handler(command)
+        if command.name in ("function", "macro", "while") or command.name not in HARMLESS | _ENDS:
+            self.open()
+
+    def open(self) -> None:
+        """Something is built or installed that is not known."""
+        self.build.installs_known = self.build.executables_known = self.build.plugins_known = False
+
+    def loop(self, command: Command, body: list[Command]) -> None:
+        """The body for each item; once, with an item that is not known, when these are not known, or too many."""
+        items = self.items(command.arguments)
+        self.looped += len(items) * len(body)
+        if not command.arguments or self.looped > LOOPED or None in items:
+            self.open()
+            items = [None]
+        for item in items:
+            self.variables.pop(str(command.arguments[0]) if command.arguments else "", None)
+            if item is not None:
+                self.variables[str(command.arguments[0])] = str(item)
+            self.run(body)
+
+    def items(self, arguments: list[Located]) -> list[Located | None]:
+        """What ``foreach(variable ...)`` goes through."""
+        if "RANGE" in arguments or "ZIP_LISTS" in arguments:
+            return [None]
+        found: list[Located | None] = []
+        lists = False
+        for argument in arguments[1:]:
+            if argument in ("IN", "LISTS", "ITEMS"):
+                lists = argument == "LISTS"
+            elif not lists:
+                found += self.words([argument])
+            elif argument in self.variables:
+                found += self.words([Located(self.variables[str(argument)], argument.span)])
+            else:
+                found.append(None)
+        return found
 
     def do_project(self, command: Command) -> None:
         if command.arguments:
@@ -175,14 +240,14 @@ class Reader:
     def do_include(self, command: Command) -> None:
         """A module of CMake changes nothing; a file of the package may install anything."""
         if not command.arguments or command.arguments[0] not in _MODULES:
-            self.build.installs_known = self.build.executables_known = self.build.plugins_known = False
+            self.open()
 
     def do_add_subdirectory(self, command: Command) -> None:
         words = self.words(command.arguments[:1])
         if words and words[0] is not None:
             self.build.subdirectories.append(str(words[0]))
         else:
-            self.build.installs_known = self.build.executables_known = self.build.plugins_known = False
+            self.open()
 
     def do_ament_auto_add_executable(self, command: Command) -> None:
         self.executable(command.arguments[:1])
@@ -190,8 +255,10 @@ class Reader:
 
     def target(self, command: Command) -> None:
         """``add_executable(name source ...)``, ``add_library(name SHARED source ...)``."""
-        words = [word for word in self.words(command.arguments) if word is not None]
-        if words:
+        given = self.words(command.arguments)
+        words = [word for word in given if word is not None]
+        self.build.names_computed |= given[:1] == [None]
+        if words and given[0] is not None:
             files = [str(word) for word in words[1:] if _CPP.search(word)]
             self.build.targets.setdefault(str(words[0]), []).extend(files)
 
@@ -233,7 +300,7 @@ class Reader:
         for word in self.words(arguments):
             if word is None:
                 self.build.executables_known = False
-            else:
+            elif str(word):
                 self.build.executables[str(word)] = word
 
     def do_ament_auto_package(self, command: Command) -> None:
@@ -245,7 +312,10 @@ class Reader:
                 self.install(f"share/{self.variables.get('PROJECT_NAME', '')}", argument, True)
 
     def do_ament_python_install_package(self, command: Command) -> None:
-        self.build.executables_known = False
+        """The scripts of a setup.cfg beside it, if there is one."""
+        self.build.installs_python = True
+
+    do_ament_python_install_module = do_ament_python_install_package
 
     def do_install(self, command: Command) -> None:
         if not command.arguments:
@@ -274,7 +344,7 @@ class Reader:
             filtered = any(option in ("FILES_MATCHING", "PATTERN", "REGEX", "EXCLUDE") for option in options)
             for source in sources:
                 self.install(destination, source, True, filtered)
-            if destination.startswith("lib/"):
+            if destination.startswith("lib/") and filtered:
                 self.build.executables_known = False
 
     def files(self, kind: str, destination: str, sources: list[Located], options: list[Located]) -> None:

@@ -71,8 +71,21 @@ def parse(source: Source) -> Build:
     _scripts(build, found[0].get("entry_points"))
     build.scripts_folder_known = not {"options", "cmdclass"} & set(found[0])
     if "scripts" in found[0]:
-        build.executables_known = False
+        _plain_scripts(build, found[0]["scripts"])
     return build
+
+
+def _plain_scripts(build: Build, thing: Any) -> None:
+    """``scripts=[...]``: files that are installed beside the console scripts, under their own names."""
+    items = thing.plain() if isinstance(thing, Sequence) else None
+    build.executables_known = build.executables_known and items is not None
+    for item in items or ():
+        path = path_text(item)
+        if path is None:
+            build.executables_known = False
+        else:
+            name = path.rpartition("/")[2]
+            build.executables.setdefault(name, Located(name, item.span))
 
 
 def _unknown(build: Build) -> Build:

@@ -55,11 +55,11 @@ def executable_missing(robot: Robot) -> Iterator[Finding]:
                 advice="include one of the package's launch files instead",
                 severity="warning" if node.by_default is not True else None,
             )
-        if package is None or executable is None or not package.executables_known:
+        if package is None or executable is None:
             continue
-        if executable in package.executables:
-            if package.is_misplaced(executable):
-                yield misplaced(robot, node, package, executable)
+        if executable in package.executables and package.is_misplaced(executable):
+            yield misplaced(robot, node, package, executable)
+        if not robot.launch.workspace.lacks(package, executable):
             continue
         near = nearest(executable, sorted(package.executables), 3)
         related = [note(package.executables[near[0]], "the executable of the package")] if near else []

@@ -38,6 +38,7 @@ LAYERS = (
     {"graph.workspace", "graph.compose", "graph.netplan", "graph.networkmanager", "graph.udev", "graph.commands"},
     {"graph.files", "graph.file_nodes", "graph.images", "graph.places", "graph.layers"},
     {
+        "graph.absence",
         "graph.components",
         "graph.graph",
         "graph.memo",

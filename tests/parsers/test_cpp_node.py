@@ -63,6 +63,25 @@ def test_an_error_costs_its_construct() -> None:
     assert len(parse(Source("relay.cpp", text)).endpoints) == 3
 
 
+def test_macros_of_visibility() -> None:
+    text = """
+class DRIVE_PUBLIC Drive : public rclcpp::Node
+{
+public:
+  DRIVE_PUBLIC
+  explicit Drive(const rclcpp::NodeOptions & options) : Node("drive", options)
+  {
+    declare_parameter("gain", 1.0);
+  }
+};
+class BASE_EXPORT Arm final : public rclcpp_lifecycle::LifecycleNode {};
+"""
+    node = parse(Source("drive.hpp", text))
+    assert node.classes == ["Drive", "Arm"]
+    assert [each.span.text for each in node.names] == ["drive"]
+    assert [each.name for each in node.parameters] == ["gain"]
+
+
 @given(st.text(max_size=80), st.integers(0, len(NODE)), st.integers(0, 40))
 def test_no_text_fails(text: str, at: int, size: int) -> None:
     broken = NODE[:at] + text + NODE[at + size :]

@@ -67,7 +67,7 @@ def test_unknown_data_files_are_not_guessed(arguments: str) -> None:
         "entry_points=unheard_of()",
         "entry_points={'console_scripts': unheard_of()}",
         "entry_points={'console_scripts': [unheard_of()]}",
-        "scripts=['bin/drive']",
+        "scripts=glob('bin/*')",
     ],
 )
 def test_unknown_scripts_are_not_guessed(arguments: str) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from bisect import bisect_right
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -36,6 +37,11 @@ _WRITTEN = """
 (new_expression) @new
 (field_declaration) @field
 """
+_EXPORTED = re.compile(
+    rb"\b(?:class|struct)[ \t\r\n]+(?P<macro>[A-Z][A-Z0-9_]+)(?=[ \t\r\n]+[A-Za-z_]\w*[ \t\r\n]*(?:final\b|[:{]))"
+    rb"|\b(?P<visible>[A-Z][A-Z0-9_]*_(?:PUBLIC|LOCAL|EXPORT|API))\b(?![ \t]*[(:])"
+)
+"""Macros that say what a shared library shows; the grammar takes them for the name or type."""
 _BRANCHES = frozenset(
     "if_statement for_statement for_range_loop while_statement do_statement switch_statement catch_clause "
     "conditional_expression lambda_expression".split()
@@ -55,7 +61,16 @@ def _parsed(data: bytes) -> Tree:
     import tree_sitter
     import tree_sitter_cpp
 
-    return tree_sitter.Parser(tree_sitter.Language(tree_sitter_cpp.language())).parse(data)
+    plain = _EXPORTED.sub(_blanked, data)
+    return tree_sitter.Parser(tree_sitter.Language(tree_sitter_cpp.language())).parse(plain)
+
+
+def _blanked(found: re.Match[bytes]) -> bytes:
+    """The match with its macro as blanks, so that every place stays as it is."""
+    group = "macro" if found["macro"] is not None else "visible"
+    start, end = found.span(group)
+    written = found[0]
+    return written[: start - found.start()] + b" " * (end - start) + written[end - found.start() :]
 
 
 @dataclass(frozen=True, eq=False)

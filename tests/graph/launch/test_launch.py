@@ -201,7 +201,8 @@ def test_cmake_package(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     "line",
     [
-        "foreach(x a b)\ninstall(PROGRAMS ${x} DESTINATION lib/${PROJECT_NAME})\nendforeach()",
+        "foreach(x ${unknown})\ninstall(PROGRAMS ${x} DESTINATION lib/${PROJECT_NAME})\nendforeach()",
+        "foreach(x RANGE 3)\ninstall(PROGRAMS s${x} DESTINATION lib/${PROJECT_NAME})\nendforeach()",
         "my_macro(launch)",
         "install(DIRECTORY ${unknown} DESTINATION share/${PROJECT_NAME})",
         "add_subdirectory(missing)",

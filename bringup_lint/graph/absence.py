@@ -1,0 +1,66 @@
+"""What a package certainly does not install, though parts of its build descriptions are not understood."""
+
+from __future__ import annotations
+
+import os
+import re
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from bringup_lint.model.package import Build
+
+if TYPE_CHECKING:
+    from bringup_lint.discover.tree import Tree
+
+DESCRIPTIONS = 200
+"""Build descriptions of one package that are searched."""
+_DESCRIBES = re.compile(r"(?:CMakeLists\.txt|\.cmake(?:\.in)?|setup\.py|setup\.cfg|pyproject\.toml|package\.xml)\Z")
+_FETCHES = re.compile(r"(?i)\b(?:ExternalProject_Add|FetchContent\w*|file\s*\(\s*DOWNLOAD|urlretrieve|git\s+clone)")
+DEPTH = 12
+"""Folders below a package that are looked into."""
+
+
+class Absence:
+    """One package: its folder and what builds it."""
+
+    def __init__(self, tree: Tree, folder: str, builds: list[Build]) -> None:
+        self._tree = tree
+        self._folder = folder
+        self._builds = builds
+
+    @cached_property
+    def _descriptions(self) -> str:
+        """The text of everything that may say what is built."""
+        inside = (path for path in self._tree.paths if path.startswith(self._folder + os.sep))
+        below = [path for path in inside if _DESCRIBES.search(path)]
+        sources = [self._tree.read(path, judged=False) for path in below[:DESCRIPTIONS]]
+        return "\n".join(source.text for source in sources if source is not None)
+
+    @cached_property
+    def _names(self) -> frozenset[str]:
+        """The names of all files below the folder."""
+        return frozenset(self._tree.names_below(self._folder, DEPTH))
+
+    @cached_property
+    def _stems(self) -> frozenset[str]:
+        return frozenset(name.partition(".")[0] for name in self._names)
+
+    @cached_property
+    def _is_open(self) -> bool:
+        """Whether the build makes things under names that are written nowhere, or takes them from elsewhere."""
+        computed = any(build.names_computed for build in self._builds)
+        return computed or not self._descriptions or bool(_FETCHES.search(self._descriptions))
+
+    def of_executable(self, name: str) -> bool:
+        """Whether no file is called so, with whatever ending, and no build description has the word."""
+        if self._is_open or name.partition(".")[0] in self._stems:
+            return False
+        return not re.search(rf"(?<![\w.-]){re.escape(name)}(?![\w-])", self._descriptions)
+
+    def of_file(self, path: str) -> bool:
+        """Whether nothing below the package, and nothing else of the tree, has the name of a file to be installed."""
+        name = os.path.basename(path)
+        stem = name.partition(".")[0]
+        if not name or self._is_open or stem in self._stems or self._tree.is_ignored(os.path.join(self._folder, path)):
+            return False
+        return stem not in self._descriptions and not any(True for _ in self._tree.named(name))
