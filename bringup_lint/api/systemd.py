@@ -33,6 +33,7 @@ from bringup_lint.graph.systemd.needless_root import NeedlessRoot
 from bringup_lint.graph.systemd.needless_root import Work
 from bringup_lint.graph.systemd.needless_root import changes_user
 from bringup_lint.graph.systemd.needless_root import needless_root
+from bringup_lint.graph.systemd.needless_root import reads_display_of_root
 from bringup_lint.graph.systemd.network_online import ONLINE
 from bringup_lint.graph.systemd.network_online import TooEarly
 from bringup_lint.graph.systemd.network_online import edits_to_wait
@@ -47,6 +48,9 @@ from bringup_lint.graph.systemd.sandbox import Sandbox
 from bringup_lint.graph.systemd.sandbox import View
 from bringup_lint.graph.systemd.settings import duration
 from bringup_lint.graph.systemd.supervision import Supervision
+from bringup_lint.graph.systemd.timers import Misspelt
+from bringup_lint.graph.systemd.timers import has_trigger
+from bringup_lint.graph.systemd.timers import misspelt_trigger
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.graph.systemd.unit_edits import delete_lines
 from bringup_lint.graph.systemd.unit_edits import lift_comment
@@ -73,6 +77,7 @@ __all__ = [
     "LogAccess",
     "LogDirectory",
     "Loop",
+    "Misspelt",
     "NeedlessRoot",
     "Obstacle",
     "Outcome",
@@ -97,6 +102,7 @@ __all__ = [
     "duration",
     "edits_to_wait",
     "file_capabilities",
+    "has_trigger",
     "hidden_home",
     "is_own_program",
     "lift_comment",
@@ -104,10 +110,12 @@ __all__ = [
     "log_directory",
     "memory",
     "missing_limits",
+    "misspelt_trigger",
     "move_lines",
     "needless_root",
     "open_access",
     "paths",
+    "reads_display_of_root",
     "restart_loop",
     "sets_priority",
     "too_early",

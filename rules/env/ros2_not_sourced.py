@@ -47,9 +47,12 @@ from bringup_lint.api import rule
 from bringup_lint.api.systemd import Process
 from bringup_lint.api.systemd import Ros
 from bringup_lint.api.systemd import Step
+from bringup_lint.api.systemd import Unit
 
 ENOUGH = ("AMENT_PREFIX_PATH", "PYTHONPATH", "LD_LIBRARY_PATH", "BASH_ENV")
 INTERPRETER = re.compile(r"python[0-9.]*$")
+EXITS = "it exits with \"No module named 'ros2cli'\""
+FINDS_NOTHING = "it finds no ROS packages or libraries"
 DISTRO = re.compile(r"/opt/ros/[a-z]+")
 
 
@@ -62,44 +65,50 @@ def ros2_not_sourced(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     for unit in units.services:
         lost = [process for process in units.processes(unit) if process.key == "ExecStartPre" and sources_only(process)]
-        for process in lost:
-            _, word = process.setup_files[0]
-            started = units.started(unit)
-            if started and not any(other.setup_files for other in started):
-                yield finding(
-                    word,
-                    "ExecStartPre= is a separate process: what it sources is gone when ExecStart= starts",
-                    advice="source the setup files in the ExecStart= line itself",
-                    related=[note(started[0].program, "starts without them")],
-                )
-        for process in units.started(unit):
-            environment = units.environment(unit)
-            if process.profiles or unit.unsure_of() or any(environment.get(name) for name in ENOUGH):
-                continue
-            found = [(step, ros) for step, ros in process.ros if not process.sourced_before(step)]
-            if found and not hidden(process, *found[0]):
-                step, ros = found[0]
-                name = ros.program.rpartition("/")[2]
-                yield finding(
-                    ros.program,
-                    f"Nothing sources a setup file before {name}: "
-                    + (
-                        "it exits with \"No module named 'ros2cli'\""
-                        if name == "ros2"
-                        else "it finds no ROS packages or libraries"
-                    ),
-                    advice="start it with /bin/bash -c 'source /opt/ros/<distro>/setup.bash && exec ...'",
-                    related=[note(process.program, f"{unit.name} starts it here")] if step.script else (),
-                    fix=_fix(process, step),
-                    confidence="high" if environment.complete else "medium",
-                )
-            elif lost and not found and INTERPRETER.match(process.name) and not process.setup_files:
-                yield finding(
-                    process.program,
-                    f"{unit.name} starts without the ROS environment: only ExecStartPre= sources a setup file",
-                    advice="start it with /bin/bash -c 'source /opt/ros/<distro>/setup.bash && exec ...'",
-                    related=[note(lost[0].setup_files[0][1], "sourced here, for a process that exits at once")],
-                )
+        started = units.started(unit)
+        if lost and started and not any(process.setup_files for process in started):
+            yield _gone(lost, started[0])
+            continue
+        for process in started:
+            yield from _unsourced(robot, unit, process, lost)
+
+
+def _gone(lost: list[Process], starts: Process) -> Finding:
+    (_, word), *others = (process.setup_files[0] for process in lost)
+    return finding(
+        word,
+        "ExecStartPre= is a separate process: what it sources is gone when ExecStart= starts",
+        advice="source the setup files in the ExecStart= line itself",
+        related=[
+            note(starts.program, "starts without them"),
+            *(note(other, "sourced here, for a process that exits at once") for _, other in others),
+        ],
+    )
+
+
+def _unsourced(robot: Robot, unit: Unit, process: Process, lost: list[Process]) -> Iterator[Finding]:
+    environment = robot.units.environment(unit)
+    if process.profiles or unit.unsure_of() or any(environment.get(name) for name in ENOUGH):
+        return
+    found = [(step, ros) for step, ros in process.ros if not process.sourced_before(step)]
+    if found and not hidden(process, *found[0]):
+        step, ros = found[0]
+        name = ros.program.rpartition("/")[2]
+        yield finding(
+            ros.program,
+            f"Nothing sources a setup file before {name}: {EXITS if name == 'ros2' else FINDS_NOTHING}",
+            advice="start it with /bin/bash -c 'source /opt/ros/<distro>/setup.bash && exec ...'",
+            related=[note(process.program, f"{unit.name} starts it here")] if step.script else (),
+            fix=_fix(process, step),
+            confidence="high" if environment.complete else "medium",
+        )
+    elif lost and not found and INTERPRETER.match(process.name) and not process.setup_files:
+        yield finding(
+            process.program,
+            f"{unit.name} starts without the ROS environment: only ExecStartPre= sources a setup file",
+            advice="start it with /bin/bash -c 'source /opt/ros/<distro>/setup.bash && exec ...'",
+            related=[note(lost[0].setup_files[0][1], "sourced here, for a process that exits at once")],
+        )
 
 
 def sources_only(process: Process) -> bool:

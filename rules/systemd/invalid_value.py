@@ -43,6 +43,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
+from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.systemd import Line
 from bringup_lint.api.systemd import ValueProblem
@@ -51,12 +52,15 @@ from bringup_lint.api.systemd import ValueProblem
 @rule("error", fix="safe", symptoms=["Failed to parse", "Invalid memory limit", "is not absolute", "ignoring:"])
 def invalid_value(robot: Robot) -> Iterator[Finding]:
     for line in robot.units.lines:
-        for problem in line.problems:
-            if line.directive.type in ELSEWHERE or problem.code not in CODES:
-                continue
-            if problem.code == "odd-name" and not {",", " "} & set(problem.where):
-                continue
-            yield _finding(line, problem)
+        problems = [problem for problem in line.problems if _is_reported(line, problem)]
+        if problems:
+            yield _finding(line, *problems)
+
+
+def _is_reported(line: Line, problem: ValueProblem) -> bool:
+    if line.directive.type in ELSEWHERE or problem.code not in CODES:
+        return False
+    return problem.code != "odd-name" or bool({",", " "} & set(problem.where))
 
 
 ELSEWHERE = frozenset({"command", "units", "install-units", "aliases", "socket-units", "documentation"})
@@ -66,15 +70,19 @@ CODES = frozenset(
 )
 
 
-def _finding(line: Line, problem: ValueProblem) -> Finding:
+def _finding(line: Line, problem: ValueProblem, *others: ValueProblem) -> Finding:
+    """The first problem of a line; the rest often follows from it, such as the words of a value without quotes."""
     where = problem.where
+    related = [note(other.where, "not valid either") for other in others]
     shown = where if line.directive.type != "environment" else where.partition("=")[0]
     shown = shown if len(shown) <= 60 else f"{shown[:57]}..."
     message = f"{line.key}= takes {problem.expected}, not '{shown}': {line.consequence(problem)}"
     if problem.code == "odd-name":
         message = f"{line.key}= takes '{shown}' as one name, and the service fails to start"
-        return finding(where, message, advice="separate the names of a list with blanks; a single name has none")
+        advice = "separate the names of a list with blanks; a single name has none"
+        return finding(where, message, advice=advice, related=related)
     if problem.suggestion is None:
-        return finding(where, message, advice=f"write {problem.expected}")
-    change = fix(f"write {problem.suggestion}", (where, problem.suggestion), safe=problem.safe)
-    return finding(where, message, advice=f"write {problem.suggestion}", fix=change)
+        return finding(where, message, advice=f"write {problem.expected}", related=related)
+    meant = [(each.where, each.suggestion) for each in (problem, *others) if each.suggestion is not None]
+    change = fix(f"write {problem.suggestion}", *meant, safe=all(each.safe for each in (problem, *others)))
+    return finding(where, message, advice=f"write {problem.suggestion}", related=related, fix=change)

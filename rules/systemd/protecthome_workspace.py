@@ -63,28 +63,17 @@ def protecthome_workspace(robot: Robot) -> Iterator[Finding]:
             continue
         state = "empties" if home.emptied else "hides"
         lists = home.reopened
-        for word, path, _ in lists[:1]:
-            yield finding(
-                word,
-                f"{path} is below a directory that ProtectHome={home.at} {state}: "
-                + (
-                    "the service does not start, 226/NAMESPACE" if home.prevents_start else "this line cannot reopen it"
-                ),
-                advice="use ProtectHome=read-only, or keep the data outside of the home folders",
-                related=[
-                    note(home.at, f"{state} it"),
-                    *(note(other.word, "cannot be reopened either") for other in lists[1:]),
-                ],
-            )
-        if home.needed or lists:
-            names = list(dict.fromkeys([path for _, path in home.needed] + [entry.path for entry in lists]))
-            more = f" and {len(names) - 1} more" if len(names) > 1 else ""
-            yield finding(
-                home.at,
-                f"ProtectHome={home.at} {state} {names[0]}{more}, which {unit.name} needs",
-                advice="use ProtectHome=read-only with logs elsewhere, or install outside of the home folders",
-                related=[
-                    *(note(word, "needs it") for word, _ in home.needed),
-                    *(note(entry.word, "cannot reopen it") for entry in lists),
-                ],
-            )
+        if not (home.needed or lists):
+            continue
+        names = list(dict.fromkeys([path for _, path in home.needed] + [entry.path for entry in lists]))
+        more = f" and {len(names) - 1} more" if len(names) > 1 else ""
+        yield finding(
+            home.at,
+            f"ProtectHome={home.at} {state} {names[0]}{more}, which {unit.name} needs"
+            + (f": {REFUSED}" if home.prevents_start else ""),
+            advice="use ProtectHome=read-only with logs elsewhere, or install outside of the home folders",
+            related=[
+                *(note(word, "needs it") for word, _ in home.needed),
+                *(note(entry.word, "cannot reopen it") for entry in lists),
+            ],
+        )

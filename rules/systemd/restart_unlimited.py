@@ -3,17 +3,18 @@
 ## What it finds
 A service with Restart= and a start limit that acts too late or too early:
 
-- The limit can never trip, so that a failing service restarts forever. Either it is disabled, or its interval
-  is shorter than the restarts take (StartLimitBurst= × RestartSec= > StartLimitIntervalSec=). The default is
-  5 starts in 10 s, so that RestartSec=3 alone is enough. It is a warning for Restart=always, for ROS
-  services, and for units with a limit of their own or OnFailure=. It is an info for other units, and for
-  delays of 60 s or more.
+- The unit sets a limit that can never trip: StartLimitBurst= × RestartSec= > StartLimitIntervalSec=. The setting
+  has no effect, and a failing service restarts forever. With a delay of 60 s or more it is an info.
+- The limit is disabled, and the service restarts more than once a second, forever.
+- The limit is disabled on purpose, or the unit sets none and the default of 5 starts in 10 s never trips
+  (RestartSec=3 alone is enough). Slow endless retries are often wanted: it is an info.
 - The limit trips only if every start fails almost at once. It is an info.
 - The opposite: Restart=always with less than a second between restarts and no limit of its own. The default
   limit trips after about a second, and the service stays down for good. It is a warning for ROS services, and
   an info for others.
 
-systemd ignores StartLimitIntervalSec= in [Service], and so does this rule.
+systemd ignores StartLimitIntervalSec= in [Service]: systemd/key-in-wrong-section reports that line, and this rule
+is silent.
 
 ## Why it matters on a robot
 A driver whose device is missing restarts forever. It fills the journal, takes CPU time from the other
@@ -23,6 +24,10 @@ somebody logs in.
 
 ## Bad
 ```ini
+[Unit]
+StartLimitIntervalSec=20
+StartLimitBurst=5
+
 [Service]
 ExecStart=/opt/robot/bin/drivers
 Restart=always
@@ -88,7 +93,7 @@ def restart_unlimited(robot: Robot) -> Iterator[Finding]:
             _message(loop, policy, unit),
             advice=_advice(loop, policy),
             related=_parts(policy, where),
-            fix=_limit(unit, policy) if unit.editable and not policy.misplaced else None,
+            fix=_limit(unit, policy) if unit.editable else None,
             severity="warning" if loop.intended else "info",
             confidence="high" if policy.never_trips else "medium",
         )
@@ -141,7 +146,6 @@ def _parts(policy: RestartPolicy, where: Place) -> list[Related]:
         (policy.delay_at, "the delay"),
         (policy.interval_at, "the interval of the limit"),
         (policy.burst_at, "the starts that the limit allows"),
-        *((at, "ignored: StartLimitIntervalSec= belongs in [Unit]") for at in policy.misplaced),
     ]
     return [note(at, text) for at, text in lines if at is not None and at is not where]
 

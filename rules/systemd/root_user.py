@@ -9,7 +9,9 @@ A service of the system manager that runs as root (`User=` is not set or is root
 - in a long-running service: a program in somebody's home folder;
 - in a long-running service: a plain network relay such as socat.
 
-Commands that change the user themselves, and containers, are exempt.
+Commands that change the user themselves, containers, and programs whose XAUTHORITY= is a file of root are exempt.
+It is an info where `User=root` is written and another ROS service in the same folder has a user of its own: somebody
+has separated what needs root.
 
 ## Why it matters on a robot
 Every node, every message parser and every script may then write firmware, change the network and read keys:
@@ -55,6 +57,7 @@ from bringup_lint.api.systemd import Unit
 from bringup_lint.api.systemd import Work
 from bringup_lint.api.systemd import changes_user
 from bringup_lint.api.systemd import needless_root
+from bringup_lint.api.systemd import reads_display_of_root
 
 TEXTS = {
     Work.ROS: "ROS",
@@ -76,7 +79,7 @@ CERTAIN = (Work.ROS, Work.IN_HOME)
 def root_user(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         is_root = unit.identity.is_root
-        if unit.manager == "user" or is_root is None:
+        if unit.manager == "user" or is_root is None or reads_display_of_root(unit, robot.units):
             continue
         for process in robot.units.started(unit):
             if not (is_root or "+" in process.prefixes) or changes_user(process):
@@ -106,8 +109,25 @@ def _without_user(robot: Robot, unit: Unit, needless: NeedlessRoot) -> Finding:
         advice="add a User= of its own, and SupplementaryGroups= for the devices that it opens",
         related=[note(needless.where, "the unit starts it here")],
         fix=_fix(robot, unit),
+        severity="info" if _is_separated(robot, unit) else None,
         confidence="high" if needless.work in CERTAIN else "medium",
     )
+
+
+def _is_separated(robot: Robot, unit: Unit) -> bool:
+    """Whether the robot's ROS services are divided into those of root and those of another user."""
+    user = unit.identity.user
+    if unit.fragment is None or unit not in robot.units.ros:
+        return False
+    if user is None or user != "root" or user.span.source is not unit.fragment.source:
+        return False
+    others = (other for other in robot.units.ros if other.identity.is_other)
+    return any(_folder(other) == _folder(unit) for other in others)
+
+
+def _folder(unit: Unit) -> str:
+    """The folder of the unit file itself, whatever drop-ins there are."""
+    return unit.fragment.source.name.rpartition("/")[0] if unit.fragment else ""
 
 
 def _text(needless: NeedlessRoot) -> str:

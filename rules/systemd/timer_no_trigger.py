@@ -2,7 +2,7 @@
 
 ## What it finds
 A timer unit without OnActiveSec=, OnBootSec=, OnStartupSec=, OnUnitActiveSec=, OnUnitInactiveSec=,
-OnCalendar=, OnClockChange= or OnTimezoneChange=, after all drop-ins.
+OnCalendar=, OnClockChange= or OnTimezoneChange=, after all drop-ins. A misspelt trigger is shown with it.
 
 ## Why it matters on a robot
 systemd refuses the timer. The backup, the log rotation or the health check that it should start never runs.
@@ -31,30 +31,34 @@ When a drop-in outside of this tree adds the trigger.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Fix
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import note
 from bringup_lint.api import rule
-
-_TRIGGERS = (
-    "OnActiveSec",
-    "OnBootSec",
-    "OnStartupSec",
-    "OnUnitActiveSec",
-    "OnUnitInactiveSec",
-    "OnCalendar",
-    "OnClockChange",
-    "OnTimezoneChange",
-)
+from bringup_lint.api.systemd import Misspelt
+from bringup_lint.api.systemd import has_trigger
+from bringup_lint.api.systemd import misspelt_trigger
 
 
-@rule("error", symptoms=["Timer unit lacks value setting"])
+@rule("error", fix="safe", symptoms=["Timer unit lacks value setting"])
 def timer_no_trigger(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.judged:
         if unit.type != "timer" or unit.fragment is None or unit.uncertain:
             continue
-        if not any(unit.has(key, "Timer") for key in _TRIGGERS):
-            yield finding(
-                unit.where,
-                f"{unit.name} has no trigger: systemd refuses it",
-                advice="add OnCalendar= or OnBootSec=",
-            )
+        if has_trigger(unit):
+            continue
+        misspelt = misspelt_trigger(unit)
+        yield finding(
+            unit.where,
+            f"{unit.name} has no trigger: systemd refuses it",
+            advice=f"rename {misspelt.key} to {misspelt.meant}" if misspelt else "add OnCalendar= or OnBootSec=",
+            related=[note(misspelt.key, "systemd does not know this key")] if misspelt else (),
+            fix=_renamed(misspelt) if misspelt else None,
+        )
+
+
+def _renamed(misspelt: Misspelt) -> Fix:
+    same = misspelt.key.lower() == misspelt.meant.lower()
+    return fix(f"rename to {misspelt.meant}", (misspelt.key, misspelt.meant), safe=same)

@@ -2,7 +2,8 @@
 
 ## What it finds
 A key that no section of this unit type has: a misspelled name, wrong capitals, or a setting of another unit
-type. Keys whose name starts with `X-` are for other programs and are exempt.
+type. Keys whose name starts with `X-` are for other programs and are exempt. The misspelt trigger of a
+timer that has no other is systemd/timer-no-trigger.
 
 ## Why it matters on a robot
 systemd ignores the line with one message in the journal and starts the unit anyway. The watchdog that should
@@ -40,10 +41,12 @@ from bringup_lint.api import fix
 from bringup_lint.api import rule
 from bringup_lint.api.spelling import nearest
 from bringup_lint.api.systemd import directives
+from bringup_lint.api.systemd import misspelt_trigger
 
 
 @rule("error", fix="safe", symptoms=["Unknown key name", "Unknown lvalue"])
 def unknown_key(robot: Robot) -> Iterator[Finding]:
+    reported = {misspelt.key.span for misspelt in map(misspelt_trigger, robot.units.judged) if misspelt}
     for file in robot.units.unit_files:
         allowed = directives.sections_of_type(file.type)
         for section in file.sections:
@@ -51,7 +54,7 @@ def unknown_key(robot: Robot) -> Iterator[Finding]:
                 continue
             for assignment in section.assignments:
                 key = assignment.key
-                if not key or key.startswith("X-") or file.is_filled_in(key):
+                if not key or key.startswith("X-") or file.is_filled_in(key) or key.span in reported:
                     continue
                 if not any(directives.directive(name, key) for name in allowed):
                     yield _unknown(key, section.name)

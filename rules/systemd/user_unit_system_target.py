@@ -7,6 +7,8 @@ manager, such as `multi-user.target` or `network-online.target`:
 - error: in WantedBy=, RequiredBy=, Requires= or BindsTo=;
 - warning: in After= or Wants=.
 
+It is an info in WantedBy= and RequiredBy= of a unit that a script or a playbook of the tree starts by its name.
+
 ## Why it matters on a robot
 The user manager does not have this unit. With `WantedBy=multi-user.target` the service never starts. With
 `After=network-online.target` it does not wait. With `Requires=` it fails.
@@ -39,6 +41,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Unit
 
 SYSTEM_ONLY = frozenset(
     f"{name}.target"
@@ -61,14 +64,15 @@ def user_unit_system_target(robot: Robot) -> Iterator[Finding]:
         ):
             for _, word in unit.naming(key, *SYSTEM_ONLY, section=section):
                 installs = section == "Install"
+                started = installs and robot.units.is_started_by_script(unit)
                 yield finding(
                     word,
-                    f"The user manager has no {word}: {unit.name} "
-                    + ("never starts" if installs else "fails to start"),
+                    f"The user manager has no {word}: {_consequence(unit, key, installs, started)}",
                     advice="write WantedBy=default.target"
                     if installs
                     else f"remove {key}={word}, or make it a system unit",
                     fix=fix("write default.target", (word, "default.target")) if installs else None,
+                    severity="info" if started else None,
                 )
         for key in ("After", "Wants"):
             for line, word in unit.naming(key, *SYSTEM_ONLY):
@@ -79,3 +83,9 @@ def user_unit_system_target(robot: Robot) -> Iterator[Finding]:
                     fix=fix(f"remove {key}={word}", line.without(word)),
                     severity="warning",
                 )
+
+
+def _consequence(unit: Unit, key: str, installs: bool, started: bool) -> str:
+    if started:
+        return f"{key}= has no effect, and {unit.name} runs only when somebody starts it"
+    return f"{unit.name} never starts" if installs else f"{unit.name} fails to start"

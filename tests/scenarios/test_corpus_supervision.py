@@ -26,29 +26,17 @@ OWN = (
 
 FOUND = {
     "Kitjesen__MapPilot": {
-        ("src/ota_daemon/deploy/ota_daemon.service", 25, "restart-unlimited"),
-        ("src/ota_daemon/deploy/ota_daemon.service", 33, "protecthome-workspace"),
         ("src/ota_daemon/deploy/ota_daemon.service", 34, "protecthome-workspace"),
         ("systemd/nav-slam.service", 16, "watchdog-without-notify"),
         ("systemd/nav-planning.service", 16, "watchdog-without-notify"),
         ("systemd/nav-grpc.service", 16, "watchdog-without-notify"),
-        ("systemd/nav-grpc.service", 12, "restart-unlimited"),
-        ("systemd/nav-semantic.service", 12, "restart-unlimited"),
-        ("systemd/ota-daemon.service", 12, "restart-unlimited"),
     },
     "cedbossneo__mowglinext": {
         ("ros2/systemd/mowgli.service", 26, "kill-mode"),
         ("ros2/systemd/mowgli.service", 30, "restart-on-failure-ros-launch"),
-        ("ros2/systemd/mowgli.service", 30, "restart-unlimited"),
     },
-    "ClemensElflein__open_mower_ros": {
-        (
-            "os/external/board/openmower-cm4/rootfs-overlay/usr/lib/systemd/system/dnsmasq.service",
-            9,
-            "restart-unlimited",
-        ),
-    },
-    "turtlebot__turtlebot4_setup": {("etc/systemd/system/webserver.service", 4, "restart-unlimited")},
+    "ClemensElflein__open_mower_ros": set(),
+    "turtlebot__turtlebot4_setup": set(),
     "systemd__systemd-stable": set(),
     "canonical__netplan": set(),
     "clearpathrobotics__robot_upstart": set(),

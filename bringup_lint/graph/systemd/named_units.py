@@ -14,6 +14,7 @@ from bringup_lint.graph.memo import memo
 from bringup_lint.graph.systemd import shipped_units
 from bringup_lint.graph.systemd.daemons import Daemon
 from bringup_lint.graph.systemd.provision import makes
+from bringup_lint.graph.systemd.provision import starts
 from bringup_lint.graph.systemd.shipped_units import GENERATED
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.graph.systemd.unit_loading import Link
@@ -148,6 +149,10 @@ class NamedUnits:
     def is_made_by_script(self, name: str) -> bool:
         """Whether a script of the tree makes a file of that name."""
         return makes(self.files.tree, name)
+
+    def is_started_by_script(self, unit: Unit) -> bool:
+        """Whether a script or an Ansible task of the tree starts the unit by its name."""
+        return starts(self.files.tree, unit.name)
 
     def is_distribution_unit(self, name: str) -> bool:
         """Whether Ubuntu or Debian ships the unit (table ``systemd_units``), templates' instances

@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from bringup_lint.graph.commands.wrappers import program_name
 from bringup_lint.graph.systemd.process import Process
+from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.graph.systemd.units import Units
 from bringup_lint.source import Located
 
@@ -25,7 +26,17 @@ _NEEDS_ROOT = re.compile(
 )
 """What a script does that only root may."""
 _CONTAINERS = frozenset(
-    {"docker", "docker-compose", "podman", "podman-compose", "nerdctl", "systemd-nspawn", "machinectl", "lxc"}
+    {
+        "docker",
+        "nvidia-docker",
+        "docker-compose",
+        "podman",
+        "podman-compose",
+        "nerdctl",
+        "systemd-nspawn",
+        "machinectl",
+        "lxc",
+    }
 )
 _DROPPERS = frozenset({"setpriv", "runuser", "su", "sudo", "gosu", "su-exec", "chpst", "s6-setuidgid"})
 
@@ -46,6 +57,12 @@ class NeedlessRoot(NamedTuple):
     where: Located
     owner: str = ""
     """For ``IN_HOME``: the user."""
+
+
+def reads_display_of_root(unit: Unit, units: Units) -> bool:
+    """Whether the authority file of the display, which the program has to read, belongs to root."""
+    authority = units.environment(unit).text("XAUTHORITY")
+    return authority is not None and "root" in authority.split("/")
 
 
 def changes_user(process: Process) -> bool:

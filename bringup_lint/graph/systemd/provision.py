@@ -30,6 +30,15 @@ def mentions(tree: Tree, path: str) -> bool:
     return any(path in text and written.search(text) for text in _scripts(tree))
 
 
+def starts(tree: Tree, unit: str) -> bool:
+    """Whether a script or an Ansible task of the tree starts the service by its name."""
+    name = re.escape(unit.removesuffix(".service")) + r"(?:\.service)?"
+    command = rf"\bsystemctl\b[^\n|;&]*\s(?:re)?start\s[^\n|;&]*(?<![\w.-]){name}(?![\w.-])"
+    task = rf"\bname:\s*[\"']?{name}[\"']?[ \t]*\n(?:[ \t]+\w+:.*\n){{0,6}}?[ \t]+state:\s*[\"']?(?:re)?started\b"
+    written = re.compile(f"{command}|{task}")
+    return any(unit.removesuffix(".service") in text and written.search(text) for text in _scripts(tree))
+
+
 def _scripts(tree: Tree) -> Iterator[str]:
     for at, path in enumerate(path for path in tree.paths if _SCRIPT.search(path)):
         if at >= _COUNT:

@@ -74,9 +74,8 @@ class RestartPolicy:
 
     @property
     def own_limit(self) -> bool:
-        """Whether the unit sets a start limit of its own, at the right place or not, rather than none or an empty
-        one."""
-        return bool(self.misplaced or self.interval_at or self.burst_at) and (self.limited or bool(self.misplaced))
+        """Whether the unit sets a start limit of its own, rather than none, an empty one or one that is disabled."""
+        return bool(self.interval_at or self.burst_at) and self.limited
 
     def next_delay(self, restart: int) -> float:
         """The delay before the n-th restart, counted from 1 (``service_restart_usec_next()`` of systemd 254)."""

@@ -11,6 +11,8 @@ from bringup_lint.graph.systemd.units import Units
 
 SLOW = 60.0
 """Seconds between restarts from which a loop is a deliberate, harmless retry."""
+FAST = 1.0
+"""Seconds between restarts below which an endless loop loads the computer and the journal."""
 FAILING_LAUNCH = 1.0
 """Seconds that ros2 launch needs at least to start and fail."""
 
@@ -26,26 +28,33 @@ class Outcome(Enum):
 class Loop(NamedTuple):
     outcome: Outcome
     intended: bool
-    """Somebody counts on an end, or ROS depends on it."""
+    """The unit counts on an end, or the loop does harm by itself; else somebody may want it."""
 
 
 def restart_loop(unit: Unit, policy: RestartPolicy, units: Units) -> Loop | None:
-    """What is wrong with a crash loop of the service; None when nothing is, or when it is not known."""
-    if not unit.complete or not policy.known or not policy.restarts:
+    """What is wrong with a crash loop of the service; None when nothing is, or when it is not known.
+
+    A limit in the wrong section explains everything: the line itself is the finding then.
+    """
+    if not unit.complete or not policy.known or not policy.restarts or policy.misplaced:
         return None
-    is_ros = unit in units.ros
     if policy.never_trips:
-        if policy.steps and policy.longest >= SLOW:
-            return None
-        wanted = policy.restart == "always" or is_ros or policy.own_limit or unit.has("OnFailure")
-        outcome = Outcome.NEVER_TRIPS if policy.limited else Outcome.NO_LIMIT
-        return Loop(outcome, policy.longest < SLOW and wanted)
+        return _endless(policy)
     if policy.leaves_no_time:
         return Loop(Outcome.NO_TIME_LEFT, False)
-    if policy.interval_at or policy.burst_at or policy.misplaced:
+    if policy.interval_at or policy.burst_at:
         return None
+    is_ros = unit in units.ros
     if policy.restart == "always" and policy.delay < 1 and (is_ros or policy.delay):
         return Loop(Outcome.GIVES_UP, is_ros)
     launches = any(unit is launching for launching, _ in units.launch)
     slow = launches and policy.loop(FAILING_LAUNCH) > policy.interval
     return Loop(Outcome.SLOW_FAILURE, False) if slow else None
+
+
+def _endless(policy: RestartPolicy) -> Loop | None:
+    if policy.steps and policy.longest >= SLOW:
+        return None
+    if not policy.limited:
+        return Loop(Outcome.NO_LIMIT, policy.longest < FAST)
+    return Loop(Outcome.NEVER_TRIPS, policy.own_limit and policy.longest < SLOW)
