@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from bringup_lint.graph.dds.addresses import address_of
-from bringup_lint.graph.dds.addresses import is_address
 from bringup_lint.graph.dds.cyclonedds_discovery import bad_addresses
 from bringup_lint.graph.dds.cyclonedds_discovery import contacts_itself
 from bringup_lint.graph.dds.cyclonedds_discovery import domain_number
@@ -57,7 +55,6 @@ __all__ = [
     "Selection",
     "Setting",
     "accepted_by",
-    "address_of",
     "bad_addresses",
     "contacts_itself",
     "domain_number",
@@ -69,7 +66,6 @@ __all__ = [
     "interface_of_device",
     "interface_with",
     "interfaces_instead",
-    "is_address",
     "is_routed",
     "least_buffers",
     "may_exist",

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import ipaddress
 from collections.abc import Iterator
 from dataclasses import dataclass
 from dataclasses import field
 from functools import cached_property
 from typing import NamedTuple
 
+from bringup_lint import addresses
 from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.model.yaml_node import Node
 from bringup_lint.model.yaml_node import Scalar
@@ -25,8 +25,6 @@ BOOLEANS = {
     **dict.fromkeys(("false", "off", "no", "n"), False),
 }
 GLOBS = frozenset("*?[]!")
-
-IpInterface = ipaddress.IPv4Interface | ipaddress.IPv6Interface
 
 
 @dataclass(eq=False, slots=True)
@@ -70,13 +68,8 @@ class Address:
     text: Located
 
     @cached_property
-    def ip(self) -> IpInterface | None:
-        if "/" not in self.text:
-            return None
-        try:
-            return ipaddress.ip_interface(str(self.text))
-        except ValueError:
-            return None
+    def ip(self) -> addresses.Interface | None:
+        return addresses.parse_interface(self.text)
 
 
 @dataclass(eq=False)

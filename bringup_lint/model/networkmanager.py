@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-import ipaddress
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from dataclasses import field
 from typing import NamedTuple
 
+from bringup_lint.addresses import Interface
+from bringup_lint.addresses import parse_interface
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
@@ -23,8 +24,6 @@ SECRETS = re.compile(r"psk|password|passwd|pin|private-key|wep-key\d|preshared-k
 METRICS = {"ethernet": 100, "wifi": 600, "gsm": 700, "bridge": 425, "vlan": 400}
 """NetworkManager's own metrics of default routes, by the type of the connection."""
 
-IpInterface = ipaddress.IPv4Interface | ipaddress.IPv6Interface
-
 
 class Setting(NamedTuple):
     section: str
@@ -35,7 +34,7 @@ class Setting(NamedTuple):
 
 class Address(NamedTuple):
     text: Located
-    ip: IpInterface
+    ip: Interface
     gateway: bool
     """Whether the same line names a gateway."""
 
@@ -82,7 +81,7 @@ class Profile:
             for each in self.settings:
                 if each.section == section and _ADDRESS_KEY.fullmatch(each.key):
                     text, _, gateway = each.value.partition(",")
-                    ip = _interface(text)
+                    ip = parse_interface(text.strip())
                     if ip is not None:
                         yield Address(each.value.part(0, len(text)), ip, bool(gateway.strip()))
 
@@ -106,10 +105,3 @@ class Profile:
     def secrets(self) -> Iterator[Located]:
         """Passphrases, passwords and private keys."""
         return (each.value for each in self.settings if each.value and SECRETS.fullmatch(each.key))
-
-
-def _interface(text: str) -> IpInterface | None:
-    try:
-        return ipaddress.ip_interface(text.strip()) if "/" in text else None
-    except ValueError:
-        return None

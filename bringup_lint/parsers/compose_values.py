@@ -6,11 +6,12 @@ compose-go; github.com/docker/go-connections/nat for ports.
 
 from __future__ import annotations
 
-import ipaddress
 import re
 from collections.abc import Callable
 from collections.abc import Iterator
 
+from bringup_lint.addresses import HIGHEST_PORT
+from bringup_lint.addresses import is_address
 from bringup_lint.model.compose import is_variable
 from bringup_lint.model.compose import split
 from bringup_lint.model.schema import Code
@@ -69,11 +70,7 @@ def _truth(text: Located) -> Fault | None:
 
 
 def _address(text: Located) -> Fault | None:
-    try:
-        ipaddress.ip_address(str(text))
-    except ValueError:
-        return Fault(Code.ADDRESS, "is not an IP address")
-    return None
+    return None if is_address(text) else Fault(Code.ADDRESS, "is not an IP address")
 
 
 def _port(text: Located) -> Fault | None:
@@ -99,7 +96,7 @@ def _range(text: str) -> int | None:
     if match is None:
         return None
     first, last = int(match["first"]), int(match["last"] or match["first"])
-    return last - first + 1 if first <= last <= 65535 else None
+    return last - first + 1 if first <= last <= HIGHEST_PORT else None
 
 
 def _mount(text: Located) -> Fault | None:

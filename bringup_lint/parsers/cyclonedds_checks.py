@@ -6,10 +6,11 @@ of the library.
 
 from __future__ import annotations
 
-import ipaddress
 import re
 from collections.abc import Iterator
 
+from bringup_lint.addresses import HIGHEST_PORT
+from bringup_lint.addresses import parse_address
 from bringup_lint.model.cyclonedds import Domain
 from bringup_lint.model.cyclonedds import Setting
 from bringup_lint.model.schema import Code
@@ -18,7 +19,6 @@ from bringup_lint.model.xml import Element
 from bringup_lint.parsers.cyclonedds_values import size
 
 INTERFACE = "General/Interfaces/NetworkInterface"
-HIGHEST_PORT = 65535
 
 
 def check(domain: Domain, version: str) -> Iterator[Remark]:
@@ -202,9 +202,8 @@ def _below(setting: Setting, ancestor: object) -> bool:
 def _multicast_addresses(domain: Domain) -> Iterator[Remark]:
     for path in ("Discovery/SPDPMulticastAddress", "Discovery/DefaultMulticastAddress"):
         for setting in domain.all(path):
-            try:
-                address = ipaddress.IPv4Address(setting.effective or "auto")
-            except ValueError:
+            address = parse_address(setting.effective or "auto")
+            if address is None or address.version != 4:
                 continue
             if not address.is_multicast and not address.is_unspecified:
                 yield Remark(Code.ADDRESS, setting.value, str(address), item=setting.item)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from bringup_lint.addresses import quad
 from bringup_lint.model.schema import Code
 from bringup_lint.model.schema import Fault
 from bringup_lint.model.schema import Item
@@ -11,7 +12,6 @@ from bringup_lint.model.xml import Element
 from bringup_lint.source import Located
 
 _NUMBER = re.compile(r"[ \t\n\v\f\r]*([+-]?)(0[xX][0-9a-fA-F]+|[0-9]+)")
-_DOTTED = re.compile(r"[0-9]+(?:\.[0-9]+){3}")
 _OCTETS = re.compile(r"[ \t\n\v\f\r]*\+?(?:0[xX])?0*[0-9a-fA-F]{1,2}(?:\.0*[0-9a-fA-F]{1,2})*")
 _GUID = re.compile(r"[0-9a-fA-F]{1,2}(?:\.[0-9a-fA-F]{1,2}){11}")
 _VARIABLE = re.compile(r"\$\{[^}]*\}")
@@ -81,14 +81,13 @@ def _duration_part(item: Item, text: str) -> Fault | None:
 
 
 def _address4(item: Item, text: str) -> Fault | None:
-    match = _DOTTED.fullmatch(text.strip())
-    if match and any(int(number) > 255 for number in match[0].split(".")):
+    if max(quad(text.strip()) or (0,)) > 255:
         return Fault(Code.ADDRESS, "a number above 255")
     return Fault(Code.ADDRESS, "a port or network") if re.search(r"[0-9][:/]", text) else None
 
 
 def _address6(item: Item, text: str) -> Fault | None:
-    return Fault(Code.ADDRESS, "an IPv4 address") if _DOTTED.fullmatch(text.strip()) else None
+    return Fault(Code.ADDRESS, "an IPv4 address") if quad(text.strip()) else None
 
 
 def _octets(item: Item, text: str) -> Fault | None:

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import re
-import socket
 from collections.abc import Callable
 
+from bringup_lint.addresses import HIGHEST_PORT
+from bringup_lint.addresses import PREFIX_LENGTH
+from bringup_lint.addresses import is_plain_address
 from bringup_lint.model.schema import Code
 from bringup_lint.model.schema import Fault
 from bringup_lint.model.yaml_node import Scalar
@@ -21,19 +23,11 @@ LARGEST_UINT = 2**32 - 1
 
 def is_ip4(text: str) -> bool:
     """What ``inet_pton`` takes: four decimal numbers without leading zeros."""
-    return _pton(socket.AF_INET, text)
+    return is_plain_address(text, 4)
 
 
 def is_ip6(text: str) -> bool:
-    return _pton(socket.AF_INET6, text)
-
-
-def _pton(family: int, text: str) -> bool:
-    try:
-        socket.inet_pton(family, text)
-    except (OSError, ValueError):
-        return False
-    return True
+    return is_plain_address(text, 6)
 
 
 def boolean(text: str) -> bool | None:
@@ -68,9 +62,9 @@ def address(text: str, *, zero_prefix: bool = False) -> Fault | None:
         return Fault(Code.PREFIX_LENGTH, "has no prefix length")
     length = leading_number(prefix)
     if is_ip4(host):
-        longest = 32
+        longest = PREFIX_LENGTH[4]
     elif is_ip6(host):
-        longest = 128
+        longest = PREFIX_LENGTH[6]
     else:
         return Fault(Code.ADDRESS, "is not an IPv4 or IPv6 address")
     if length > longest or (length == 0 and not zero_prefix):
@@ -95,7 +89,7 @@ def endpoint(text: str) -> Fault | None:
         host, colon, port = text.rpartition(":")
     if len(text) < 3 or not colon:
         return Fault(Code.VALUE, "is not host:port")
-    if leading_number(port) > 65535:
+    if leading_number(port) > HIGHEST_PORT:
         return Fault(Code.VALUE, "has a port above 65535")
     known = is_ip4(host) or is_ip6(host) or all(HOST_LABEL.match(label) for label in host.split("."))
     return None if known else Fault(Code.VALUE, "is not host:port")

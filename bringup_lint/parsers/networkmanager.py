@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-import ipaddress
 import re
 from functools import cache
 
+from bringup_lint.addresses import is_address
+from bringup_lint.addresses import is_prefix_length
 from bringup_lint.model.networkmanager import ALIASES
 from bringup_lint.model.networkmanager import FALSE
 from bringup_lint.model.networkmanager import TRUE
@@ -89,14 +90,6 @@ def fault_of(item: Item, text: str) -> Fault | None:
 def _addresses(text: str, item: Item) -> bool:
     version = int(item.type[-1])
     if item.type.startswith("addresses"):
-        return all(_is_address(each, version) for each in text.split(";") if each)
+        return all(is_address(each.strip(), version) for each in text.split(";") if each)
     host, slash, prefix = re.split(r"[,; ]", text.strip(), maxsplit=1)[0].partition("/")
-    length = int(prefix) if prefix.isascii() and prefix.isdigit() else -1
-    return _is_address(host, version) and (not slash or 0 <= length <= (32 if version == 4 else 128))
-
-
-def _is_address(text: str, version: int) -> bool:
-    try:
-        return ipaddress.ip_address(text.strip()).version == version
-    except ValueError:
-        return False
+    return is_address(host.strip(), version) and (not slash or is_prefix_length(prefix, version))

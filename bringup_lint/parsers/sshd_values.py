@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from functools import cache
 
 from bringup_lint import facts
+from bringup_lint.addresses import is_port
 from bringup_lint.source import Located
 
 _TIME = re.compile(r"(?:\d+[smhdwSMHDW]?)+")
@@ -15,7 +16,6 @@ _INTEGER = re.compile(r"\+?\d{1,10}")
 _REKEY = re.compile(r"\d+(?:\.\d+)?[kKmMgGtTbB]?")
 _STARTUPS = re.compile(r"([+-]?\d+)(?::([+-]?\d+):([+-]?\d+))?")
 _NETBLOCK = re.compile(r"([+-]?\d+)(?::([+-]?\d+))?")
-_PORT = re.compile(r"\d{1,5}")
 _LEVELS = frozenset(["SILENT", "QUIET", "FATAL", "ERROR", "INFO", "VERBOSE", "DEBUG", "DEBUG1", "DEBUG2", "DEBUG3"])
 _FACILITIES = frozenset(
     [
@@ -119,7 +119,7 @@ def _integer(word: str) -> bool:
 
 
 def _port(word: str) -> bool:
-    return 0 < int(word) < 65536 if _PORT.fullmatch(word) else word == "ssh"
+    return is_port(word) or word == "ssh"
 
 
 def _listen(words: Words) -> Verdict:

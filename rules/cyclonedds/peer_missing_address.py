@@ -32,7 +32,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
-from bringup_lint.api.dds import is_address
+from bringup_lint.api.addresses import is_address
 
 
 @rule("error", fix="safe", symptoms=["element missing in configuration", "no data expected"])

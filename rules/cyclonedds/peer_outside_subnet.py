@@ -32,7 +32,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.dds import address_of
+from bringup_lint.api.addresses import address_of
 from bringup_lint.api.dds import is_routed
 from bringup_lint.api.dds import networks
 from bringup_lint.api.dds import peers

@@ -37,6 +37,8 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.addresses import host_of
+from bringup_lint.api.addresses import is_loopback
 
 SERVER = "ROS_DISCOVERY_SERVER"
 SEES = re.compile(r"^[^#\n]*\b(?:ROS_SUPER_CLIENT|FAST(?:RTPS|DDS)_DEFAULT_PROFILES_FILE)=", re.M)
@@ -44,7 +46,6 @@ SETS = re.compile(r"^[^#\n]*\bROS_DISCOVERY_SERVER=([^\s#]+)", re.M)
 STARTS = re.compile(
     r"fastdds[\s\"',]+discovery|fast-discovery-server|discovery_server|discoveryProtocol>(?:SERVER|BACKUP)<"
 )
-HERE = re.compile(r"(?:127\.\d+\.\d+\.\d+|localhost|\[?::1\]?)(?::\d+)?")
 
 
 @rule("warning", symptoms=["ros2 topic list shows nothing"])
@@ -66,7 +67,7 @@ def discovery_server_without_super_client(robot: Robot) -> Iterator[Finding]:
         if process.unit is None or server is None or not server.text:
             continue
         hosts = [part for part in server.text.split(";") if part.strip()]
-        if hosts and all(HERE.fullmatch(host.strip()) for host in hosts):
+        if hosts and all(is_loopback(host_of(host.strip())) for host in hosts):
             yield finding(
                 server.value,
                 f"Nothing on this robot starts the discovery server: the nodes of {process.name} find no other node",

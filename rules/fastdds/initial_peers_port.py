@@ -38,6 +38,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.addresses import is_loopback
 from bringup_lint.api.xml import Element
 
 RANGE = 4
@@ -57,7 +58,7 @@ def initial_peers_port(robot: Robot) -> Iterator[Finding]:
                 continue
             for peers in profile.element.walk():
                 quiet = peers.parent is not None and peers.parent.find("metatrafficUnicastLocatorList") is not None
-                here = [address for address in _without_port(peers) if address in ("127.0.0.1", "localhost")]
+                here = [address for address in _without_port(peers) if is_loopback(address)]
                 if peers.local == "initialPeersList" and quiet and here:
                     yield finding(
                         here[0],

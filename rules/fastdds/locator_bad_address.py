@@ -36,6 +36,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.addresses import HIGHEST_PORT
 from bringup_lint.api.schema import Code
 
 
@@ -49,6 +50,6 @@ def locator_bad_address(robot: Robot) -> Iterator[Finding]:
             advice="write one plain address, with the port in its own element",
         )
     for port in robot.dds.locator_ports():
-        if port.isdigit() and int(port[:9]) > 65535:
+        if port.isdigit() and int(port[:9]) > HIGHEST_PORT:
             message = f"Port {port} does not exist: the library accepts the locator, but nothing ever arrives there"
             yield finding(port, message, advice="write a port from 1 to 65535", severity="warning")

@@ -39,7 +39,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.dds import address_of
+from bringup_lint.api.addresses import address_of
 from bringup_lint.api.dds import initial_peers
 from bringup_lint.api.dds import is_routed
 from bringup_lint.api.dds import subnets

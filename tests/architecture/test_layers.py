@@ -51,6 +51,7 @@ LAYERS = (
     {"parsers", "codemods"},
     {"schema"},
     {"model", "finding", "facts"},
+    {"addresses"},
     {"source", "spelling", "templates", "toml"},
     {""},
 )

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
-from bringup_lint.graph.dds.addresses import WITH_PORT
-from bringup_lint.graph.dds.addresses import Address
-from bringup_lint.graph.dds.addresses import address_of
-from bringup_lint.graph.dds.addresses import host_of
+from bringup_lint.addresses import Address
+from bringup_lint.addresses import address_of
+from bringup_lint.addresses import host_of
+from bringup_lint.addresses import is_loopback
+from bringup_lint.addresses import is_port
+from bringup_lint.addresses import quad
+from bringup_lint.addresses import split_port
 from bringup_lint.model.cyclonedds import Domain
 from bringup_lint.model.cyclonedds import Setting
 from bringup_lint.parsers.cyclonedds_values import size
@@ -16,9 +18,6 @@ from bringup_lint.source import Located
 
 PEER = "Discovery/Peers/Peer@Address"
 INTERFACE = "General/Interfaces/NetworkInterface"
-LOOPBACK = {"lo", "localhost", "127.0.0.1", "::1"}
-
-_DOTTED = re.compile(r"[0-9]+(?:\.[0-9]+){3}$")
 
 
 def multicast_off(domain: Domain) -> Setting | None:
@@ -39,7 +38,12 @@ def on_loopback_only(domain: Domain) -> bool:
     names = [domain.of(each, "name") or domain.of(each, "address") for each in interfaces]
     old = domain.get("General/NetworkInterfaceAddress")
     names += [old] if old is not None else []
-    return bool(names) and all(each is not None and each.effective in LOOPBACK for each in names)
+    return bool(names) and all(each is not None and is_loopback_interface(each.effective or "") for each in names)
+
+
+def is_loopback_interface(text: str) -> bool:
+    """Whether a setting names the loopback interface, by its name or its address."""
+    return text == "lo" or is_loopback(text)
 
 
 def finds_itself(domain: Domain, version: str) -> bool:
@@ -92,18 +96,13 @@ def bad_addresses(setting: Setting) -> Iterator[tuple[Located, str]]:
     if setting.effective is None or setting.effective != setting.value:
         return
     for part in _parts(setting.value):
-        match = WITH_PORT.match(part)
-        host = match["host"] if match else part
+        host, port = split_port(part)
         if "/" in part:
             yield part, "is a network, not one host"
-        elif _DOTTED.match(host) and any(int(number) > 255 for number in host.split(".")):
+        elif max(quad(host) or (0,)) > 255:
             yield part, "has a number above 255"
-        elif match and match["port"] is not None and not _is_port(match["port"]):
+        elif port is not None and not is_port(port):
             yield part, "has no port between 1 and 65535"
-
-
-def _is_port(text: str) -> bool:
-    return text.isascii() and text.isdigit() and 0 < int(text[:9]) <= 65535
 
 
 def _parts(value: Located) -> Iterator[Located]:

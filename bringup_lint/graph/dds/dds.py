@@ -9,12 +9,12 @@ from functools import cached_property
 from functools import partial
 from typing import TYPE_CHECKING
 
+from bringup_lint.addresses import hosts_in
+from bringup_lint.addresses import is_elsewhere
 from bringup_lint.facts.ros.distros import at_least
 from bringup_lint.graph.commands.environment import stays_local
 from bringup_lint.graph.dds import machines
 from bringup_lint.graph.dds import network
-from bringup_lint.graph.dds.addresses import hosts_in
-from bringup_lint.graph.dds.addresses import is_elsewhere
 from bringup_lint.graph.dds.cyclonedds_discovery import multicast_off
 from bringup_lint.graph.dds.fastdds_names import locator_ports
 from bringup_lint.graph.dds.library import SERIES

@@ -5,8 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from bringup_lint.graph.dds.addresses import Address
-from bringup_lint.graph.dds.addresses import address_of
+from bringup_lint.addresses import Address
+from bringup_lint.addresses import address_of
+from bringup_lint.addresses import parse_address
 from bringup_lint.model.fastdds import VERSIONS
 from bringup_lint.model.fastdds import Profile
 from bringup_lint.model.fastdds import Profiles
@@ -104,7 +105,8 @@ def locator_ports(profiles: Profiles) -> Iterator[Located]:
 def multicast_peers(peers: Element) -> bool:
     """Whether a list of peers names a multicast group itself."""
     addresses = (child.find("address") for child in locators(peers))
-    return any(each is not None and re.match(r"2(?:2[4-9]|3[0-9])\.", each.text) for each in addresses)
+    found = (parse_address(each.text) for each in addresses if each is not None)
+    return any(each is not None and each.is_multicast for each in found)
 
 
 def initial_peers(profiles: Profiles) -> Iterator[Element]:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from collections.abc import Iterator
 
-from bringup_lint.graph.dds.addresses import address_of
-from bringup_lint.graph.dds.addresses import is_elsewhere
+from bringup_lint.addresses import address_of
+from bringup_lint.addresses import is_elsewhere
 from bringup_lint.graph.dds.cyclonedds_discovery import peers
 from bringup_lint.model.cyclonedds import Domain
 from bringup_lint.model.fastdds import Profiles

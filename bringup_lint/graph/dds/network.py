@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
-import ipaddress
 import re
 from collections.abc import Iterable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.addresses import parse_network
 from bringup_lint.graph.dds.cyclonedds_discovery import INTERFACE
-from bringup_lint.graph.dds.cyclonedds_discovery import LOOPBACK
+from bringup_lint.graph.dds.cyclonedds_discovery import is_loopback_interface
 from bringup_lint.model.cyclonedds import Domain
 from bringup_lint.model.cyclonedds import Setting
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
+    from bringup_lint.addresses import Address
+    from bringup_lint.addresses import Network
     from bringup_lint.graph.runners.runner import Runner
     from bringup_lint.graph.systemd.unit import Unit
     from bringup_lint.graph.systemd.units import Units
@@ -46,7 +48,7 @@ def named_interfaces(domain: Domain) -> Iterator[Setting]:
     """The interfaces that a Domain block names, one setting each; loopback and variables are left out."""
     for element in domain.found(INTERFACE):
         name = domain.of(element, "name")
-        if name is not None and name.effective and name.effective not in LOOPBACK:
+        if name is not None and name.effective and not is_loopback_interface(name.effective):
             yield name
     old = domain.get("General/NetworkInterfaceAddress")
     if old is not None and _is_one_name(old.effective or ""):
@@ -78,16 +80,16 @@ def may_exist(plan: Plan, name: str) -> bool:
     return False
 
 
-def networks(interface: Interface) -> list[ipaddress.IPv4Network | ipaddress.IPv6Network]:
+def networks(interface: Interface) -> list[Network]:
     return [address.ip.network for address in interface.addresses if address.ip is not None]
 
 
-def subnets(plan: Plan) -> list[tuple[Interface, ipaddress.IPv4Network | ipaddress.IPv6Network]]:
+def subnets(plan: Plan) -> list[tuple[Interface, Network]]:
     """Every interface with each of its networks."""
     return [(each, network) for each in plan.interfaces.values() for network in networks(each)]
 
 
-def interface_with(plan: Plan, address: ipaddress.IPv4Address | ipaddress.IPv6Address) -> Interface | None:
+def interface_with(plan: Plan, address: Address) -> Interface | None:
     """The interface that has this static address."""
     for interface in plan.interfaces.values():
         if any(each.ip is not None and each.ip.ip == address for each in interface.addresses):
@@ -102,17 +104,17 @@ def own_addresses(plan: Plan) -> set[str]:
     return {str(each.ip.ip) for one in plan.interfaces.values() for each in one.addresses if each.ip is not None}
 
 
-def is_routed(plan: Plan, address: ipaddress.IPv4Address | ipaddress.IPv6Address) -> bool:
+def is_routed(plan: Plan, address: Address) -> bool:
     """Whether a route or a subnet of any interface covers an address."""
     for interface in plan.interfaces.values():
         if interface.dhcp4 or interface.dhcp6 or any(address in network for network in networks(interface)):
             return True
         for route in interface.routes:
+            if route.is_default:
+                return True
             to = route.value("to")
-            try:
-                if route.is_default or (to is not None and address in ipaddress.ip_network(str(to), strict=False)):
-                    return True
-            except ValueError:
+            network = parse_network(to) if to is not None else None
+            if to is not None and (network is None or address in network):
                 return True
         if interface.value("gateway4") or interface.value("gateway6"):
             return True

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.dds import network
+from bringup_lint.graph.dds.cyclonedds_discovery import is_loopback_interface
 from bringup_lint.graph.edges.netplan import interface_node
 from bringup_lint.graph.file_nodes import file_node
 from bringup_lint.graph.file_nodes import file_place
@@ -81,7 +82,7 @@ def binding_edges(dds: Dds, netplan: Callable[[], Netplan], places: Places) -> I
 
 
 def _is_shown(name: str) -> bool:
-    return bool(name.strip()) and name != "lo" and not name.startswith(("127.", "::1"))
+    return bool(name.strip()) and not is_loopback_interface(name)
 
 
 def _holders(places: Places, source: Source, where: Span) -> list[Node]:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from typing import Literal
 from typing import NamedTuple
 
+from bringup_lint.addresses import is_address
 from bringup_lint.parsers.systemd_values import unescape_path
 from bringup_lint.source import Located
 
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
     from bringup_lint.model.params import ParameterFile
 
 _ADDRESS = re.compile(r"(?:.*[._])?(?:ip|ip_?addr(?:ess)?|host(?:_?name)?)", re.I)
-_HOST = re.compile(r"\d{1,3}(?:\.\d{1,3}){3}|[A-Za-z][\w-]*(?:\.[\w-]+)+")
+_HOST = re.compile(r"[A-Za-z][\w-]*(?:\.[\w-]+)+")
 _PATH = re.compile(r"(?<![\w./$}])/dev/[A-Za-z][\w.+-]*(?:/[\w.:+-]+)*")
 
 
@@ -121,7 +122,8 @@ def _is_on_network(parameter: Parameter, file: ParameterFile) -> bool:
     """Whether the same block gives the driver the network address of its device, so that it opens no port."""
     block = parameter.block
     others = (other for other in file.parameters if other.block is block)
-    return any(_ADDRESS.fullmatch(other.name) and _HOST.fullmatch(other.text.strip("'\"")) for other in others)
+    hosts = (other.text.strip("'\"") for other in others if _ADDRESS.fullmatch(other.name))
+    return any(is_address(host) or _HOST.fullmatch(host) for host in hosts)
 
 
 def of_launch(launch: Launch) -> Iterator[DeviceUse]:

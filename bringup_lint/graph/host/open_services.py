@@ -8,6 +8,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 
+from bringup_lint.addresses import is_loopback
+from bringup_lint.addresses import is_wildcard
 from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.started import literal_text
@@ -33,8 +35,6 @@ BRIDGES = {
 """Packages whose server gives the graph to every client on all addresses by default -> the parameters that limit it.
 Source: rosbridge_websocket.py (address ""), foxglove_bridge's README (address 0.0.0.0, capabilities)."""
 
-_LOOPBACK = re.compile(r"127\.|localhost$|::1$")
-_ANYWHERE = re.compile(r"(?:0\.0\.0\.0|\*|::|\[::\])$")
 _EMPTY_TOKEN = re.compile(r"--(?:NotebookApp|ServerApp|IdentityProvider)\.token=?$")
 _PASSWORD = re.compile(r"--(?:NotebookApp|ServerApp|PasswordIdentityProvider)\.(?:hashed_)?password=.")
 _VNC = re.compile(r"(?:x0vncserver|x0tigervncserver|Xvnc|Xtigervnc|vncserver|tigervncserver)$")
@@ -87,7 +87,7 @@ def _is_open(node: Started, limits: tuple[str, ...]) -> bool:
             if name is None or name in limits:
                 return False
             address = _known(inner) if name == "address" else ""
-            if address is None or _LOOPBACK.match(address):
+            if address is None or is_loopback(address):
                 return False
     return not node.arguments
 
@@ -122,7 +122,7 @@ def _jupyter(words: tuple[Located, ...]) -> Iterator[OpenService]:
         if word.startswith("--ip")
     ]
     token = next((word for word in words if _EMPTY_TOKEN.match(word)), None)
-    if token is not None and any(map(_ANYWHERE.match, address)) and not any(map(_PASSWORD.match, words)):
+    if token is not None and any(map(is_wildcard, address)) and not any(map(_PASSWORD.match, words)):
         yield OpenService("shell", "Jupyter", token.span)
 
 
@@ -140,5 +140,5 @@ def _broker(source: Source) -> Iterator[OpenService]:
     listeners = (each for each in _LISTENER.finditer(source.text) if each["port"] != "0")
     if anonymous is None or _LIMITED.search(source.text):
         return
-    if any(each["address"] is None or _ANYWHERE.match(each["address"]) for each in listeners):
+    if any(each["address"] is None or is_wildcard(each["address"]) for each in listeners):
         yield OpenService("broker", "mosquitto", source.span(anonymous.start(), anonymous.end()))

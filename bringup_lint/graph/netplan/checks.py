@@ -12,11 +12,12 @@ from bringup_lint.model.netplan import Plan
 from bringup_lint.model.netplan import Route
 from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.model.yaml_node import Scalar
+from bringup_lint.parsers.netplan_values import is_ip4
+from bringup_lint.parsers.netplan_values import unsigned
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 
 WIREGUARD_KEY = re.compile(r"[A-Za-z0-9+/]{42}[A-Za-z0-9+/]=\Z")
-NUMBER_OR_QUAD = re.compile(r"\d{1,10}\Z|\d{1,3}(?:\.\d{1,3}){3}\Z")
 HEX_KEY = re.compile(r"[0-9a-fA-F]{64}\Z")
 IP6_TUNNELS = frozenset(("ipip6", "ip6ip6", "ip6gre", "ip6gretap", "vti6"))
 KEYED_TUNNELS = frozenset(("gre", "ip6gre", "gretap", "ip6gretap", "vti", "vti6", "wireguard"))
@@ -156,7 +157,7 @@ def _tunnel_numbers(interface: Interface) -> Iterator[Problem]:
     """The keys of a tunnel are numbers or dotted quads."""
     for path in (("key",), ("keys",), ("keys", "input"), ("keys", "output")):
         key = interface.value(*path)
-        if key is not None and not NUMBER_OR_QUAD.match(key):
+        if key is not None and unsigned(key) is None and not is_ip4(key):
             yield Problem("incomplete", key, "the key of a tunnel is a number or a dotted quad")
 
 

@@ -6,6 +6,9 @@ import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from bringup_lint.addresses import host_of
+from bringup_lint.addresses import is_loopback
+from bringup_lint.addresses import is_wildcard
 from bringup_lint.graph.commands.wrappers import program_name
 from bringup_lint.graph.commands.wrappers import unwrapped
 from bringup_lint.graph.systemd.process import Process
@@ -14,8 +17,6 @@ from bringup_lint.source import Located
 _VNC = re.compile(r"(?:x0|X|tiger|tight)?vnc(?:server)?(?:\.\w+)?|x0tigervncserver|x0vncserver|Xvnc|Xtigervnc", re.I)
 _JUPYTER = re.compile(r"jupyter(?:-\w+)?")
 _NO_TOKEN = re.compile(r"--(?:Notebook|Server|Lab|Identity)(?:App|Provider)\.token=(?:''|\"\")?")
-_LOCAL = re.compile(r"(?:localhost|127\.[\d.]+|::1|\[::1\])(?::\d+)?")
-_EVERYWHERE = ("0.0.0.0", "*", "::", "")
 
 
 class OpenAccess(NamedTuple):
@@ -63,7 +64,7 @@ def _jupyter(name: str, words: tuple[Located, ...]) -> OpenAccess | None:
     opened = next((word for word in words if _NO_TOKEN.fullmatch(word)), None)
     address = _option(words, "ip")
     password = next((word for word in words if re.match(r"--\w+\.(?:hashed_)?password=\w", word)), None)
-    if opened is None or address is None or address not in _EVERYWHERE or password is not None:
+    if opened is None or address is None or not is_wildcard(address) or password is not None:
         return None
     return OpenAccess(name, opened, "a shell", "remove the empty token, or set a password")
 
@@ -75,7 +76,7 @@ def _terminal(name: str, words: tuple[Located, ...]) -> OpenAccess | None:
             return None
         return OpenAccess(name, words[0], "a shell", "set a user and a password with --credential")
     address = _option(words, "bind-addr") or _option(words, "host")
-    if name != "code-server" or address is None or _LOCAL.fullmatch(address):
+    if name != "code-server" or address is None or is_loopback(host_of(address)):
         return None
     value = _option(words, "auth")
     return OpenAccess(name, value, "a shell", "use --auth password") if value == "none" else None

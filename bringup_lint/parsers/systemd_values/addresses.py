@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-import ipaddress
 import re
 from collections.abc import Iterator
 
+from bringup_lint.addresses import HIGHEST_PORT
+from bringup_lint.addresses import is_address
+from bringup_lint.addresses import is_plain_address
+from bringup_lint.addresses import is_prefix_length
 from bringup_lint.parsers.systemd_values.enumerations import enumerations
 from bringup_lint.parsers.systemd_values.numbers import parse_integer
 from bringup_lint.parsers.systemd_values.problems import LINE
@@ -23,15 +26,7 @@ _LOCALHOST = re.compile(r"(?:.+\.)?localhost(?:\.localdomain)?\.?", re.IGNORECAS
 
 def is_port(text: str) -> bool:
     number = parse_integer(text) if text[:1].isdigit() else None
-    return number is not None and 0 < number <= 65535
-
-
-def is_address(text: str, family: int = 0) -> bool:
-    """IPv4 or IPv6; ``family`` 4 or 6 takes only one of them."""
-    try:
-        return family in (0, ipaddress.ip_address(text).version)
-    except ValueError:
-        return False
+    return number is not None and 0 < number <= HIGHEST_PORT
 
 
 def is_listen_address(text: str) -> bool:
@@ -86,8 +81,8 @@ def check_address_prefixes(value: Located, version: int) -> Iterator[ValueProble
         if word in _NAMED_PREFIXES or _LOCALHOST.fullmatch(word):
             continue
         address, slash, length = word.partition("/")
-        bits = 32 if is_address(address, 4) else 128 if is_address(address, 6) and "%" not in address else -1
-        if bits < 0 or (slash and not (length.isdigit() and int(length) <= bits)):
+        family = next((each for each in (4, 6) if is_plain_address(address, each)), None)
+        if family is None or (slash and not is_prefix_length(length, family)):
             yield ValueProblem(
                 "invalid",
                 word,
