@@ -5,11 +5,13 @@ from __future__ import annotations
 from bringup_lint.model.netplan import Address
 from bringup_lint.model.netplan import Interface
 from bringup_lint.model.netplan import Plan
+from bringup_lint.model.netplan import PlanCode
 from bringup_lint.parsers.netplan_schema import home_of
 
 __all__ = [
     "Address",
     "Interface",
     "Plan",
+    "PlanCode",
     "home_of",
 ]

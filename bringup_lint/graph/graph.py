@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from collections.abc import Iterator
 from dataclasses import dataclass
 from dataclasses import field
+from enum import Enum
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 
@@ -25,6 +26,22 @@ class Node(NamedTuple):
     """The overlay or folder it belongs to, when the tree holds several things of that name."""
 
 
+class Origin(str, Enum):
+    """What makes an edge."""
+
+    SETTING = "setting"
+    """A line of a file, or what is known of the files that it names."""
+    IMPLICIT = "implicit"
+    """The type of a unit or another of its settings."""
+    DEFAULT = "default"
+    """``DefaultDependencies=``."""
+    DISTRIBUTION = "distribution"
+    """A unit that the distribution brings."""
+
+    def __str__(self) -> str:
+        return self.value
+
+
 class Edge(NamedTuple):
     """A relation of two nodes and who says so: a line, or the reason of an implicit one."""
 
@@ -34,14 +51,23 @@ class Edge(NamedTuple):
     target: Node
     where: Span | None
     why: str
-    """The setting (``After=``), or ``implicit: <reason>``."""
+    """The setting (``After=``), or the reason of an implicit edge."""
     of_package: bool = False
     """Only there when a package of the distribution is installed and enabled, which nothing in the tree
     tells."""
+    origin: Origin = Origin.SETTING
+    condition: str = ""
+    """On which it depends whether the edge is there: ``if use_lidar``, ``one of several``."""
+
+    @property
+    def said(self) -> str:
+        """The setting with its condition, or ``implicit: <reason>``."""
+        reason = f"implicit: {self.why}" if self.origin in (Origin.IMPLICIT, Origin.DEFAULT) else self.why
+        return f"{reason} ({self.condition})" if self.condition else reason
 
     def __str__(self) -> str:
         """``After=, robot.service:4``, or the reason of an implicit edge."""
-        return f"{self.why}, {self.where.path}:{self.where.line}" if self.where else self.why
+        return f"{self.said}, {self.where.path}:{self.where.line}" if self.where else self.said
 
 
 @dataclass(eq=False)

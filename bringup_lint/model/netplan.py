@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from dataclasses import field
+from enum import Enum
 from functools import cached_property
 from typing import NamedTuple
 
@@ -25,6 +26,31 @@ BOOLEANS = {
     **dict.fromkeys(("false", "off", "no", "n"), False),
 }
 GLOBS = frozenset("*?[]!")
+
+
+class PlanCode(str, Enum):
+    """What netplan refuses although every key and value is well formed."""
+
+    SET_NAME = "set-name"
+    ROUTE = "route"
+    ROUTE_FAMILIES = "route-families"
+    DUPLICATE_SSID = "duplicate-ssid"
+    NO_ACCESS_POINT = "no-access-point"
+    INCOMPLETE = "incomplete"
+    VLAN_NO_ID = "vlan-no-id"
+    VLAN_ID = "vlan-id"
+    VLAN_LINK = "vlan-link"
+    SECRET = "secret"
+    TWO_MASTERS = "two-masters"
+    TYPE_CHANGED = "type-changed"
+    UNDEFINED = "undefined"
+    PASSPHRASE = "passphrase"
+    DIFFERENT_OVERRIDES = "different-overrides"
+    NETWORKD_LACKS = "networkd-lacks"
+    NETWORK_MANAGER_LACKS = "networkmanager-lacks"
+
+    def __str__(self) -> str:
+        return self.value
 
 
 @dataclass(eq=False, slots=True)
@@ -94,13 +120,21 @@ class Route:
         return to is not None and (to == "default" or to.endswith("/0"))
 
     @property
-    def family(self) -> int | None:
-        """4 or 6, from the first of ``to``, ``via`` and ``from`` that tells; None when nothing does."""
+    def type(self) -> str:
+        return str(self.value("type") or "unicast").lower()
+
+    @property
+    def families(self) -> Iterator[int]:
+        """4 or 6 for each of ``to``, ``via`` and ``from`` that says it."""
         for key in ("to", "via", "from"):
             text = self.value(key)
             if text is not None and text != "default":
-                return 6 if ":" in text else 4
-        return None
+                yield 6 if ":" in text else 4
+
+    @property
+    def family(self) -> int | None:
+        """The first of the families; None when nothing says it."""
+        return next(self.families, None)
 
 
 @dataclass(eq=False)

@@ -33,6 +33,7 @@ class Code(str, Enum):
     INSTRUCTION = "instruction"
     ROOT = "root"
     SHAPE = "wrong-shape"
+    UNQUOTED = "unquoted"
     DUPLICATE = "duplicate"
     MISSING = "missing"
     MISSING_ATTRIBUTE = "missing-attribute"
@@ -153,8 +154,16 @@ class Remark(Problem):
     """In XML, the element that the remark is about, or inside which something is missing."""
     before: Element | None = None
     """For something missing from XML: the child in front of which it belongs, if there is one."""
+    xml: str = ""
+    """For ``Code.XML``: the code of the XML reader, such as ``bad-tag``."""
 
     @property
     def path(self) -> str:
         """The table's path of the item; empty without one."""
         return self.item.path if self.item else ""
+
+    @property
+    def xml_problem(self) -> str:
+        """What the XML reader says: ``duplicate attribute, name``."""
+        words = self.xml.replace("-", " ")
+        return f"{words}, {self.detail}" if self.detail else words

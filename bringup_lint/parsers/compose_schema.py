@@ -160,8 +160,10 @@ def _plain(text: str) -> float:
 
 
 def _wrong(node: Node, wanted: Shape, item: Item, key: Located) -> Remark:
-    where = node.value if isinstance(node, Scalar) and node.value else key
-    return Remark(Code.SHAPE, where, expected(wanted), item=item)
+    if not isinstance(node, Scalar) or not node.value:
+        return Remark(Code.SHAPE, key, expected(wanted), item=item)
+    code = Code.UNQUOTED if "string" in wanted.scalars else Code.SHAPE
+    return Remark(code, node.value, expected(wanted), item=item)
 
 
 def expected(wanted: Shape) -> str:

@@ -92,7 +92,7 @@ def read(
         if problem.code == "duplicate-attribute":
             configuration.remarks.append(Remark(Code.DUPLICATE, problem.where, problem.detail))
         elif fatal or problem.code == "doctype":
-            configuration.remarks.append(Remark(Code.XML, problem.where, f"{problem.code}: {problem.detail}", fatal))
+            configuration.remarks.append(Remark(Code.XML, problem.where, problem.detail, fatal, xml=problem.code))
     if inline and document.root is not None and "</>" in document.root.span.text:
         # the shorthand end tag of inline XML is not read
         configuration.remarks.clear()
@@ -110,12 +110,12 @@ def _refused_by_its_xml_reader(document: Document, configuration: Configuration)
     """What is well-formed XML, and yet not for this library."""
     if document.source.text.startswith("\ufeff"):
         mark = document.source.span(0, 1)
-        configuration.remarks.append(Remark(Code.XML, mark, "byte-order-mark: it appears before the first <"))
+        configuration.remarks.append(Remark(Code.XML, mark, "it appears before the first <", xml="byte-order-mark"))
     for instruction in document.instructions:
         inside = [each for each in document.elements if each.span.start < instruction.start < each.span.end]
         if inside and inside[-1].text:
-            detail = "instruction: a processing instruction inside a value"
-            configuration.remarks.append(Remark(Code.XML, instruction, detail))
+            detail = "a processing instruction inside a value"
+            configuration.remarks.append(Remark(Code.XML, instruction, detail, xml="instruction"))
 
 
 def _has_subset(document: Document) -> bool:

@@ -84,7 +84,7 @@ def parse(source: Source, version: str = DEFAULT_VERSION) -> Profiles:
         if problem.code == "text-outside-root":
             drops = document.root is None or problem.span.start > document.root.span.start
         if drops or problem.code == "doctype":
-            profiles.remarks.append(Remark(Code.XML, problem.where, f"{problem.code}: {problem.detail}", drops))
+            profiles.remarks.append(Remark(Code.XML, problem.where, problem.detail, drops, xml=problem.code))
     for span in document.instructions:
         profiles.remarks.append(Remark(Code.INSTRUCTION, span))
     if document.root is not None:

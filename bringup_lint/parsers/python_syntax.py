@@ -73,14 +73,16 @@ def byte_order_mark(source: Source) -> int:
 
 
 def syntax_tree(source: Source) -> tuple[ast.Module | None, list[Problem]]:
-    """The tree of the text behind a byte order mark; the problem when it is not Python."""
+    """The tree of the text behind a byte order mark; the problem (``syntax``, or ``f-string`` inside of one)
+    when it is not Python."""
     shift = byte_order_mark(source)
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             return ast.parse(source.text[shift:]), []
     except SyntaxError as error:
-        return None, [Problem("syntax", _place(source, error, shift), error.msg or "")]
+        said = error.msg or ""
+        return None, [Problem("f-string" if "f-string" in said else "syntax", _place(source, error, shift), said)]
     except (ValueError, RecursionError, MemoryError) as error:
         return None, [Problem("syntax", source.whole, str(error))]
 

@@ -105,8 +105,7 @@ _TOLERATED = (Code.UNKNOWN_ATTRIBUTE, Code.TEXT, Code.SHAPE)
 
 
 def not_wellformed(problem: Problem) -> Remark:
-    detail = f", {problem.detail}" if problem.detail else ""
-    return Remark(Code.XML, problem.where, f"{problem.code.replace('-', ' ')}{detail}")
+    return Remark(Code.XML, problem.where, problem.detail, xml=problem.code)
 
 
 def _text(element: Element | None) -> Located | None:

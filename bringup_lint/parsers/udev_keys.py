@@ -24,6 +24,8 @@ DROPPING = frozenset(
         "match-only-key",
         "invalid-operator",
         "invalid-attribute",
+        "missing-attribute",
+        "unexpected-attribute",
         "bad-test-mode",
         "assignment-of-any-case",
         "any-case-not-allowed",
@@ -107,9 +109,9 @@ def _prefix_of_assignment(token: Token, key: Key) -> Iterator[Problem]:
 def _attribute(token: Token, key: Key) -> Iterator[Problem]:
     given = token.attribute
     if key.attribute == "none" and given is not None:
-        yield Problem("invalid-attribute", given if given else token.key, "unexpected")
+        yield Problem("unexpected-attribute", given if given else token.key)
     elif key.attribute == "required" and not given:
-        yield Problem("invalid-attribute", token.key, "missing")
+        yield Problem("missing-attribute", token.key)
     elif given and token.key == "TEST" and not (_MODE.match(given) and int(given, 8) <= 0o7777):
         yield Problem("bad-test-mode", given)
     elif given and token.key in ("ATTR", "ATTRS", "SYSCTL"):

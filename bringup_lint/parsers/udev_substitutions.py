@@ -51,7 +51,7 @@ def substitution_problems(value: Located) -> Iterator[Problem]:
             yield Problem("bad-substitution", value.part(start, len(value)), "not closed")
             return
         if known.argument == "required" and not argument:
-            yield Problem("bad-substitution", value.part(start, at), "argument missing")
+            yield Problem("substitution-without-argument", value.part(start, at))
             return
         if known.argument == "number" and argument is not None and not _NUMBER.match(argument):
             yield Problem("bad-substitution", value.part(start, at), "not a number")

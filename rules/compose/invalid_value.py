@@ -53,7 +53,7 @@ from bringup_lint.api.schema import Remark
 REFUSED = "docker compose refuses the file"
 BY_ENGINE = ("container-name", "device", "restart", "stop-signal")
 """Grammars that the Docker engine checks, not compose."""
-CODES = (Code.SHAPE, Code.VALUE, Code.ENUM, Code.RANGE, Code.BOOL, Code.NAME, Code.ADDRESS, Code.MISSING)
+CODES = (Code.SHAPE, Code.UNQUOTED, Code.VALUE, Code.ENUM, Code.RANGE, Code.BOOL, Code.NAME, Code.ADDRESS, Code.MISSING)
 
 
 @rule("error", fix="safe", symptoms=["must be a string", "must be a mapping", "services must be a mapping"])
@@ -76,13 +76,13 @@ def _refused(remark: Remark) -> Finding:
         return finding(where, f"'{name}' is missing here: {REFUSED}", advice=f"add {name}:")
     if remark.code == Code.NAME:
         return finding(where, f"'{where}' is not a name: {REFUSED}", advice="use letters, digits, dots, dashes and _")
-    if remark.code != Code.SHAPE:
+    if remark.code not in (Code.SHAPE, Code.UNQUOTED):
         by_engine = remark.item is not None and remark.item.row["grammar"] in BY_ENGINE
         consequence = "the container is not created" if by_engine else REFUSED
         return finding(where, f"'{where}' {remark.detail}: {consequence}", advice="correct the value")
     written = isinstance(where, Located) and str(where) != name
     message = f"{name} takes {remark.detail}, not '{where}'" if written else f"{name} takes {remark.detail}"
-    quoted = written and "a string" in remark.detail
+    quoted = written and remark.code == Code.UNQUOTED
     return finding(
         where,
         f"{message}: {REFUSED}",

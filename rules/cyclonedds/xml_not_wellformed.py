@@ -41,7 +41,6 @@ def xml_not_wellformed(robot: Robot) -> Iterator[Finding]:
             message = "Cyclone DDS skips the DOCTYPE: its declarations have no effect"
             yield finding(remark.where, message, advice="delete the DOCTYPE", severity="warning")
             continue
-        problem, _, detail = remark.detail.partition(": ")
-        words = problem.replace("-", " ") + (f", {detail}" if detail else "")
-        message = f"Cyclone DDS cannot parse the file ({words}): no participant can be created, no node starts"
+        why = remark.xml_problem
+        message = f"Cyclone DDS cannot parse the file ({why}): no participant can be created, no node starts"
         yield finding(remark.where, message, advice="repair the XML")

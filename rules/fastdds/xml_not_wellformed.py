@@ -44,20 +44,19 @@ from bringup_lint.api.schema import Code
 @rule("error", fix="safe", symptoms=["XMLPARSER Error", "Error opening", "Error parsing XML buffer"])
 def xml_not_wellformed(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.dds.fastdds_remarks(Code.XML, Code.INSTRUCTION):
-        problem, _, detail = remark.detail.partition(": ")
         if not remark.fatal:
             message = "Fast DDS skips the DOCTYPE: its declarations have no effect"
             yield finding(remark.where, message, advice="delete the DOCTYPE", severity="warning")
             continue
-        words = problem.replace("-", " ") or "processing instruction"
+        why = remark.xml_problem or "processing instruction"
         change = None
         span = remark.span
-        if problem == "late-declaration":
+        if remark.xml == "late-declaration":
             start = Span(span.source, 0, 0)
             change = fix("move the declaration to the front", (span, ""), (start, f"{span.text}\n"))
         yield finding(
             remark.where,
-            f"Fast DDS cannot parse the file ({words}{f', {detail}' if detail else ''}): the whole file is ignored",
+            f"Fast DDS cannot parse the file ({why}): the whole file is ignored",
             advice="repair the XML",
             fix=change,
         )

@@ -52,7 +52,7 @@ OLD = ("foxy", "galactic", "humble", "iron")
 def syntax(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         for problem in file.problems[:1]:
-            newer = sys.version_info < (3, 12) and "f-string" in problem.detail
+            newer = sys.version_info < (3, 12) and problem.code == "f-string"
             ignored = problem.code in IGNORED or _other_version(problem)
             if not ignored and not (newer and robot.target.ros not in OLD):
                 detail = f" ({problem.detail})" if problem.detail else ""

@@ -40,18 +40,20 @@ from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.netplan import PlanCode
 from bringup_lint.api.schema import Code
 
 CODES = (
     Code.SHAPE,
     Code.VALUE,
     Code.NAME,
-    "type-changed",
-    "two-masters",
-    "duplicate-ssid",
-    "route",
-    "incomplete",
-    "secret",
+    PlanCode.TYPE_CHANGED,
+    PlanCode.TWO_MASTERS,
+    PlanCode.DUPLICATE_SSID,
+    PlanCode.ROUTE,
+    PlanCode.ROUTE_FAMILIES,
+    PlanCode.INCOMPLETE,
+    PlanCode.SECRET,
 )
 SHAPES = {
     "mapping": "a mapping (check the indentation)",
@@ -64,15 +66,15 @@ def _explain(code: str, where: str, detail: str) -> tuple[str, str]:
     """How to describe a problem, and what to do about it."""
     if code == Code.SHAPE:
         return f"{SHAPES[detail]} is expected here", f"write {SHAPES[detail]}"
-    if code == "type-changed":
+    if code == PlanCode.TYPE_CHANGED:
         return f"'{where}' is already one of the {detail}", "use one device type for one name"
-    if code == "two-masters":
+    if code == PlanCode.TWO_MASTERS:
         return f"'{where}' already belongs to {detail}", "a port can belong to only one: remove it here"
-    if code == "duplicate-ssid":
+    if code == PlanCode.DUPLICATE_SSID:
         return f"the access point '{where}' appears twice", "merge the two"
-    if code in ("route", "incomplete"):
+    if code in (PlanCode.ROUTE, PlanCode.ROUTE_FAMILIES, PlanCode.INCOMPLETE):
         return detail, "complete it"
-    if code == "secret":
+    if code == PlanCode.SECRET:
         return "this is not a WireGuard key", "write the whole base64 key, or the path of a file that contains it"
     return f"'{where}' {detail}", "correct the value"
 
@@ -83,5 +85,5 @@ def invalid_value(robot: Robot) -> Iterator[Finding]:
         where = problem.where
         text = where if isinstance(where, Located) else where.text.partition("\n")[0]
         message, advice = _explain(problem.code, text, problem.detail)
-        secrets = [where] if problem.code == "secret" else []
+        secrets = [where] if problem.code == PlanCode.SECRET else []
         yield finding(where, f"netplan generates nothing: {message}", advice=advice, secrets=secrets)

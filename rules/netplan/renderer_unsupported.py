@@ -41,12 +41,16 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.netplan import PlanCode
+
+ADVICE: dict[str, str] = {
+    PlanCode.NETWORKD_LACKS: "choose renderer: NetworkManager, or remove this setting",
+    PlanCode.NETWORK_MANAGER_LACKS: "choose renderer: networkd, or remove this setting",
+    PlanCode.DIFFERENT_OVERRIDES: "write the same value in both",
+}
 
 
 @rule("error", symptoms=["networkd does not support this wifi mode", "networkd backend does not support"])
 def renderer_unsupported(robot: Robot) -> Iterator[Finding]:
-    for problem in robot.netplan.problems("unsupported", "different-overrides"):
-        other = "NetworkManager" if problem.detail.startswith("networkd") else "networkd"
-        same = problem.code == "different-overrides"
-        advice = "write the same value in both" if same else f"choose renderer: {other}, or remove this setting"
-        yield finding(problem.where, f"netplan stops halfway: {problem.detail}", advice=advice)
+    for problem in robot.netplan.problems(*ADVICE):
+        yield finding(problem.where, f"netplan stops halfway: {problem.detail}", advice=ADVICE[problem.code])

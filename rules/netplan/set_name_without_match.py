@@ -32,11 +32,12 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.netplan import PlanCode
 
 
 @rule("error", symptoms=["'set-name:' requires 'match:' properties"])
 def set_name_without_match(robot: Robot) -> Iterator[Finding]:
-    for problem in robot.netplan.problems("set-name"):
+    for problem in robot.netplan.problems(PlanCode.SET_NAME):
         yield finding(
             problem.where,
             "set-name needs match: netplan generates nothing",

@@ -36,11 +36,12 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.netplan import PlanCode
 
 
 @rule("error", symptoms=["is not defined"])
 def undefined_interface(robot: Robot) -> Iterator[Finding]:
-    for problem in robot.netplan.problems("undefined"):
+    for problem in robot.netplan.problems(PlanCode.UNDEFINED):
         name, later = problem.word, problem.detail
         related = [note(place, "defined here") for place in robot.netplan.declarations(name) if place.path == later]
         if later:

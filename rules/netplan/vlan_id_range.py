@@ -31,11 +31,12 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.netplan import PlanCode
 
 
 @rule("error", symptoms=["allowed values are 0 to 4094"])
 def vlan_id_range(robot: Robot) -> Iterator[Finding]:
-    for problem in robot.netplan.problems("vlan-id"):
+    for problem in robot.netplan.problems(PlanCode.VLAN_ID):
         message = f"VLAN id {problem.where} is out of range: netplan generates nothing"
         yield finding(problem.where, message, advice="choose 1 to 4094")
     for interface in robot.netplan.interfaces:

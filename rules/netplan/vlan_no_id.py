@@ -29,11 +29,12 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.netplan import PlanCode
 
 
 @rule("error", symptoms=["missing 'id' property"])
 def vlan_no_id(robot: Robot) -> Iterator[Finding]:
-    for problem in robot.netplan.problems("vlan-no-id"):
+    for problem in robot.netplan.problems(PlanCode.VLAN_NO_ID):
         number = "".join(char for char in problem.word if char.isdigit())
         yield finding(
             problem.where,

@@ -33,6 +33,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.netplan import PlanCode
 from bringup_lint.api.templates import is_stand_in
 
 
@@ -44,7 +45,7 @@ from bringup_lint.api.templates import is_stand_in
     ],
 )
 def wifi_passphrase_length(robot: Robot) -> Iterator[Finding]:
-    for problem in robot.netplan.problems("passphrase"):
+    for problem in robot.netplan.problems(PlanCode.PASSPHRASE):
         where = problem.word
         if is_stand_in(where):
             continue

@@ -50,8 +50,8 @@ def xml_not_wellformed(robot: Robot) -> Iterator[Finding]:
 
 
 def _finding(remark: Remark, what: str, consequence: str, afterwards: str) -> Finding:
-    if remark.detail.startswith("doctype"):
+    if remark.xml == "doctype":
         message = "A DOCTYPE is not allowed here: its declarations are never loaded, and it enables entity attacks"
         return finding(remark.where, message, advice="delete the DOCTYPE", severity="warning")
-    message = f"{what} cannot be parsed ({remark.detail}): {consequence}"
+    message = f"{what} cannot be parsed ({remark.xml_problem}): {consequence}"
     return finding(remark.where, message, advice=f"repair the XML{afterwards}")

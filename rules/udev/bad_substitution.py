@@ -41,9 +41,9 @@ _COMMANDS = ("RUN", "PROGRAM", "IMPORT")
 
 @rule("error", symptoms=["invalid substitution type", "attribute value missing"])
 def bad_substitution(robot: Robot) -> Iterator[Finding]:
-    for problem, line in robot.udev.problems("bad-substitution"):
+    for problem, line in robot.udev.problems("bad-substitution", "substitution-without-argument"):
         token = next(token for token in line.tokens if token.span.start <= problem.span.start < token.span.end)
-        what = "has no {...}" if problem.detail == "argument missing" else "is unknown to udev"
+        what = "has no {...}" if problem.code == "substitution-without-argument" else "is unknown to udev"
         yield finding(
             problem.where,
             f"The substitution '{problem.where}' {what}: {token.key} gets another value than intended",

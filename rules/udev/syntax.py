@@ -44,7 +44,7 @@ _ADVICE = {
     "unquoted-value": ("The value has no double quotes", "put the value in double quotes"),
     "single-quoted-value": ("The value is in single quotes", "use double quotes"),
     "value-not-closed": ("The closing double quote is missing", "close the value"),
-    "attribute-not-closed": ("The closing brace is missing", "close the attribute with }"),
+    "attribute-not-closed": ("The closing brace is missing", "close the attribute with }}"),
     "bad-escape": ("udev does not know this escape", "write the character itself or a C escape"),
     "blank-after-backslash": ("A space after the backslash ends the rule here", "delete the space"),
     "end-of-file-in-rule": ("The file ends inside a continued rule", "delete the last backslash"),
@@ -53,7 +53,9 @@ _ADVICE = {
         "A byte order mark makes the first key unknown",
         "save the file without a byte order mark",
     ),
-    "invalid-attribute": ("udev does not accept the braces here", ""),
+    "invalid-attribute": ("This key does not accept the attribute '{where}'", "write one of {detail}"),
+    "missing-attribute": ("{where} needs an attribute name in braces", "write {where}{{name}}"),
+    "unexpected-attribute": ("This key does not accept an attribute in braces", "delete the braces"),
     "bad-test-mode": ("TEST accepts an octal mode in its braces", "write octal digits"),
     "assignment-of-any-case": ("The prefix i is valid only with == and !=", "delete the prefix"),
     "any-case-not-allowed": ("This key does not accept the prefix i", "delete the prefix"),
@@ -80,9 +82,7 @@ _KEPT = {
 )
 def syntax(robot: Robot) -> Iterator[Finding]:
     for problem, _ in robot.udev.problems(*_ADVICE):
-        what, advice = _ADVICE[problem.code]
-        if problem.code == "invalid-attribute":
-            what, advice = _attribute(problem)
+        what, advice = (text.format(where=problem.where, detail=problem.detail) for text in _ADVICE[problem.code])
         yield finding(problem.where, f"{what}: udev drops the whole line", advice=advice, fix=_fix(problem))
     for problem, _ in robot.udev.problems("unknown-key", "removed-key"):
         yield _unknown_key(problem)
@@ -104,14 +104,6 @@ def _unknown_key(problem: Problem) -> Finding:
     return finding(
         problem.where, f"Unknown key '{problem.where}': udev drops the whole line", advice=advice, fix=change
     )
-
-
-def _attribute(problem: Problem) -> tuple[str, str]:
-    if problem.detail == "missing":
-        return f"{problem.where} needs an attribute name in braces", f"write {problem.where}{{name}}"
-    if problem.detail == "unexpected":
-        return "This key does not accept an attribute in braces", "delete the braces"
-    return f"This key does not accept the attribute '{problem.where}'", f"write one of {problem.detail}"
 
 
 def _fix(problem: Problem) -> Fix | None:

@@ -28,7 +28,15 @@ def node(layer: str, kind: str, label: str, rank: int | None = None, findings: t
 
 def edge(source: dict, target: dict, kind: str, why: str = "", findings: tuple[int, ...] = ()) -> dict[str, Any]:
     ends = {"source": source["id"], "target": target["id"], "path": source["path"], "line": 7}
-    return {**ends, "kind": kind, "layer": target["layer"], "why": why, "findings": list(findings)}
+    return {
+        **ends,
+        "kind": kind,
+        "layer": target["layer"],
+        "why": why,
+        "origin": "setting",
+        "condition": "",
+        "findings": list(findings),
+    }
 
 
 def finding(rule: str, severity: str, message: str, path: str, line: int) -> dict[str, Any]:

@@ -36,26 +36,24 @@ def ros_node(node: Started) -> Node:
 
 
 def launch_edges(tree: Tree, launch: Launch) -> Iterator[Edge]:
-    """``includes``, ``starts`` and ``loads-params``; an open condition stands in ``why``."""
+    """``includes``, ``starts`` and ``loads-params``; with their open conditions."""
     from bringup_lint.graph.params.loads import loads_in
 
     for expansion in launch.expansions:
         for include in expansion.includes:
             if include.source is expansion.entry:
-                why = f"include{_only(include.conditions)}"
                 target = launch_file_node(include.target) if include.target else _elsewhere(include.file)
                 if target is not None:
-                    yield Edge("includes", launch_file_node(expansion.entry), target, include.action.span, why)
+                    own, where = launch_file_node(expansion.entry), include.action.span
+                    yield Edge("includes", own, target, where, "include", condition=_only(include.conditions))
     for expansion in launch.entries:
         for node in expansion.nodes:
-            what = "node" if node.is_node else "process"
-            yield Edge(
-                "starts", launch_file_node(node.file), ros_node(node), node.span, f"{what}{_only(node.conditions)}"
-            )
+            what, condition = "node" if node.is_node else "process", _only(node.conditions)
+            yield Edge("starts", launch_file_node(node.file), ros_node(node), node.span, what, condition=condition)
         for load in loads_in(launch, expansion):
             if load.node.is_node:
-                why = "parameters" if load.certain else "parameters (one of several)"
-                yield Edge("loads-params", ros_node(load.node), _parameter_file(tree, load.path), load.where, why)
+                file, condition = _parameter_file(tree, load.path), "" if load.certain else "one of several"
+                yield Edge("loads-params", ros_node(load.node), file, load.where, "parameters", condition=condition)
 
 
 def _parameter_file(tree: Tree, path: str) -> Node:
@@ -82,5 +80,4 @@ def _elsewhere(file: Value) -> Node | None:
 
 def _only(conditions: tuple[Condition, ...]) -> str:
     """The open conditions, as they are written."""
-    words = [f"{condition.kind} {' '.join(condition.span.text.split())[:60]}" for condition in conditions]
-    return f" ({', '.join(words)})" if words else ""
+    return ", ".join(f"{condition.kind} {' '.join(condition.span.text.split())[:60]}" for condition in conditions)

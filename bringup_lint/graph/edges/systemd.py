@@ -15,6 +15,7 @@ from bringup_lint.graph.file_nodes import file_place
 from bringup_lint.graph.file_nodes import is_plain
 from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.graph import Node
+from bringup_lint.graph.graph import Origin
 from bringup_lint.graph.systemd.references import instances
 from bringup_lint.graph.systemd.references import named_instances
 from bringup_lint.graph.systemd.unit import Unit
@@ -24,7 +25,6 @@ from bringup_lint.source import Span
 if TYPE_CHECKING:
     from bringup_lint.graph.systemd.units import Units
 
-DEFAULT = "implicit: default dependency"
 KINDS = ("unit", "user-unit")
 
 
@@ -74,7 +74,7 @@ def unit_edges(units: Units) -> list[Edge]:
 
 def _is_shown(edge: Edge, joined: set[frozenset[Node]], units: Units) -> bool:
     """Defaults are left out unless they tell the order of two units that a line joins."""
-    if edge.why.startswith(DEFAULT):
+    if edge.origin is Origin.DEFAULT:
         return edge.kind == "orders" and frozenset((edge.source, edge.target)) in joined
     return is_certain(edge, units)
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.graph.edges.launch import ros_node
 from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.graph import Node
+from bringup_lint.graph.graph import Origin
 from bringup_lint.graph.host.device_uses import device_path
 from bringup_lint.graph.udev.rule import Link
 from bringup_lint.source import Span
@@ -84,7 +85,7 @@ def device_units(nodes: Iterable[Node]) -> Iterator[Edge]:
     for node in nodes:
         path = device_path(node.name) if node.kind == "unit" else None
         if path is not None:
-            yield Edge("stands-for", node, Node("device", path), None, "implicit: a device unit")
+            yield Edge("stands-for", node, Node("device", path), None, "a device unit", origin=Origin.IMPLICIT)
 
 
 def rule_edges(udev: Udev, nodes: Iterable[Node]) -> Iterator[Edge]:

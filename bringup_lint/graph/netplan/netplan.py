@@ -14,6 +14,7 @@ from bringup_lint.model.netplan import Interface
 from bringup_lint.model.netplan import Netplan
 from bringup_lint.model.netplan import NetplanFile
 from bringup_lint.model.netplan import Plan
+from bringup_lint.model.netplan import PlanCode
 from bringup_lint.parsers.netplan import parse
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
@@ -80,7 +81,7 @@ def _add(plan: Plan, definition: Definition) -> None:
     if interface is None:
         plan.interfaces[str(definition.name)] = Interface(definition.kind, [definition])
     elif interface.kind != definition.kind:
-        plan.problems.append(Problem("type-changed", definition.name, interface.kind))
+        plan.problems.append(Problem(PlanCode.TYPE_CHANGED, definition.name, interface.kind))
     else:
         interface.definitions.append(definition)
 
@@ -116,7 +117,9 @@ def _undefined(plan: Plan, file: NetplanFile, known: dict[str, Located], files: 
         interface = plan.interfaces[name]
         for key, reference in references(interface):
             if reference not in known and reference.span.source is file.source:
-                code = "vlan-link" if interface.kind == "vlans" and key == "link" else "undefined"
+                vlan = interface.kind == "vlans" and key == "link"
                 if key in ("link", "peer") and (_renderer(interface) or plan.renderer) == "NetworkManager":
                     continue
-                yield Problem(code, reference, later.get(str(reference), ""))
+                yield Problem(
+                    PlanCode.VLAN_LINK if vlan else PlanCode.UNDEFINED, reference, later.get(str(reference), "")
+                )

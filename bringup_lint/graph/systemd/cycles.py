@@ -58,7 +58,7 @@ class Cycle(NamedTuple):
 
 
 def _said(edge: Edge) -> str:
-    return f"{edge.why}, {edge.where.source.basename}:{edge.where.line}" if edge.where else edge.why
+    return f"{edge.said}, {edge.where.source.basename}:{edge.where.line}" if edge.where else edge.said
 
 
 def ordering_cycles(graph: Graph, roots: Iterable[str] = ROOTS) -> Iterator[Cycle]:

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 
 from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.graph import Node
+from bringup_lint.graph.graph import Origin
 from bringup_lint.graph.systemd import shipped_units
 from bringup_lint.graph.systemd.implicit import default_edges
 from bringup_lint.graph.systemd.relations import INSTALLED
@@ -29,7 +30,8 @@ def distribution_edges(units: Iterable[Unit], systemd: int) -> Iterator[Edge]:
     for row in table("systemd/unit_edges"):
         name = row["unit"]
         if name in shipped and name not in own and _ships(row, version):
-            yield from _stated(row, optional=shipped[name]["package"] != "systemd")
+            for edge in _stated(row, optional=shipped[name]["package"] != "systemd"):
+                yield edge._replace(origin=Origin.DISTRIBUTION)
     for name, row in shipped.items():
         if name not in own:
             yield from default_edges(Node("unit", name), row["default_dependencies"] == "yes")

@@ -11,6 +11,7 @@ from bringup_lint.facts.systemd.directives import SECTION_OF_TYPE
 from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.graph import Graph
 from bringup_lint.graph.graph import Node
+from bringup_lint.graph.graph import Origin
 from bringup_lint.graph.systemd.named_units import NamedUnits
 from bringup_lint.graph.systemd.references import Instance
 from bringup_lint.graph.systemd.references import resolve
@@ -57,7 +58,7 @@ def implicit_edges(instance: Instance, units: NamedUnits) -> Iterator[Edge]:
         yield from _trigger(instance, units)
     if unit.type == "timer" and enabled and unit.has("OnCalendar"):
         for clock in ("time-set.target", "time-sync.target"):
-            yield _after(here, clock, "implicit: a timer with OnCalendar= is ordered after the clock is set")
+            yield _after(here, clock, "a timer with OnCalendar= is ordered after the clock is set")
     if unit.type == "mount":
         yield from _mount(unit, here, enabled)
     if unit.type == "service":
@@ -73,8 +74,8 @@ def _sibling(here: Node, name: str) -> Node:
     return Node(here.kind, str(name))
 
 
-def _after(here: Node, name: str, why: str) -> Edge:
-    return Edge("orders", _sibling(here, name), here, None, why)
+def _after(here: Node, name: str, why: str, origin: Origin = Origin.IMPLICIT) -> Edge:
+    return Edge("orders", _sibling(here, name), here, None, why, origin=origin)
 
 
 def _service(instance: Instance, units: NamedUnits) -> Iterator[Edge]:
@@ -83,10 +84,10 @@ def _service(instance: Instance, units: NamedUnits) -> Iterator[Edge]:
         yield Edge("wants", here, there, span, "Sockets=")
         yield Edge("orders", there, here, span, "Sockets=")
     if unit.get("Type") == "dbus":
-        yield Edge("requires", here, _sibling(here, "dbus.socket"), None, "implicit: Type=dbus")
-        yield _after(here, "dbus.socket", "implicit: Type=dbus")
+        yield Edge("requires", here, _sibling(here, "dbus.socket"), None, "Type=dbus", origin=Origin.IMPLICIT)
+        yield _after(here, "dbus.socket", "Type=dbus")
     if unit.manager == "system" and unit.flag("PrivateTmp"):
-        yield _after(here, "systemd-tmpfiles-setup.service", "implicit: PrivateTmp=")
+        yield _after(here, "systemd-tmpfiles-setup.service", "PrivateTmp=")
 
 
 class _NeededPath(NamedTuple):
@@ -98,6 +99,10 @@ class _NeededPath(NamedTuple):
     where: Span | None
     """The line that says so; None for what a setting implies."""
 
+    @property
+    def origin(self) -> Origin:
+        return Origin.SETTING if self.where else Origin.IMPLICIT
+
 
 def _needed_paths(unit: Unit) -> Iterator[_NeededPath]:
     for word in unit.words("RequiresMountsFor"):
@@ -107,10 +112,10 @@ def _needed_paths(unit: Unit) -> Iterator[_NeededPath]:
     for key in _FOLDERS:
         value = unit.get(key)
         if value and value.startswith("/"):
-            yield _NeededPath(value, "requires", f"implicit: {key}=", None)
+            yield _NeededPath(value, "requires", f"{key}=", None)
     if unit.type == "mount":
         parent = (unit.get("Where") or "").rstrip("/").rpartition("/")[0]
-        yield _NeededPath(parent, "requires", "implicit: a mount requires the mount above it", None)
+        yield _NeededPath(parent, "requires", "a mount requires the mount above it", None)
 
 
 def _mounts(instance: Instance, units: NamedUnits) -> Iterator[Edge]:
@@ -121,8 +126,8 @@ def _mounts(instance: Instance, units: NamedUnits) -> Iterator[Edge]:
             name = f"{escape_path(folder)}.mount"
             there = resolve(name, unit, units) if units.candidates(name, unit.manager) else None
             if there and there != here:
-                yield Edge(needed.kind, here, there, needed.where, needed.why)
-                yield Edge("orders", there, here, needed.where, needed.why)
+                yield Edge(needed.kind, here, there, needed.where, needed.why, origin=needed.origin)
+                yield Edge("orders", there, here, needed.where, needed.why, origin=needed.origin)
 
 
 def _upwards(path: str) -> Iterator[str]:
@@ -136,14 +141,15 @@ def _mount(unit: Unit, here: Node, enabled: bool) -> Iterator[Edge]:
         return
     options = (unit.get("Options") or "").split(",")
     network = unit.get("Type") in _NETWORK_MOUNTS or "_netdev" in options
-    why = "implicit: default dependency of a mount"
-    yield _after(here, "remote-fs-pre.target" if network else "local-fs-pre.target", why)
+    why = "default dependency of a mount"
+    yield _after(here, "remote-fs-pre.target" if network else "local-fs-pre.target", why, Origin.DEFAULT)
     if network:
-        yield Edge("wants", here, _sibling(here, "network-online.target"), None, why)
+        yield Edge("wants", here, _sibling(here, "network-online.target"), None, why, origin=Origin.DEFAULT)
         for name in ("network-online.target", "network.target"):
-            yield _after(here, name, why)
+            yield _after(here, name, why, Origin.DEFAULT)
     if "nofail" not in options:
-        yield Edge("orders", here, _sibling(here, "remote-fs.target" if network else "local-fs.target"), None, why)
+        before = "remote-fs.target" if network else "local-fs.target"
+        yield Edge("orders", here, _sibling(here, before), None, why, origin=Origin.DEFAULT)
 
 
 def _trigger(instance: Instance, units: NamedUnits) -> Iterator[Edge]:
@@ -159,9 +165,10 @@ def _trigger(instance: Instance, units: NamedUnits) -> Iterator[Edge]:
         there = resolve(f"{instance.name.rpartition('.')[0]}.service", unit, units)
         ends = [(there, unit.where)] if there else []
     for there, span in ends:
-        why = f"{key}=" if named else f"implicit: a {unit.type} is ordered before the service that it starts"
-        yield Edge("triggers", here, there, span, why)
-        yield Edge("orders", here, there, span if named else None, why)
+        why = f"{key}=" if named else f"a {unit.type} is ordered before the service that it starts"
+        origin = Origin.SETTING if named else Origin.IMPLICIT
+        yield Edge("triggers", here, there, span, why, origin=origin)
+        yield Edge("orders", here, there, span if named else None, why, origin=origin)
 
 
 def default_edges(here: Node, enabled: bool) -> Iterator[Edge]:
@@ -169,16 +176,16 @@ def default_edges(here: Node, enabled: bool) -> Iterator[Edge]:
     if not enabled:
         return
     kind = here.name.rpartition(".")[2]
-    reason = f"implicit: default dependency of a {kind}"
+    reason = f"default dependency of a {kind}"
     system = here.kind == "unit"
     if kind in (("service", "socket", "timer", "path") if system else ("service",)):
         base = "sysinit.target" if system else "basic.target"
-        yield Edge("requires", here, _sibling(here, base), None, reason)
-        yield _after(here, base, reason)
+        yield Edge("requires", here, _sibling(here, base), None, reason, origin=Origin.DEFAULT)
+        yield _after(here, base, reason, Origin.DEFAULT)
     if kind == "service" and system:
-        yield _after(here, "basic.target", reason)
+        yield _after(here, "basic.target", reason, Origin.DEFAULT)
     if kind in _GROUPING_TARGET:
-        yield Edge("orders", here, _sibling(here, _GROUPING_TARGET[kind]), None, reason)
+        yield Edge("orders", here, _sibling(here, _GROUPING_TARGET[kind]), None, reason, origin=Origin.DEFAULT)
 
 
 def after_members(graph: Graph, units: NamedUnits) -> Iterator[Edge]:
@@ -191,9 +198,9 @@ def after_members(graph: Graph, units: NamedUnits) -> Iterator[Edge]:
         ordered = _ordered_with(target, graph)
         for edge in edges:
             if edge.kind in _MEMBERS and edge.target not in ordered and edge.target not in without:
-                why = f"implicit: {target.name} is ordered after the units that it pulls in"
-                why = f"{why} ({edge.why})" if edge.where else why
-                yield Edge("orders", edge.target, target, edge.where, why, edge.of_package)
+                why = f"{target.name} is ordered after the units that it pulls in"
+                why = f"{why} ({edge.said})" if edge.where else why
+                yield Edge("orders", edge.target, target, edge.where, why, edge.of_package, Origin.IMPLICIT)
                 ordered.add(edge.target)
 
 

@@ -69,11 +69,10 @@ def _label(edges: list[Edge]) -> str:
 
 def _word(edge: Edge) -> str:
     """The setting for what units say of each other, the kind of everything else, with its condition."""
-    why = str(edge["why"])
-    if edge["kind"] in NEEDS or edge["kind"] == "orders":
-        return "" if why.startswith("implicit") or " of the distribution" in why else why
-    _, bracket, condition = why.partition(" (")
-    return str(edge["kind"]) + bracket + condition
+    kind, condition = str(edge["kind"]), str(edge["condition"])
+    if kind in NEEDS or kind == "orders":
+        return str(edge["why"]) if edge["origin"] == "setting" else ""
+    return f"{kind} ({condition})" if condition else kind
 
 
 def shortened(text: str, longest: int = LONGEST) -> str:

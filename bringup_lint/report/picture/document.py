@@ -65,7 +65,9 @@ def picture(graph: Graph, findings: Iterable[Finding], mask: Mask | None = None)
                 "target": hide(node_id(edge.target)),
                 "kind": edge.kind,
                 "layer": layer_of_edge(edge),
-                "why": hide(edge.why),
+                "why": hide(edge.said),
+                "origin": str(edge.origin),
+                "condition": hide(edge.condition),
                 "path": edge.where.path if edge.where else None,
                 "line": edge.where.line if edge.where else None,
                 "findings": sorted(on_edges.get((edge.where.path, edge.where.line), ())) if edge.where else [],
@@ -83,7 +85,7 @@ def node_id(node: Node) -> str:
 
 def _edge_order(edge: Edge) -> tuple[object, ...]:
     where = (edge.where.path, edge.where.start) if edge.where else ("", 0)
-    return (_ORDER[layer_of_edge(edge)], edge.source, edge.target, edge.kind, where, edge.why)
+    return (_ORDER[layer_of_edge(edge)], edge.source, edge.target, edge.kind, where, edge.said)
 
 
 def _place(graph: Graph, node: Node) -> dict[str, Any]:

@@ -255,7 +255,7 @@ def test_edges_lead_from_launch_files_to_parameters(tmp_path: Path) -> None:
         },
     )
     edges = [
-        (edge.kind, Path(edge.source.name).name, Path(edge.target.name).name, edge.why)
+        (edge.kind, Path(edge.source.name).name, Path(edge.target.name).name, edge.said)
         for edge in launch_edges(Tree(), launch)
     ]
     assert edges == [
