@@ -15,6 +15,7 @@ from bringup_lint.config import ConfigError
 from bringup_lint.finding import Confidence
 from bringup_lint.finding import Finding
 from bringup_lint.finding import Severity
+from bringup_lint.finding.copies import merged
 from bringup_lint.finding.origin import at_origin
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.registry import Registry
@@ -87,7 +88,7 @@ def run(robot: Robot, registry: Registry, config: Config, *, ignores: bool = Tru
     graded = sorted((_graded(found, rules.get(found.rule), severities) for found in findings), key=_order)
     lowest = Severity[config.min_severity.upper()]
     shown, hidden = [], Counter[Severity]()
-    for found in _unique(graded):
+    for found in merged(_unique(graded)):
         if found.severity >= lowest or found.rule in selection.select:
             shown.append(found)
         else:

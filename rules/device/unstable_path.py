@@ -5,7 +5,8 @@
 
 - Warning: units and their environment files, compose, launch and parameter files, scripts; the default of a launch
   argument where a unit launches the file without giving the argument a value.
-- Info: any other default of a launch argument.
+- Info: any other default of a launch argument; the default of a driver, in its own launch file or in a parameter file
+  that only the default of a launch argument names; the only camera of the robot.
 
 Several uses of one path in a file are one finding.
 
@@ -64,6 +65,8 @@ def _finding(robot: Robot, use: DeviceUse, links: list[Link], others: list[Devic
     severity = _SEVERITY.get(use.certainty)
     if use.certainty == "argument" and _is_launched_at_boot(robot, use):
         severity = "warning"
+    if robot.devices.is_single_camera(use) or robot.devices.is_default(use):
+        severity = "info"
     return finding(
         use.path,
         f"{use.path} is numbered in the order of discovery: after a reboot it may be another device",
@@ -92,8 +95,3 @@ def _is_launched_at_boot(robot: Robot, use: DeviceUse) -> bool:
         if not any(f"'{name}'" in around or f'"{name}"' in around for name, _ in each.arguments):
             return True
     return False
-
-
-def _by_id(path: str) -> str:
-    """The folder of stable links that udev makes for a kind of device."""
-    return "/dev/v4l/by-id" if path.startswith("/dev/video") else "/dev/serial/by-id"

@@ -38,6 +38,16 @@ def packages() -> frozenset[str]:
     return frozenset(row["package"] for row in table("ros/lifecycle_nodes"))
 
 
+def is_driver(package: str) -> bool:
+    """Whether a package is known as the driver of a device."""
+    return package in _drivers()
+
+
+@cache
+def _drivers() -> frozenset[str]:
+    return frozenset(row["package"] for row in table("ros/lifecycle_nodes") if row["role"] in HARDWARE)
+
+
 def role_of(package: str | None, program: str | None, distribution: str | None) -> Role:
     """``program``: an executable or a component class."""
     row = _rows().get((package or "", program or ""))

@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.udev.udev import Udev
 
 _BY_DISCOVERY = re.compile(r"/dev/(?:ttyUSB\d+|ttyACM\d+|video\d)")
+_CAMERA = "/dev/video"
 _OF_KERNEL = frozenset(
     [
         "block",
@@ -125,6 +126,23 @@ class Devices:
         for use in self.uses:
             if _BY_DISCOVERY.fullmatch(use.path):
                 yield use, [link for link in self.udev().stable_names(use.path) if self._is_near(link, use)]
+
+    def is_default(self, use: DeviceUse) -> bool:
+        """Whether a path is only what a driver starts with, for whoever uses it to replace."""
+        from bringup_lint.graph.host.driver_defaults import is_default_file
+        from bringup_lint.graph.host.driver_defaults import is_driver_launch
+
+        source = use.path.span.source
+        if source.kind == "params":
+            return is_default_file(source, self.params(), self.launch())
+        return source.kind.startswith("launch-") and is_driver_launch(source, self.launch())
+
+    def is_single_camera(self, use: DeviceUse) -> bool:
+        """Whether a path is that of the only camera that the tree names by its number."""
+        if not use.path.startswith(_CAMERA):
+            return False
+        cameras = {str(other.path) for other in self.uses if _BY_DISCOVERY.fullmatch(other.path)}
+        return len([path for path in cameras if path.startswith(_CAMERA)]) == 1
 
     @property
     def undefined(self) -> Iterator[tuple[DeviceUse, Link | None]]:
