@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from bringup_lint.graph.devcontainers import Broken
+from bringup_lint.graph.devcontainers import broken_references
 from bringup_lint.graph.images import can_be_pulled
 from bringup_lint.graph.runners.runner import Runner
 from bringup_lint.model.dockerfile import Stage
@@ -11,8 +13,10 @@ from bringup_lint.parsers.dockerfile import commands_of
 from bringup_lint.parsers.dockerfile import commands_of_run
 
 __all__ = [
+    "Broken",
     "Runner",
     "Stage",
+    "broken_references",
     "can_be_pulled",
     "commands_of",
     "commands_of_run",

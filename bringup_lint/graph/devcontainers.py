@@ -1,0 +1,93 @@
+"""Development containers: the files and the service that a devcontainer.json names (containers.dev, "JSON schema")."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+from typing import NamedTuple
+
+from bringup_lint.model.yaml_node import Mapping
+from bringup_lint.parsers.jsonc import strings
+from bringup_lint.source import Located
+from bringup_lint.source import Source
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.compose import Compose
+    from bringup_lint.graph.files import Files
+    from bringup_lint.model.compose import ComposeFile
+
+_DOCKERFILE = (("dockerFile",), ("build", "dockerfile"))
+_CONTEXT = (("context",), ("build", "context"))
+
+
+class Broken(NamedTuple):
+    what: str
+    """``Dockerfile``, ``build context``, ``compose file`` or ``service``."""
+    name: Located
+    files: tuple[Source, ...] = ()
+    """For a service, the compose files that do not define it."""
+
+
+@dataclass(frozen=True)
+class _Container:
+    source: Source
+    values: dict[tuple[str, ...], list[Located]]
+
+    def first(self, *paths: tuple[str, ...]) -> Located | None:
+        return next((value for path in paths for value in self.values.get(path, ())), None)
+
+    def beside(self, path: str) -> str:
+        return os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(self.source.name)), path))
+
+
+def broken_references(files: Files, compose: Compose) -> Iterator[Broken]:
+    """What the development containers of the tree name and what is certainly not there."""
+    for source in files.of_kind("devcontainer"):
+        if not source.judged or source.template:
+            continue
+        values: dict[tuple[str, ...], list[Located]] = {}
+        for path, value in strings(source):
+            values.setdefault(path, []).append(value)
+        container = _Container(source, values)
+        yield from _missing(files, container)
+        yield from _undefined(compose, container)
+
+
+def _missing(files: Files, container: _Container) -> Iterator[Broken]:
+    named = (
+        *(("Dockerfile", value) for value in [container.first(*_DOCKERFILE)]),
+        *(("build context", value) for value in [container.first(*_CONTEXT)]),
+        *(("compose file", value) for value in container.values.get(("dockerComposeFile",), ())),
+    )
+    for what, value in named:
+        if value is None or not value or re.search(r"[$\\]|^[/~]", value):
+            continue
+        path = container.beside(value)
+        if not files.tree.exists(path) and not files.tree.is_ignored(path):
+            yield Broken(what, value)
+
+
+def _undefined(compose: Compose, container: _Container) -> Iterator[Broken]:
+    service = container.first(("service",))
+    names = container.values.get(("dockerComposeFile",), [])
+    if service is None or not names:
+        return
+    files = [_compose_file(compose, container.beside(name)) for name in names]
+    known = [file for file in files if file is not None]
+    if len(known) < len(files) or not all(_is_whole(file) for file in known):
+        return
+    if not any(str(service) == str(each.name) for file in known for each in file.services):
+        yield Broken("service", service, tuple(file.source for file in known))
+
+
+def _compose_file(compose: Compose, path: str) -> ComposeFile | None:
+    return next((file for file in compose.files if os.path.abspath(file.source.name) == path), None)
+
+
+def _is_whole(file: ComposeFile) -> bool:
+    """Whether the file was read completely and takes no services from others."""
+    root = file.yaml.root
+    return file.yaml.complete and not file.source.template and isinstance(root, Mapping) and root.get("include") is None

@@ -1,0 +1,77 @@
+"""A build step only changes the shell that it ends with.
+
+## What it finds
+A `RUN` that does nothing but `source` a file, `export` variables, `cd` or define an `alias`. One finding for each
+stage.
+
+## Why it matters on a robot
+Every RUN has a shell of its own, and nothing of its environment is in the image: the next step builds without the
+sourced workspace, and nodes in the container start without the exported variables.
+
+## Bad
+```dockerfile
+RUN source /opt/ros/jazzy/setup.bash
+RUN colcon build
+```
+
+## Good
+```dockerfile
+RUN . /opt/ros/jazzy/setup.sh && colcon build
+```
+
+## When to ignore it
+When the step only proves that the file can be read.
+
+## References
+- https://docs.docker.com/reference/dockerfile/#run
+- https://docs.docker.com/reference/dockerfile/#environment-replacement: ENV stays in the image
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+from bringup_lint.api.docker import Stage
+from bringup_lint.api.docker import commands_of_run
+from bringup_lint.api.shell import Command
+
+OF_THE_SHELL = ("source", ".", "export", "cd", "alias", "unset")
+ADVICE = {
+    "source": "join it with the step that needs it: RUN . FILE && ...",
+    ".": "join it with the step that needs it: RUN . FILE && ...",
+    "export": "write ENV NAME=value",
+    "cd": "write WORKDIR",
+}
+
+
+@rule("warning")
+def run_without_effect(robot: Robot) -> Iterator[Finding]:
+    for file in robot.dockerfiles:
+        for stage in file.stages:
+            found = list(_lost(stage))
+            if not found:
+                continue
+            first = found[0]
+            yield finding(
+                first.words[0],
+                f"'{first.name}' changes only the shell of this step: nothing of it is left in the next one",
+                advice=ADVICE.get(first.name, "join it with the step that needs it"),
+                related=[note(other.words[0], "this step too") for other in found[1:]],
+            )
+
+
+def _lost(stage: Stage) -> Iterator[Command]:
+    """The first command of every RUN that has commands of the shell itself only."""
+    for instruction in stage.all("RUN"):
+        commands = [] if instruction.exec_form else list(commands_of_run(instruction))
+        if commands and all(_only_of_shell(command) for command in commands):
+            yield commands[0]
+
+
+def _only_of_shell(command: Command) -> bool:
+    if any(redirect.writes for redirect in command.redirects) or "$(" in " ".join(command.words):
+        return False
+    return command.name in OF_THE_SHELL and not command.depth
