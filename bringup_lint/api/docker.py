@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bringup_lint.graph.build_context import lacking_sources
 from bringup_lint.graph.devcontainers import Broken
 from bringup_lint.graph.devcontainers import broken_references
 from bringup_lint.graph.images import can_be_pulled
@@ -21,5 +22,6 @@ __all__ = [
     "commands_of",
     "commands_of_run",
     "image_name",
+    "lacking_sources",
     "runs_as_root",
 ]

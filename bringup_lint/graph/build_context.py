@@ -1,0 +1,126 @@
+"""Build contexts: what COPY and ADD of a Dockerfile take from them (docs.docker.com/build/concepts/context)."""
+
+from __future__ import annotations
+
+import glob
+import os
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+from typing import NamedTuple
+
+from bringup_lint.model.compose import is_variable
+from bringup_lint.model.dockerfile import Dockerfile
+from bringup_lint.model.dockerfile import Instruction
+from bringup_lint.source import Located
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.compose import Compose
+    from bringup_lint.graph.files import Files
+    from bringup_lint.model.compose import Service
+
+_ELSEWHERE = re.compile(r"[$<]|://|^git@|\*\*|\[")
+_SUBMODULE = re.compile(r"^\s*path\s*=\s*(\S+)", re.M)
+_MAKERS = re.compile(r"(?:^|/)(?:[Mm]akefile|[Jj]ustfile|[^/]+\.(?:sh|bash|py|mk|md|rst|ya?ml|bat|ps1|repos))$")
+_MOST_MAKERS = 500
+
+
+class Lacking(NamedTuple):
+    source: Located
+    """The file or folder as the instruction writes it."""
+    service: Service | None
+    """Whose build context lacks it; None where no folder that may be the context has it."""
+
+
+def lacking_sources(files: Files, compose: Compose) -> Iterator[Lacking]:
+    """The files and folders that COPY and ADD name and that are certainly not in the build context."""
+    for file in compose.images.dockerfiles:
+        if not file.source.judged:
+            continue
+        builders = list(_builders(files, compose, file))
+        for word in _sources(file):
+            lacking = _judged(files, file, word, builders)
+            if lacking is not None and not _is_made(files, word):
+                yield lacking
+
+
+def _sources(file: Dockerfile) -> Iterator[Located]:
+    """The paths in the build context that the file names."""
+    for stage in file.stages:
+        for instruction in stage.all("COPY", "ADD"):
+            if not any(flag.startswith(("--from", "--parents")) for flag in instruction.flags):
+                yield from _paths(instruction)
+
+
+def _paths(instruction: Instruction) -> Iterator[Located]:
+    words = list(instruction.value.words()) if instruction.exec_form is None else []
+    for word in words[:-1]:
+        if word and not word.startswith("<<") and not _ELSEWHERE.search(word):
+            yield word
+
+
+def _builders(files: Files, compose: Compose, file: Dockerfile) -> Iterator[tuple[Service, str]]:
+    """The compose services that build a Dockerfile, with the folders of their contexts."""
+    for service in compose.services:
+        build = service.build
+        if build is None or service.inline_dockerfile or is_variable(build.context or ""):
+            continue
+        context = os.path.normpath(os.path.join(_folder(service.source.name), build.context or "."))
+        if os.path.join(context, build.dockerfile or "Dockerfile") == os.path.abspath(file.source.name):
+            yield service, context
+
+
+def _judged(files: Files, file: Dockerfile, word: Located, builders: list[tuple[Service, str]]) -> Lacking | None:
+    """The first context that lacks the path; without a known one, all folders above the Dockerfile have to."""
+    for service, context in builders:
+        if not _is_in(context, word):
+            return None if files.tree.is_ignored(_at(context, word)) else Lacking(word, service)
+    if builders:
+        return None
+    above = list(_folders(_folder(file.source.name)))
+    if any(_is_in(folder, word) or files.tree.is_ignored(_at(folder, word)) for folder in above):
+        return None
+    return Lacking(word, None)
+
+
+def _folder(name: str) -> str:
+    return os.path.dirname(os.path.abspath(name))
+
+
+def _folders(folder: str) -> Iterator[str]:
+    """The folder and those above it, up to the top of the repository."""
+    while True:
+        yield folder
+        above = os.path.dirname(folder)
+        if above == folder or os.path.lexists(os.path.join(folder, ".git")):
+            return
+        folder = above
+
+
+def _at(folder: str, word: str) -> str:
+    """The path in a context: what leads out of it stops at its top."""
+    return os.path.join(folder, re.sub(r"^(?:\.{0,2}/+)+", "", word)).rstrip("/")
+
+
+def _is_in(folder: str, word: str) -> bool:
+    path = _at(folder, word)
+    return bool(glob.glob(path)) if "*" in word or "?" in word else os.path.lexists(path)
+
+
+def _is_made(files: Files, word: str) -> bool:
+    """Whether something of the tree may put it there: a submodule, or a script or build file that names it."""
+    path = _at("", word).lstrip("/")
+    if any(path.startswith(each) or each.startswith(path) for each in _submodules(files)):
+        return True
+    name = os.path.basename(path).partition("*")[0]
+    makers = [each for each in files.tree.paths if _MAKERS.search(each)][:_MOST_MAKERS]
+    read = (files.tree.read(each, judged=False) for each in makers)
+    return any(name in source.text for source in read if source is not None)
+
+
+def _submodules(files: Files) -> Iterator[str]:
+    """The paths of the submodules, relative to the folder of ``.gitmodules``."""
+    for each in files.tree.named(".gitmodules"):
+        source = files.tree.read(each, judged=False)
+        if source is not None:
+            yield from _SUBMODULE.findall(source.text)
