@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from bringup_lint.graph.commands.background import Job
+from bringup_lint.graph.commands.background import background_jobs
 from bringup_lint.graph.commands.wrappers import program_name
 from bringup_lint.graph.commands.wrappers import unwrapped
 from bringup_lint.graph.installed.script import Run
@@ -11,8 +13,10 @@ from bringup_lint.parsers.shell import shell_commands
 
 __all__ = [
     "Command",
+    "Job",
     "Run",
     "Written",
+    "background_jobs",
     "program_name",
     "shell_commands",
     "unwrapped",

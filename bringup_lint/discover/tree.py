@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import glob
 import os
 import stat
 from collections.abc import Iterator
 from dataclasses import dataclass
 from dataclasses import field
+from functools import cached_property
 from pathlib import Path
 
 from bringup_lint.discover.git_index import UnknownFormat
@@ -150,6 +152,11 @@ class Tree:
         return os.path.lexists(path)
 
     @staticmethod
+    def matches(pattern: str) -> bool:
+        """Whether a path of the tree, walked or not, matches a shell pattern."""
+        return next(glob.iglob(pattern), None) is not None
+
+    @staticmethod
     def is_file(path: str) -> bool:
         """Whether there is a file, or a link that leads to one."""
         return os.path.isfile(path)
@@ -157,6 +164,20 @@ class Tree:
     @staticmethod
     def is_link(path: str) -> bool:
         return os.path.islink(path)
+
+    @staticmethod
+    def is_executable(path: str) -> bool:
+        """Whether the mode of a file lets somebody execute it."""
+        try:
+            return bool(os.stat(path).st_mode & 0o111)
+        except OSError:
+            return True
+
+    @cached_property
+    def keeps_modes(self) -> bool:
+        """Whether the checkout has executable files, so that the mode of a file is that of the repository."""
+        scripts = (path for path in self.paths if path.endswith((".sh", ".bash", ".py")))
+        return any(self.is_executable(path) for path in scripts)
 
     @staticmethod
     def is_broken(path: str) -> bool:

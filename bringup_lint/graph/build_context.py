@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import glob
 import os
 import re
 from collections.abc import Iterator
@@ -73,12 +72,12 @@ def _builders(files: Files, compose: Compose, file: Dockerfile) -> Iterator[tupl
 def _judged(files: Files, file: Dockerfile, word: Located, builders: list[tuple[Service, str]]) -> Lacking | None:
     """The first context that lacks the path; without a known one, all folders above the Dockerfile have to."""
     for service, context in builders:
-        if not _is_in(context, word):
+        if not _is_in(files, context, word):
             return None if files.tree.is_ignored(_at(context, word)) else Lacking(word, service)
     if builders:
         return None
-    above = list(_folders(_folder(file.source.name)))
-    if any(_is_in(folder, word) or files.tree.is_ignored(_at(folder, word)) for folder in above):
+    above = list(_folders(files, _folder(file.source.name)))
+    if any(_is_in(files, folder, word) or files.tree.is_ignored(_at(folder, word)) for folder in above):
         return None
     return Lacking(word, None)
 
@@ -87,12 +86,12 @@ def _folder(name: str) -> str:
     return os.path.dirname(os.path.abspath(name))
 
 
-def _folders(folder: str) -> Iterator[str]:
+def _folders(files: Files, folder: str) -> Iterator[str]:
     """The folder and those above it, up to the top of the repository."""
     while True:
         yield folder
         above = os.path.dirname(folder)
-        if above == folder or os.path.lexists(os.path.join(folder, ".git")):
+        if above == folder or files.tree.exists(os.path.join(folder, ".git")):
             return
         folder = above
 
@@ -102,9 +101,9 @@ def _at(folder: str, word: str) -> str:
     return os.path.join(folder, re.sub(r"^(?:\.{0,2}/+)+", "", word)).rstrip("/")
 
 
-def _is_in(folder: str, word: str) -> bool:
+def _is_in(files: Files, folder: str, word: str) -> bool:
     path = _at(folder, word)
-    return bool(glob.glob(path)) if "*" in word or "?" in word else os.path.lexists(path)
+    return files.tree.matches(path) if re.search(r"[*?]", word) else files.tree.exists(path)
 
 
 def _is_made(files: Files, word: str) -> bool:

@@ -1,0 +1,51 @@
+"""The jobs that a command line leaves in the background, and whether its shell stays with them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from bringup_lint.graph.commands.command_line import CommandLine
+from bringup_lint.graph.commands.command_line import Step
+from bringup_lint.graph.commands.wrappers import program_name
+from bringup_lint.graph.commands.wrappers import unwrapped
+
+_PASSING = ("echo", "printf", "true", "logger", "exit", ":", "disown")
+_INTERPRETERS = re.compile(r"roslaunch|rosrun|roscore|python[\d.]*|node|nodejs|npm|(?:ba|da|z)?sh")
+_SERVERS = re.compile(
+    r"ros(?:launch|run|core)|gst-launch-1\.0|MicroXRCEAgent|micro_ros_agent|mjpg_streamer|zenohd|zenoh-bridge-\w+"
+    r"|mavlink-routerd|mavproxy\.py|iox-roudi|fast-discovery-server"
+)
+"""Programs that run until they are stopped, wherever they are started."""
+
+
+class Job(NamedTuple):
+    step: Step
+    ends: bool
+    """Nothing keeps the shell running after it."""
+
+
+def background_jobs(line: CommandLine) -> Iterator[Job]:
+    """The programs of a robot in the background; nothing for a shell that waits for the first one to end."""
+    if any(step.command.name == "wait" and "-n" in step.command.words for step in line.steps):
+        return
+    for at, step in enumerate(line.steps):
+        if step.command.background and _lasts(line, step):
+            ends = not any(_keeps_running(later) for later in line.steps[at + 1 :])
+            yield Job(step, ends and not step.command.depth)
+
+
+def _lasts(line: CommandLine, step: Step) -> bool:
+    """Whether a job is a program of the robot: of ROS, a server, or an interpreter that the line itself starts."""
+    if any(other is step and found.kind != "cli" for other, found in line.ros):
+        return True
+    words = unwrapped(step.command.words)
+    name = program_name(words[0]) if words else ""
+    return bool(_SERVERS.fullmatch(name)) or (step.script is None and bool(_INTERPRETERS.fullmatch(name)))
+
+
+def _keeps_running(step: Step) -> bool:
+    """Whether a later command may take its time: wait, a foreground program, a loop."""
+    command = step.command
+    return bool(command.words) and not command.background and command.name not in _PASSING
