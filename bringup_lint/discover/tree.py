@@ -141,6 +141,11 @@ class Tree:
             return None
         return self._referred(absolute)
 
+    def neighbours(self, source: Source) -> list[str]:
+        """The walked files in the folder of a source."""
+        folder = os.path.dirname(os.path.abspath(source.name))
+        return [path for path in self.paths if os.path.dirname(path) == folder]
+
     @staticmethod
     def real_path(path: str) -> str:
         """The absolute path without links; links that lead nowhere stay as they are."""

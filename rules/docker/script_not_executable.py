@@ -31,8 +31,6 @@ When a step outside of the repository makes the script executable.
 
 import re
 from collections.abc import Iterator
-from os.path import abspath
-from os.path import dirname
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
@@ -89,7 +87,6 @@ def _is_changed(robot: Robot, runner: Runner, script: Source) -> bool:
 def _instructions(robot: Robot, script: Source) -> Iterator[str]:
     """What the documentation beside the script says."""
     tree = robot.files.tree
-    for path in tree.paths:
-        if path.endswith((".md", ".rst", ".txt")) and dirname(path) == dirname(abspath(script.name)):
-            page = tree.read(path, judged=False)
-            yield page.text if page is not None else ""
+    for path in tree.neighbours(script):
+        page = tree.read(path, judged=False) if path.endswith((".md", ".rst", ".txt")) else None
+        yield page.text if page is not None else ""

@@ -34,7 +34,14 @@ LAYERS = (
     {"graph.dds", "graph.params"},
     {"graph.environment"},
     {"graph.runners"},
-    {"graph.systemd", "graph.launch", "graph.installed", "graph.compose_names"},
+    {
+        "graph.systemd",
+        "graph.launch",
+        "graph.installed",
+        "graph.compose_names",
+        "graph.build_context",
+        "graph.devcontainers",
+    },
     {"graph.workspace", "graph.compose", "graph.netplan", "graph.networkmanager", "graph.udev", "graph.commands"},
     {"graph.files", "graph.file_nodes", "graph.images", "graph.places", "graph.layers"},
     {
