@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections import Counter
 from collections.abc import Iterable
+from collections.abc import Iterator
 from typing import NamedTuple
 
 from bringup_lint.baseline import sift
@@ -67,11 +68,19 @@ def finish(
         started=invocation.started,
         ended=time.time(),
         exit_code=exit_code(sifted.new, outcome.failures, fail_on),
-        notifications=tuple(Notification("error", failure) for failure in failures),
+        notifications=(*(Notification("error", failure) for failure in failures), *_not_read(robot)),
         below=outcome.hidden,
         known=sifted.known,
         picture=picture,
     )
+
+
+def _not_read(robot: Robot) -> Iterator[Notification]:
+    """What this user may not read of the running system; another one may."""
+    closed = robot.tree.closed
+    if closed:
+        what = f"{closed[0]} and {len(closed) - 1} more" if len(closed) > 1 else closed[0]
+        yield Notification("note", f"Not checked, because this user may not read it: {what}. Run it with sudo.")
 
 
 def exit_code(findings: Iterable[Finding], failures: Iterable[str], fail_on: Severity) -> int:

@@ -21,14 +21,33 @@ COMMANDS = {
 def dispatch(arguments: list[str], prog: str = "bringup-lint") -> None:
     """Run the command that the arguments name; exits with the command's code."""
     name = "check"
-    if arguments and arguments[0] in COMMANDS:
-        name, *arguments = arguments
+    at = _first_word(arguments)
+    if at is not None and arguments[at] in COMMANDS:
+        name = arguments[at]
+        arguments = arguments[:at] + arguments[at + 1 :]
         if name != "check":
             prog = f"{prog} {name}"
-    elif arguments and not arguments[0].startswith("-") and not os.path.lexists(arguments[0]):
+    elif at == 0 and not os.path.lexists(arguments[0]):
         _hint(arguments[0])
     module = importlib.import_module(f"bringup_lint.cli.{name.replace('-', '_')}")
     module.command.main(arguments, prog_name=prog)
+
+
+def _first_word(arguments: list[str]) -> int | None:
+    """Where the first argument is that is neither an option nor the value of one."""
+    if not arguments or not arguments[0].startswith("-"):
+        return 0 if arguments else None
+    from bringup_lint.cli.check import command
+
+    valued = {name for param in command.params if not getattr(param, "is_flag", True) for name in param.opts}
+    is_value = False
+    for at, word in enumerate(arguments):
+        if word == "--":
+            return None
+        if not is_value and (not word.startswith("-") or word == "-"):
+            return at
+        is_value = not is_value and word in valued
+    return None
 
 
 def _hint(word: str) -> None:

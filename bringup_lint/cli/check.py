@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import os
 import sys
 import time
 from collections.abc import Callable
@@ -49,7 +50,7 @@ EPILOG = "\n\n".join(
 
 
 @click.command(cls=PairedOptions, epilog=EPILOG, context_settings={"help_option_names": ["-h", "--help"]})
-@click.argument("paths", nargs=-1, type=click.Path(), metavar="[PATH]...")
+@click.argument("paths", nargs=-1, type=click.Path(readable=False), metavar="[PATH]...")
 @root_option
 @format_option
 @file_option
@@ -59,6 +60,7 @@ EPILOG = "\n\n".join(
 @ignores_option
 @configuration_options
 @click.option("--stdin-filename", help="Check standard input as the file of this name.")
+@click.option("--tracked", is_flag=True, help="Leave out the files that git does not track.")
 @baseline_options
 @click.option("--fix", is_flag=True, help="Apply the safe fixes.")
 @click.option("--unsafe-fixes", is_flag=True, help="With --fix: apply the unsafe fixes too.")
@@ -73,6 +75,9 @@ def command(ctx: click.Context, paths: tuple[str, ...], **options) -> None:
     """
     from bringup_lint.registry import RuleError
 
+    _usage(paths, options)
+    if options["stdin_filename"]:
+        paths = (options["stdin_filename"],)
     try:
         code = _check(ctx.meta["outputs"], paths or ("/" if options["root"] else ".",), options)
     except (ConfigError, RuleError) as error:
@@ -120,6 +125,9 @@ def deliver(
 
     drawn = any(output.format == "html" for output in outputs)
     report = report_of(outcome, robot, config, started, drawn=drawn)
+    for told in report.notifications:
+        if told.level == "note":
+            click.echo(f"bringup-lint: {told.message}", err=True)
     failures = list(unwritten)
     for output in outputs:
         colour = output.file is None and wants_colour(options["colour"])
@@ -141,6 +149,42 @@ def _failed(write: Callable[..., None], *arguments: Any) -> list[str]:
     except NotWritten as error:
         return [str(error)]
     return []
+
+
+def _standard_input() -> bytes:
+    """Raises ConfigError when it is closed, or holds more than is read of any file."""
+    from bringup_lint.discover.reading import SIZE_LIMIT
+
+    try:
+        data = sys.stdin.buffer.read(SIZE_LIMIT + 1)
+    except (AttributeError, OSError, ValueError) as error:
+        raise ConfigError("--stdin-filename: standard input is closed") from error
+    if len(data) > SIZE_LIMIT:
+        raise ConfigError(f"--stdin-filename: standard input is longer than {SIZE_LIMIT // 1024 // 1024} MiB")
+    return data
+
+
+def _untracked_too(excluded: Callable[[str], bool]) -> Callable[[str], bool]:
+    """What is left out, and the files that git does not track. Raises ConfigError outside of a repository."""
+    from bringup_lint.discover.git_index import UnknownFormat
+    from bringup_lint.discover.git_index import tracked_only
+
+    try:
+        untracked = tracked_only(os.getcwd())
+    except UnknownFormat as error:
+        raise ConfigError(f"--tracked: {error}") from error
+    return lambda path: excluded(path) or untracked(path)
+
+
+def _usage(paths: tuple[str, ...], options: dict[str, Any]) -> None:
+    """Raises UsageError for options that would have no effect."""
+    name = options["stdin_filename"]
+    if "-" in paths and not name:
+        raise click.UsageError("standard input needs a name, which says what kind of file it is: --stdin-filename NAME")
+    if name and (options["root"] or options["tracked"] or set(paths) - {"-"}):
+        raise click.UsageError("--stdin-filename checks standard input alone: leave out paths, --root and --tracked")
+    if options["unsafe_fixes"] and not options["fix"]:
+        raise click.UsageError("--unsafe-fixes needs --fix")
 
 
 def configuration(paths: tuple[str, ...], options: dict[str, Any]) -> tuple[Config, list[Path]]:
@@ -178,13 +222,18 @@ def read_robot(paths: tuple[str, ...], config: Config, options: dict[str, Any]) 
     from bringup_lint.discover.tree import display_name
     from bringup_lint.discover.walk import discover
     from bringup_lint.discover.walk import discover_text
+    from bringup_lint.discover.walk import missing
     from bringup_lint.robot import Robot
 
     if options["stdin_filename"]:
-        tree = discover_text(options["stdin_filename"], sys.stdin.buffer.read())
+        tree = discover_text(options["stdin_filename"], _standard_input())
     else:
+        if why := missing(paths, options["root"]):
+            raise ConfigError(why)
         deploy = {str(config.folder / path): place for path, place in config.deploy.items()}
         excluded = exclusion(config.folder, config.exclude)
+        if options.get("tracked"):
+            excluded = _untracked_too(excluded)
         tree = discover(paths, root=options["root"], deploy=deploy, excluded=excluded)
     now = options.get("now")
     purposes = {display_name(str(config.folder / path)): name for path, name in config.purpose.items()}

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import click
 
+from bringup_lint.cli.options import colour_option
 from bringup_lint.cli.options import rules_option
 from bringup_lint.cli.reporting import terminal_width
 from bringup_lint.cli.reporting import wants_colour
@@ -28,8 +29,9 @@ _COMMON = frozenset(
 @click.command(context_settings={"help_option_names": ["-h", "--help"]})
 @click.argument("what", nargs=-1, required=True)
 @rules_option
+@colour_option
 @click.pass_context
-def command(ctx: click.Context, what: tuple[str, ...], rule_folders: tuple[Path, ...]) -> None:
+def command(ctx: click.Context, what: tuple[str, ...], rule_folders: tuple[Path, ...], colour: bool | None) -> None:
     """Print what a rule finds and why; or, for a line of a log, the rules that people met by it.
 
     \b
@@ -44,8 +46,8 @@ def command(ctx: click.Context, what: tuple[str, ...], rule_folders: tuple[Path,
     if len(found) > 1:
         _list(text, found)
     elif found:
-        colour = wants_colour(None)
-        click.echo(plain(doc_of(found[0]), terminal_width(), colour), nl=False, color=colour)
+        painted = wants_colour(colour)
+        click.echo(plain(doc_of(found[0]), terminal_width(), painted), nl=False, color=painted)
     else:
         click.echo(f"bringup-lint: {_unknown(text, registry)}", err=True)
         ctx.exit(2)

@@ -24,7 +24,7 @@ UNSET = dict.fromkeys(("select", "ignore"), ()) | dict.fromkeys(
 
 
 @click.command(context_settings={"help_option_names": ["-h", "--help"]})
-@click.argument("paths", nargs=-1, type=click.Path(), metavar="[PATH]...")
+@click.argument("paths", nargs=-1, type=click.Path(readable=False), metavar="[PATH]...")
 @click.option(
     "--format", "output_format", type=click.Choice(FORMATS), default="dot", show_default=True, help="How to draw."
 )

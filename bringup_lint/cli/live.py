@@ -42,7 +42,7 @@ KIND = "observed-graph"
 
 
 @click.command(cls=PairedOptions, context_settings={"help_option_names": ["-h", "--help"]})
-@click.argument("paths", nargs=-1, type=click.Path(), metavar="[PATH]...")
+@click.argument("paths", nargs=-1, type=click.Path(readable=False), metavar="[PATH]...")
 @click.option(
     "--domain-id", type=click.IntRange(0, 232), help="Domain to look at. [default: the shell's, else the files']"
 )

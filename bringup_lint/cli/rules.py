@@ -8,6 +8,7 @@ from pathlib import Path
 
 import click
 
+from bringup_lint.cli.options import colour_option
 from bringup_lint.cli.options import rules_option
 from bringup_lint.cli.reporting import wants_colour
 from bringup_lint.registry import Registry
@@ -20,8 +21,15 @@ from bringup_lint.spelling import meant
 @click.argument("families", nargs=-1, metavar="[FAMILY]...")
 @click.option("--output-format", type=click.Choice(["text", "json"]), default="text", show_default=True)
 @rules_option
+@colour_option
 @click.pass_context
-def command(ctx: click.Context, families: tuple[str, ...], output_format: str, rule_folders: tuple[Path, ...]) -> None:
+def command(
+    ctx: click.Context,
+    families: tuple[str, ...],
+    output_format: str,
+    rule_folders: tuple[Path, ...],
+    colour: bool | None,
+) -> None:
     """List the rules, all or those of some families."""
     registry = Registry.of(rule_folders)
     unknown = set(families) - {family.name for family in registry.families}
@@ -36,7 +44,7 @@ def command(ctx: click.Context, families: tuple[str, ...], output_format: str, r
         click.echo(json.dumps([_data(rule) for rule in rules], indent=2, ensure_ascii=False))
         return
     titles = {family.name: family.title for family in registry.families}
-    colour = wants_colour(None)
+    colour = wants_colour(colour)
     paint = painter(colour)
     for family, group in groupby(rules, key=lambda rule: rule.family):
         members = list(group)

@@ -12,12 +12,12 @@ def exclusion(folder: Path, patterns: Sequence[str]) -> Callable[[str], bool]:
     """A test for paths (folders end in ``/``): does one of the gitignore patterns, relative to ``folder``, match?"""
     if not patterns:
         return lambda path: False
-    import pathspec
+    from bringup_lint.discover.gitignore import Patterns
 
-    spec = pathspec.GitIgnoreSpec.from_lines(patterns)
+    rules = Patterns.of(patterns)
 
     def excluded(path: str) -> bool:
         relative = os.path.relpath(path, folder)
-        return not relative.startswith("..") and spec.match_file(relative + "/" * path.endswith("/"))
+        return not relative.startswith("..") and rules.match(relative + "/" * path.endswith("/"))
 
     return excluded

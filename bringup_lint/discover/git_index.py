@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
 from collections.abc import Iterator
 
 from bringup_lint.discover.reading import Unreadable
 from bringup_lint.discover.reading import read_bytes
 from bringup_lint.discover.reading import read_head
 
-SIZE_LIMIT = 256 * 1024 * 1024
-"""Bytes; about 2.5 million files."""
+SIZE_LIMIT = 64 * 1024 * 1024
+"""Bytes; about 600,000 files."""
+_LONGEST = 4096
+"""Bytes of a path (PATH_MAX)."""
+_GROWTH = 8
+"""How many times as long as an index, which leaves out what a path shares with the one before, its paths may be."""
 _HEADER = 12
 _STATUS = 40
 """Bytes of times, device, inode, mode, owner and size, which precede the hash of an entry."""
@@ -30,10 +35,29 @@ def index_of(folder: str) -> str | None:
     git = os.path.join(folder, ".git")
     if os.path.isdir(git):
         return os.path.join(git, "index")
-    line = read_head(git, 4096).strip()
+    line = read_head(git, _LONGEST).strip()
     if not line.startswith("gitdir:"):
         return None
-    return os.path.join(folder, line.removeprefix("gitdir:").strip(), "index")
+    place = os.path.normpath(os.path.join(folder, line.removeprefix("gitdir:").strip()))
+    return os.path.join(place, "index") if _belongs(place, folder) else None
+
+
+def _belongs(place: str, folder: str) -> bool:
+    """Whether a git directory is the one of a working tree: it leads back (git-worktree(1)), or is the one that a
+    repository around the tree keeps for its submodules. Any other place is none of the tree's business."""
+    if "\0" in place:
+        return False
+    back = read_head(os.path.join(place, "gitdir"), _LONGEST).strip()
+    if back and os.path.realpath(os.path.join(place, back)) == os.path.realpath(os.path.join(folder, ".git")):
+        return True
+    above = (os.path.join(parent, ".git") + os.sep for parent in _parents(folder))
+    return any(place.startswith(each) for each in above)
+
+
+def _parents(folder: str) -> Iterator[str]:
+    while (parent := os.path.dirname(folder)) != folder:
+        yield parent
+        folder = parent
 
 
 def read_index(path: str) -> frozenset[bytes]:
@@ -43,6 +67,29 @@ def read_index(path: str) -> frozenset[bytes]:
     except Unreadable as error:
         raise UnknownFormat(str(error)) from error
     return frozenset(tracked_paths(data))
+
+
+def tracked_only(folder: str) -> Callable[[str], bool]:
+    """A test for paths (folders end in ``/``): is it a file that git does not track, in the repository around a folder?
+
+    The index is the one that git names in its environment while it commits. Raises UnknownFormat."""
+    for top in (folder, *_parents(folder)):
+        index = index_of(top)
+        if index is not None:
+            known = read_index(os.environ.get("GIT_INDEX_FILE") or index)
+            return lambda path: not path.endswith("/") and not _is_tracked(os.path.relpath(path, top), known)
+    raise UnknownFormat(f"{folder} lies in no git repository")
+
+
+def _is_tracked(path: str, known: frozenset[bytes]) -> bool:
+    """Whether git tracks a file, or a submodule above it; what lies outside is not left out."""
+    if path.startswith(".."):
+        return True
+    while path:
+        if os.fsencode(path) in known:
+            return True
+        path = os.path.dirname(path)
+    return False
 
 
 def tracked_paths(data: bytes) -> list[bytes]:
@@ -61,7 +108,7 @@ def tracked_paths(data: bytes) -> list[bytes]:
 def _paths(data: bytes, version: int, hash_size: int) -> list[bytes]:
     """Raises IndexError or ValueError for data of another form."""
     found: list[bytes] = []
-    at, name = _HEADER, b""
+    at, name, total = _HEADER, b"", 0
     for _ in range(int.from_bytes(data[8:12], "big")):
         start = at
         at += _STATUS + hash_size
@@ -75,6 +122,9 @@ def _paths(data: bytes, version: int, hash_size: int) -> list[bytes]:
         name = kept + data[at:end]
         if min(len(name), _LENGTH) != flags & _LENGTH or not name:
             raise ValueError("another hash, or damaged")
+        total += len(name)
+        if len(name) > _LONGEST or total > _GROWTH * len(data):
+            raise ValueError("longer than any path")
         found.append(name)
         at = end + 1 if version == 4 else start + (end - start + 8) // 8 * 8
     if _SPLIT in _extensions(data, at, hash_size):

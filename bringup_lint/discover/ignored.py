@@ -6,6 +6,9 @@ import os
 from collections.abc import Iterator
 from pathlib import Path
 
+from bringup_lint.discover.gitignore import Patterns
+from bringup_lint.discover.reading import read_head
+
 _LARGEST = 200_000
 """Bytes of a .gitignore that are read."""
 
@@ -24,21 +27,9 @@ def _folders(path: str) -> Iterator[str]:
 
 
 def _matches(folder: str, path: str) -> bool:
-    patterns = _patterns(os.path.join(folder, ".gitignore"))
-    if not patterns:
+    lines = read_head(os.path.join(folder, ".gitignore"), _LARGEST).splitlines()
+    if not lines:
         return False
-    import pathspec
-
-    spec = pathspec.GitIgnoreSpec.from_lines(patterns)
+    patterns = Patterns.of(lines)
     relative = os.path.relpath(os.path.abspath(path), folder)
-    return spec.match_file(relative) or spec.match_file(relative + "/")
-
-
-def _patterns(file: str) -> list[str]:
-    if not os.path.isfile(file):
-        return []
-    try:
-        with open(file, encoding="utf-8", errors="replace") as stream:
-            return stream.read(_LARGEST).splitlines()
-    except OSError:
-        return []
+    return patterns.match(relative) or patterns.match(relative + "/")

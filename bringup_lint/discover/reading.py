@@ -12,6 +12,11 @@ SIZE_LIMIT = 8 * 1024 * 1024
 class Unreadable(Exception):
     """The file cannot be read; the text says why, for the user."""
 
+    def __init__(self, why: str | OSError) -> None:
+        super().__init__(why if isinstance(why, str) else why.strerror or str(why))
+        self.is_denied = isinstance(why, PermissionError)
+        """Whether another user could read it."""
+
 
 FLAGS = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_CLOEXEC", 0)
 """Never through a link, and without waiting for the other end of a FIFO."""
@@ -21,7 +26,7 @@ def read_head(path: str, size: int) -> str:
     """The first bytes of a regular file as text; empty when there is nothing to read."""
     try:
         descriptor = os.open(path, FLAGS)
-    except OSError:
+    except (OSError, ValueError):
         return ""
     try:
         if not stat.S_ISREG(os.fstat(descriptor).st_mode):
@@ -33,12 +38,17 @@ def read_head(path: str, size: int) -> str:
         os.close(descriptor)
 
 
-def read_bytes(path: str, limit: int = SIZE_LIMIT) -> tuple[bytes, os.stat_result]:
-    """The content and status of a regular file. Raises Unreadable. Never blocks on a FIFO or device."""
+def read_bytes(path: str, limit: int = SIZE_LIMIT, *, follow: bool = False) -> tuple[bytes, os.stat_result]:
+    """The content and status of a regular file. Raises Unreadable. Never blocks on a FIFO or device.
+
+    ``follow`` takes a link for the file that it leads to: right for what the user names, not for what a tree holds.
+    """
     try:
-        descriptor = os.open(path, FLAGS)
+        descriptor = os.open(path, FLAGS & ~getattr(os, "O_NOFOLLOW", 0) if follow else FLAGS)
+    except ValueError as error:
+        raise Unreadable(str(error)) from error
     except OSError as error:
-        raise Unreadable(error.strerror or str(error)) from error
+        raise Unreadable(error) from error
     try:
         status = os.fstat(descriptor)
         if not stat.S_ISREG(status.st_mode):
@@ -50,7 +60,7 @@ def read_bytes(path: str, limit: int = SIZE_LIMIT) -> tuple[bytes, os.stat_resul
         with os.fdopen(descriptor, "rb", closefd=False) as file:
             return file.read(limit), status
     except OSError as error:
-        raise Unreadable(error.strerror or str(error)) from error
+        raise Unreadable(error) from error
     finally:
         os.close(descriptor)
 

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import glob
 import os
+import re
 import stat
+from collections.abc import Iterable
 from collections.abc import Iterator
 from dataclasses import dataclass
 from dataclasses import field
@@ -25,6 +27,7 @@ from bringup_lint.source import Problem
 from bringup_lint.source import Source
 from bringup_lint.templates import template_language
 
+_MOST_NAMES = 50_000
 _ANY_ENCODING = frozenset({"cpp-node"})
 """Kinds that compilers read in whatever encoding their comments have."""
 
@@ -37,6 +40,12 @@ class Tree:
     """The root file system, or None in a repository."""
     complete: bool = False
     """Whether this is a whole root file system, so that what is not there is missing."""
+    asked: tuple[str, ...] = ()
+    """The absolute paths that the run was asked to judge; the rest of the tree is context."""
+    tops: tuple[str, ...] = ()
+    """The absolute folders that hold the tree. What lies elsewhere is not looked at."""
+    closed: list[str] = field(default_factory=list)
+    """What was met on the way through a root file system and another user could read."""
     deploy: dict[str, str] = field(default_factory=dict)
     """Path in the repository -> path on the robot, from the configuration."""
     sources: list[Source] = field(default_factory=list)
@@ -44,6 +53,7 @@ class Tree:
     _paths: dict[str, list[str]] = field(default_factory=dict)
     _on_demand: dict[str, Source | None] = field(default_factory=dict)
     _by_reference: dict[str, Source | None] = field(default_factory=dict)
+    _held: dict[str, bool] = field(default_factory=dict)
     _indexes: dict[str, frozenset[bytes]] = field(default_factory=dict)
     _heads: dict[tuple[str, int], str] = field(default_factory=dict)
 
@@ -51,13 +61,29 @@ class Tree:
         """Keep the name of a file that was walked past, so that a reference to it can be resolved."""
         self._paths.setdefault(os.path.basename(path), []).append(path)
 
-    def read(self, path: str, kind: str = "", judged: bool = True) -> Source | None:
-        """Read a file into the tree; what cannot be read becomes a problem."""
+    def judges(self, path: str) -> bool:
+        """Whether the run was asked for a path, or for a folder above it."""
+        return is_below(os.path.abspath(path), self.asked)
+
+    def holds(self, path: str) -> bool:
+        """Whether a path lies in the tree, and no link on the way leads out of it."""
+        folder = os.path.dirname(os.path.abspath(path))
+        if folder not in self._held:
+            real = tuple(map(os.path.realpath, self.tops))
+            self._held[folder] = is_below(folder, self.tops) and is_below(os.path.realpath(folder), real)
+        return self._held[folder]
+
+    def read(self, path: str, kind: str = "", judged: bool | None = None) -> Source | None:
+        """Read a file into the tree; what cannot be read becomes a problem. It is judged when the run was asked for it,
+        unless the caller knows better."""
+        judged = self.judges(path) if judged is None else judged
         source = Source(display_name(path), kind=kind, robot_path=self.robot_path(path), judged=judged)
         try:
             source.text, source.template = self._text(path, source)
         except Unreadable as error:
-            if judged:
+            if error.is_denied and self.root is not None and path not in self.asked:
+                self.closed += [source.name] * judged
+            elif judged:
                 self.problems.append(Problem("unreadable", source.whole, str(error)))
             return None
         return source
@@ -151,30 +177,29 @@ class Tree:
         """The absolute path without links; links that lead nowhere stay as they are."""
         return os.path.realpath(path)
 
-    @staticmethod
-    def exists(path: str) -> bool:
-        """Whether there is a file, folder or link at a path of the tree, walked or not."""
-        return os.path.lexists(path)
+    def exists(self, path: str) -> bool:
+        """Whether there is a file, folder or link at a path of the tree, walked or not. Nobody looks for what lies
+        outside: it is taken to be there."""
+        return not self.holds(path) or os.path.lexists(path)
 
-    @staticmethod
-    def matches(pattern: str) -> bool:
-        """Whether a path of the tree, walked or not, matches a shell pattern."""
-        return next(glob.iglob(pattern), None) is not None
+    def matches(self, pattern: str) -> bool:
+        """Whether a path of the tree, walked or not, matches a shell pattern. What may lie outside is taken to be
+        there."""
+        certain = re.split(r"[*?[]", pattern, maxsplit=1)[0]
+        inner = pattern[len(certain) :].split("/")
+        return not self.holds(certain) or ".." in inner or next(glob.iglob(pattern), None) is not None
 
-    @staticmethod
-    def is_file(path: str) -> bool:
-        """Whether there is a file, or a link that leads to one."""
-        return os.path.isfile(path)
+    def is_file(self, path: str) -> bool:
+        """Whether there is a file, or a link to one of the tree."""
+        return self.holds(path) and self.holds(os.path.realpath(path)) and os.path.isfile(path)
 
-    @staticmethod
-    def is_link(path: str) -> bool:
-        return os.path.islink(path)
+    def is_link(self, path: str) -> bool:
+        return self.holds(path) and os.path.islink(path)
 
-    @staticmethod
-    def is_executable(path: str) -> bool:
+    def is_executable(self, path: str) -> bool:
         """Whether the mode of a file lets somebody execute it."""
         try:
-            return bool(os.stat(path).st_mode & 0o111)
+            return not self.is_file(path) or bool(os.stat(path).st_mode & 0o111)
         except OSError:
             return True
 
@@ -184,13 +209,15 @@ class Tree:
         scripts = (path for path in self.paths if path.endswith((".sh", ".bash", ".py")))
         return any(self.is_executable(path) for path in scripts)
 
-    @staticmethod
-    def is_broken(path: str) -> bool:
-        """Whether a link leads nowhere; what an absolute one leads to is known on the robot only."""
+    def is_broken(self, path: str) -> bool:
+        """Whether a link leads nowhere; what an absolute one leads to is known on the robot only, and nobody looks for
+        what lies outside of the tree."""
         try:
-            return not os.path.isabs(os.readlink(path)) and not os.path.exists(path)
+            if not self.holds(path) or os.path.isabs(os.readlink(path)):
+                return False
         except OSError:
             return False
+        return self.holds(os.path.realpath(path)) and not os.path.exists(path)
 
     def head(self, path: str, size: int) -> str:
         """The first bytes of a regular file as text; empty when there is nothing to read, and for a link."""
@@ -200,10 +227,12 @@ class Tree:
 
     @staticmethod
     def names_below(folder: str, depth: int) -> Iterator[str]:
-        """The names of the files below a folder, walked or not, down to so many folders."""
-        for here, _, names in os.walk(folder):
+        """The names of the files below a folder, walked or not, down to so many folders; of very many the first."""
+        seen = 0
+        for here, folders, names in os.walk(folder):
             yield from names
-            if here.count("/") - folder.count("/") > depth:
+            seen += len(names) + len(folders)
+            if here.count("/") - folder.count("/") > depth or seen > _MOST_NAMES:
                 return
 
     def tracked(self, path: str) -> bool | None:
@@ -232,7 +261,9 @@ class Tree:
     def has(self, robot_path: str) -> bool | None:
         """Whether a file, folder or link is there on the robot; None when the tree cannot tell."""
         if self.root is not None and self.complete:
-            return os.path.lexists(os.path.join(self.root, robot_path.lstrip("/")))
+            folder, _, name = robot_path.rstrip("/").rpartition("/")
+            inside = resolve_inside(self.root, folder)
+            return inside is not None and os.path.lexists(inside / name)
         return True if self.find(robot_path) is not None else None
 
     @property
@@ -258,6 +289,11 @@ class Tree:
     def named(self, basename: str) -> Iterator[str]:
         """All walked paths with this last component."""
         yield from self._paths.get(basename, ())
+
+
+def is_below(path: str, folders: Iterable[str]) -> bool:
+    """Whether a path is one of the folders, or lies below one."""
+    return any(path == folder or path.startswith(folder.rstrip("/") + "/") for folder in folders)
 
 
 def display_name(path: str) -> str:

@@ -17,11 +17,14 @@ from bringup_lint.discover.reading import read_head
 from bringup_lint.discover.roots import PASSED_OVER
 from bringup_lint.discover.roots import VENDOR_FOLDERS
 from bringup_lint.discover.roots import is_root
+from bringup_lint.discover.roots import resolve_inside
 from bringup_lint.discover.roots import root_of
 from bringup_lint.discover.tree import Tree
 from bringup_lint.discover.tree import display_name
+from bringup_lint.discover.tree import is_below
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
+from bringup_lint.spelling import meant
 from bringup_lint.templates import template_language
 
 SKIPPED_FOLDERS = frozenset(
@@ -31,6 +34,7 @@ IGNORE_MARKERS = frozenset({"COLCON_IGNORE", "AMENT_IGNORE"})
 """colcon leaves these in build/, install/ and log/, and people put them where nothing is to be built."""
 
 DEPTH_LIMIT = 60
+_LEADS_OUT = "a symbolic link leads out of the tree; name the place that it leads to"
 
 Excluded = Callable[[str], bool]
 
@@ -49,13 +53,18 @@ def discover(
     if root is not None:
         tree.root = Path(root).absolute()
         tree.complete = True
-        paths = [inside(tree.root, path) for path in paths]
+        paths = [inside_resolved(tree.root, path) for path in paths]
     else:
         paths = [os.path.abspath(path) for path in paths]
         tree.root = next(filter(None, (root_of(Path(path)) for path in paths)), None)
         tree.complete = tree.root is not None and is_root(tree.root)
+    tree.asked = tuple(paths)
+    tree.tops = tuple(dict.fromkeys(map(_top_of, paths))) if tree.root is None else (str(tree.root),)
     walked: set[str] = set()
     for path in paths:
+        if leads_out(tree, path):
+            _leave_out(tree, path, _LEADS_OUT)
+            continue
         if not os.path.isdir(path):
             _read_named(tree, path, walked)
             continue
@@ -64,7 +73,7 @@ def discover(
     if tree.root is not None:
         _read_context(tree, walked, _context_folders(tree.root))
     else:
-        files = [path for path in paths if not os.path.isdir(path)]
+        files = [path for path in paths if not os.path.isdir(path) and not leads_out(tree, path)]
         _read_context(tree, walked, sorted({top for path in files if (top := repository_of(path))}), excluded)
     tree.sources.sort(key=lambda source: source.name)
     return tree
@@ -83,10 +92,11 @@ def _context_folders(root: Path) -> list[str]:
 
 def discover_text(name: str, data: bytes) -> Tree:
     """A tree of one file that comes from standard input."""
-    tree = Tree()
+    path = os.path.abspath(name)
+    tree = Tree(asked=(path,), tops=(_top_of(path),))
     text, complaint = decode(data)
     kind = kind_of(name, lambda: text[:HEAD_SIZE])
-    source = Source(name, text, kind, robot_path=tree.robot_path(os.path.abspath(name)))
+    source = Source(name, text, kind, robot_path=tree.robot_path(path))
     source.template = template_language(name, text)
     tree.sources.append(source)
     if complaint or not kind:
@@ -100,6 +110,35 @@ def inside(root: Path, path: str) -> str:
     if absolute == str(root) or absolute.startswith(f"{root}/"):
         return absolute
     return os.path.join(root, path.lstrip("/"))
+
+
+def inside_resolved(root: Path, path: str) -> str:
+    """The same, where the links of the mounted root lead, as they do on the system that boots from it; a link that is
+    configuration itself stays one."""
+    place = inside(root, path)
+    relative = os.path.relpath(place, root)
+    if relative.startswith("..") or not os.path.islink(place) or kind_of_link(place):
+        return place
+    found = resolve_inside(root, relative)
+    return place if found is None else os.path.join(root, os.path.relpath(found, os.path.realpath(root)))
+
+
+def missing(paths: Iterable[str], root: str | None) -> str:
+    """What to say of the first path that does not exist; empty when all do."""
+    for path in paths:
+        place = os.path.abspath(path) if root is None else inside(Path(root).absolute(), path)
+        if not os.path.lexists(place):
+            near = meant(os.path.basename(place), _names_in(os.path.dirname(place)))
+            there = os.path.join(os.path.dirname(path.rstrip("/")), near) if near else ""
+            return f"there is no '{path}'" + (f"; did you mean '{there}'?" if there else "")
+    return ""
+
+
+def _names_in(folder: str) -> list[str]:
+    try:
+        return sorted(os.listdir(folder))
+    except OSError:
+        return []
 
 
 def walk(
@@ -157,7 +196,35 @@ def _is_meant(tree: Tree, path: str, kind: str) -> bool:
 
 
 def _unreadable(tree: Tree, path: str, error: OSError) -> None:
-    tree.problems.append(Problem("unreadable", Source(display_name(path)).whole, error.strerror or str(error)))
+    if isinstance(error, PermissionError) and tree.root is not None and path not in tree.asked:
+        tree.closed.append(display_name(path))
+    else:
+        _leave_out(tree, path, error.strerror or str(error))
+
+
+def _leave_out(tree: Tree, path: str, why: str) -> None:
+    tree.problems.append(Problem("unreadable", Source(display_name(path)).whole, why))
+
+
+def _top_of(path: str) -> str:
+    """The folder that holds the tree of a path on the command line: the repository around it, else the working folder
+    when it lies below that, else the path itself, or the folder of a file."""
+    here = os.getcwd()
+    near = here if is_below(path, (here,)) else path if os.path.isdir(path) else os.path.dirname(path)
+    return repository_of(os.path.join(path, "inside")) or near
+
+
+def leads_out(tree: Tree, path: str) -> bool:
+    """Whether a link on the way to a path of a tree leads out of it. A tree that a user names by a link is that one."""
+    if path in tree.tops:
+        return False
+    if tree.root is not None:
+        return os.path.islink(path) and _leaves(path, str(tree.root))
+    return any(is_below(path, (top,)) and _leaves(path, top) for top in tree.tops)
+
+
+def _leaves(path: str, top: str) -> bool:
+    return not is_below(os.path.realpath(path), (os.path.realpath(top),))
 
 
 def _read_named(tree: Tree, path: str, walked: set[str]) -> None:
@@ -175,7 +242,7 @@ def _read_named(tree: Tree, path: str, walked: set[str]) -> None:
         return
     path = path if kind_of_link(path) else os.path.realpath(path)
     kind = kind_of(display_name(path), lambda: read_head(path, HEAD_SIZE))
-    source = tree.read(path, kind)
+    source = tree.read(path, kind, judged=True)
     if source is not None and kind:
         tree.sources.append(source)
     elif source is not None:
@@ -197,7 +264,7 @@ def _is_vendor(tree: Tree, file: str, named: str) -> bool:
 
 def repository_of(path: str) -> str | None:
     """The top of the git repository that a file lies in: the rest of it tells what the file alone cannot."""
-    return next((str(folder) for folder in Path(path).parents if (folder / ".git").exists()), None)
+    return next((str(folder) for folder in Path(path).parents if os.path.lexists(folder / ".git")), None)
 
 
 def _read_context(

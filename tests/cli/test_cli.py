@@ -104,7 +104,7 @@ def test_two_reports_cannot_share_standard_output(clean: Path) -> None:
 
 def test_output_file_that_cannot_be_written(clean: Path) -> None:
     run = lint("--output-format", "json", "--output-file", "absent/x.json", cwd=clean)
-    assert run.code not in (0, 3)
+    assert run.code == 2
     assert "absent/x.json" in run.stderr
 
 
@@ -293,3 +293,73 @@ def test_a_file_of_a_repository_is_judged_with_the_rest_as_context(tmp_path: Pat
     (tmp_path / "robot.service").unlink()
     run = lint("--select", rules, "--output-format", "concise", "sockets/robot.socket", cwd=tmp_path)
     assert "[systemd/socket-missing-service]" in run.stdout
+
+
+def test_a_path_that_does_not_exist_is_a_usage_error(bad: Path) -> None:
+    run = lint("robot.servce", "robot.service", cwd=bad)
+    assert run == (2, "", "bringup-lint: there is no 'robot.servce'; did you mean 'robot.service'?\n")
+    (bad / "etc").mkdir()
+    assert "did you mean 'etc'?" in lint("etcc/", cwd=bad).stderr
+    assert lint("--root", ".", "/absent", cwd=bad).code == 2
+    assert "there is no 'absent'" in lint("graph", "absent", cwd=bad).stderr
+
+
+def test_only_what_is_asked_for_is_reported(tmp_path: Path) -> None:
+    """A file that another one names is read, and not judged."""
+    subprocess.run(["git", "init", "-q"], cwd=tmp_path, check=True)
+    unit = tmp_path / "etc/systemd/system/robot.service"
+    unit.parent.mkdir(parents=True)
+    unit.write_text("[Service]\nExecStart=/bin/true\nEnvironmentFile=/opt/rover/settings\n")
+    (tmp_path / "opt/rover").mkdir(parents=True)
+    (tmp_path / "opt/rover/settings").write_bytes(b"A=\xff\n")
+    (tmp_path / "notes.service").write_text(CLEAN)
+    assert "opt/rover/settings:1:1" in lint("--output-format", "concise", ".", cwd=tmp_path).stdout
+    assert "settings" not in lint("--output-format", "concise", "notes.service", cwd=tmp_path).stdout
+
+
+def test_options_may_precede_a_command(tmp_path: Path) -> None:
+    run = lint("--no-color", "explain", "lint/encoding", cwd=tmp_path)
+    assert (run.code, run.stdout.startswith("lint/encoding")) == (0, True)
+    run = lint("--target-ros", "jazzy", "--isolated", "graph", "--format", "json", ".", cwd=tmp_path)
+    assert (run.code, run.stdout[:1]) == (0, "{")
+    (tmp_path / "robot.service").write_bytes(LATIN1)
+    assert lint("--select", "lint", "--output-format", "concise", "--", "rules", cwd=tmp_path).code == 2
+    assert only_lint("--min-severity=info", "robot.service", cwd=tmp_path).code == 1
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (("-",), "standard input needs a name, which says what kind of file it is: --stdin-filename NAME"),
+        (("--stdin-filename", "a.service", "."), "--stdin-filename checks standard input alone"),
+        (("--stdin-filename", "a.service", "--root", "."), "--stdin-filename checks standard input alone"),
+        (("--unsafe-fixes",), "--unsafe-fixes needs --fix"),
+        (("--tracked",), "--tracked: "),
+    ],
+)
+def test_what_would_have_no_effect_is_refused(clean: Path, arguments: tuple[str, ...], said: str) -> None:
+    run = lint(*arguments, cwd=clean)
+    assert (run.code, run.stdout) == (2, "")
+    assert said in run.stderr
+
+
+def test_a_dash_is_standard_input(tmp_path: Path) -> None:
+    run = subprocess.run(
+        [sys.executable, "-m", "bringup_lint", "--stdin-filename", "x.service", "--output-format", "concise", "-"],
+        input=LATIN1,
+        capture_output=True,
+        cwd=PROJECT,
+    )
+    assert run.stdout.decode().startswith("x.service:1:1: error[lint/encoding]")
+
+
+def test_untracked_files_are_left_out_when_that_is_asked_for(bad: Path) -> None:
+    subprocess.run(["git", "init", "-q"], cwd=bad, check=True)
+    assert only_lint("--tracked", ".", cwd=bad) == (0, "", "")
+    assert only_lint(".", cwd=bad).code == 1
+    subprocess.run(["git", "add", "robot.service"], cwd=bad, check=True)
+    assert only_lint("--tracked", ".", cwd=bad).code == 1
+
+
+def test_the_hook_judges_what_is_tracked() -> None:
+    assert "entry: bringup-lint --tracked\n" in (PROJECT / ".pre-commit-hooks.yaml").read_text()

@@ -90,7 +90,7 @@ def anchor(tree: Tree, folder: str) -> Source:
     name = display_name(folder)
     inside = [source for source in tree.sources if source.name.rpartition("/")[0] == name]
     inside.sort(key=lambda source: ("permissions" not in source.kind, source.name))
-    return inside[0] if inside else Source(name)
+    return inside[0] if inside else Source(name, judged=tree.judges(folder))
 
 
 def ships(tree: Tree, source: Source) -> bool:

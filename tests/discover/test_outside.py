@@ -1,0 +1,160 @@
+"""What lies outside of the tree is not read, not followed and not looked for."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+from shutil import which
+
+import pytest
+
+from bringup_lint.discover.git_index import UnknownFormat
+from bringup_lint.discover.git_index import index_of
+from bringup_lint.discover.git_index import tracked_paths
+from bringup_lint.discover.tree import Tree
+from tests.conftest import PROJECT
+from tests.lint import Run
+from tests.lint import lint
+
+SECRET = b"[Service]\nExecStart=/bin/\xff\n"
+
+
+@pytest.fixture
+def tree(tmp_path: Path) -> Path:
+    folder = tmp_path / "checkout"
+    folder.mkdir()
+    (tmp_path / "host.service").write_bytes(SECRET)
+    (tmp_path / "host").mkdir()
+    (tmp_path / "host/host.service").write_bytes(SECRET)
+    return folder
+
+
+def concise(*arguments: str | Path, cwd: Path) -> Run:
+    return lint("--select", "lint", "--output-format", "concise", *arguments, cwd=cwd)
+
+
+@pytest.mark.parametrize("repository", [True, False])
+@pytest.mark.parametrize("target", ["../host.service", "../host"])
+def test_a_named_link_is_not_followed_out_of_the_tree(tree: Path, target: str, repository: bool) -> None:
+    if repository:
+        subprocess.run(["git", "init", "-q"], cwd=tree, check=True)
+    (tree / "robot.service").symlink_to(target)
+    run = concise("robot.service", cwd=tree)
+    assert run.code == 1
+    assert run.stdout == (
+        "robot.service:1:1: error[lint/unreadable] Not checked: a symbolic link leads out of the tree; name the place"
+        " that it leads to\n"
+    )
+
+
+def test_a_named_file_in_a_linked_folder_is_not_read(tree: Path) -> None:
+    (tree / "linked").symlink_to("../host")
+    assert "lint/unreadable" in concise("linked/host.service", cwd=tree).stdout
+
+
+def test_a_named_link_is_followed_inside_the_tree(tree: Path) -> None:
+    (tree / "real.service").write_bytes(SECRET)
+    (tree / "robot.txt").symlink_to("real.service")
+    assert concise("robot.txt", cwd=tree).stdout.startswith("real.service:1:1: error[lint/encoding]")
+
+
+def test_a_link_of_an_image_leads_where_it_leads_on_the_robot(tree: Path) -> None:
+    (tree / "etc").mkdir()
+    (tree / "opt").mkdir()
+    (tree / "opt/robot.service").write_bytes(SECRET)
+    (tree / "etc/robot.conf").symlink_to("/opt/robot.service")
+    (tree / "etc/host.conf").symlink_to(tree.parent / "host.service")
+    assert "opt/robot.service:1:1: error[lint/encoding]" in concise("--root", ".", "/etc/robot.conf", cwd=tree).stdout
+    assert "lint/unreadable" in concise("--root", ".", "/etc/host.conf", cwd=tree).stdout
+
+
+def test_nobody_looks_for_what_lies_outside(tree: Path) -> None:
+    (tree / "linked").symlink_to("../host")
+    (tree / "gone").symlink_to("nowhere")
+    (tree / "out").symlink_to("../nowhere")
+    (tree / "file").touch()
+    checkout = Tree(tops=(str(tree),))
+    there = [checkout.exists(str(tree / name)) for name in ("file", "absent", "../absent", "linked/absent")]
+    assert there == [True, False, True, True]
+    assert [checkout.is_file(str(tree / name)) for name in ("file", "../host.service", "linked/host.service")] == [
+        *(True, False, False)
+    ]
+    assert [checkout.is_broken(str(tree / name)) for name in ("gone", "out")] == [True, False]
+
+
+def test_a_git_directory_elsewhere_is_not_read(tree: Path) -> None:
+    elsewhere = tree.parent / "elsewhere"
+    elsewhere.mkdir()
+    (tree / ".git").write_text("gitdir: ../elsewhere\n")
+    assert index_of(str(tree)) is None
+    (elsewhere / "gitdir").write_text(f"{tree}/.git\n")
+    assert index_of(str(tree)) == str(elsewhere / "index")
+
+
+def test_worktrees_and_submodules_have_their_index(tree: Path) -> None:
+    def git(*words: str, cwd: Path = tree) -> None:
+        identity = ("-c", "user.name=a", "-c", "user.email=a@b", "-c", "protocol.file.allow=always")
+        subprocess.run(["git", *identity, *words], cwd=cwd, check=True, capture_output=True)
+
+    git("init", "-q")
+    git("commit", "-q", "--allow-empty", "-m", "x")
+    git("worktree", "add", "-q", "../second")
+    git("submodule", "add", "-q", str(tree), "inner")
+    assert str(index_of(str(tree.parent / "second"))).endswith(".git/worktrees/second/index")
+    assert str(index_of(str(tree / "inner"))).endswith(".git/modules/inner/index")
+
+
+@pytest.mark.parametrize("kind", ["fifo", "link"])
+def test_the_index_is_a_bounded_file(tree: Path, kind: str) -> None:
+    (tree / ".git").mkdir()
+    index = tree / ".git/index"
+    os.mkfifo(index) if kind == "fifo" else index.symlink_to("/dev/zero")
+    (tree / "enclaves/a").mkdir(parents=True)
+    (tree / "enclaves/a/key.pem").write_text("-----BEGIN PRIVATE KEY-----\nMIG\n-----END PRIVATE KEY-----\n")
+    (tree / "enclaves/a/cert.pem").write_text("x")
+    assert lint(".", cwd=tree).code in (0, 1)
+
+
+def test_an_index_does_not_grow_without_bound() -> None:
+    """Version 4 leaves out what a path shares with the one before."""
+    entry = bytes(40 + 20) + (0xFFF).to_bytes(2, "big")
+    data = b"DIRC" + (4).to_bytes(4, "big") + (50_000).to_bytes(4, "big")
+    data += entry + b"\0" + b"a" * 4096 + b"\0" + (entry + b"\x01b\0") * 49_999
+    with pytest.raises(UnknownFormat):
+        tracked_paths(data)
+
+
+def test_an_ignore_file_is_a_bounded_file(tree: Path) -> None:
+    os.mkfifo(tree / ".gitignore")
+    assert not Tree.is_ignored(str(tree / "x"))
+    (tree / ".gitignore").unlink()
+    (tree / ".gitignore").write_text("*a" * 40 + "b\n")
+    assert not Tree.is_ignored(str(tree / ("a" * 250)))
+
+
+@pytest.mark.skipif(os.geteuid() != 0 or not which("setpriv"), reason="only root makes files that a user cannot read")
+def test_what_a_user_may_not_read_of_a_system_is_one_note(tree: Path) -> None:
+    for name in ("etc/passwd", "etc/os-release", "etc/netplan/a.yaml", "etc/polkit/b.rules", "usr/x"):
+        (tree / name).parent.mkdir(parents=True, exist_ok=True)
+        (tree / name).touch()
+    for name in ("etc/netplan/a.yaml", "etc/polkit"):
+        os.chown(tree / name, 1234, 1234)
+        (tree / name).chmod(0)
+    (tree / "etc/robot.service").write_text("[Service]\nExecStart=/bin/true\n")
+    words = ["setpriv", "--bounding-set=-all", "--inh-caps=-all", sys.executable, "-m", "bringup_lint"]
+    environment = {**os.environ, "PYTHONPATH": str(PROJECT)}
+
+    def check(*arguments: str) -> subprocess.CompletedProcess[str]:
+        command = [*words, "--select", "lint", "--output-format", "concise", *arguments]
+        return subprocess.run(command, cwd=tree, capture_output=True, text=True, env=environment)
+
+    run = check("etc")
+    assert (run.returncode, run.stdout) == (0, "")
+    assert run.stderr == (
+        "bringup-lint: Not checked, because this user may not read it: etc/netplan/a.yaml and 1 more. Run it with"
+        " sudo.\n"
+    )
+    run = check("etc/netplan/a.yaml")
+    assert (run.returncode, run.stdout.count("lint/unreadable")) == (1, 1), run.stderr
