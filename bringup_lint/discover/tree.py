@@ -207,7 +207,7 @@ class Tree:
     def keeps_modes(self) -> bool:
         """Whether the checkout has executable files, so that the mode of a file is that of the repository."""
         scripts = (path for path in self.paths if path.endswith((".sh", ".bash", ".py")))
-        return any(self.is_executable(path) for path in scripts)
+        return any(self.is_file(path) and self.is_executable(path) for path in scripts)
 
     def is_broken(self, path: str) -> bool:
         """Whether a link leads nowhere; what an absolute one leads to is known on the robot only, and nobody looks for
