@@ -37,9 +37,8 @@ def _first_word(arguments: list[str]) -> int | None:
     """Where the first argument is that is neither an option nor the value of one."""
     if not arguments or not arguments[0].startswith("-"):
         return 0 if arguments else None
-    from bringup_lint.cli.check import command
-
-    valued = {name for param in command.params if not getattr(param, "is_flag", True) for name in param.opts}
+    options = importlib.import_module("bringup_lint.cli.check").command.params
+    valued = {name for param in options if not getattr(param, "is_flag", True) for name in param.opts}
     is_value = False
     for at, word in enumerate(arguments):
         if word == "--":

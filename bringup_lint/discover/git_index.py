@@ -76,7 +76,8 @@ def tracked_only(folder: str) -> Callable[[str], bool]:
     for top in (folder, *_parents(folder)):
         index = index_of(top)
         if index is not None:
-            known = read_index(os.environ.get("GIT_INDEX_FILE") or index)
+            index = os.environ.get("GIT_INDEX_FILE") or index
+            known = read_index(index) if os.path.lexists(index) else frozenset[bytes]()
             return lambda path: not path.endswith("/") and not _is_tracked(os.path.relpath(path, top), known)
     raise UnknownFormat(f"{folder} lies in no git repository")
 
