@@ -25,9 +25,8 @@ UNUSED = "lint/unused-ignore"
 WITHOUT_REASON = "lint/ignore-without-reason"
 
 _COMMENT = re.compile(
-    r"(?P<lead>[^\n]*?)(?:#|;|//|<!--)\s*bringup-lint:\s*(?P<what>ignore(?:-file)?)\s*\[(?P<names>[^\]\n]*)\]"
-    r"(?:\s*--\s*(?P<reason>[^\n]*?)\s*(?:-->)?\s*$)?",
-    re.M,
+    r"(?:#|;|//|<!--)\s*bringup-lint:\s*(?P<what>ignore(?:-file)?)\s*\[(?P<names>[^][\n]*)\]"
+    r"(?:\s*--\s*(?P<reason>[^\n]*))?"
 )
 _COMMENT_LINE = re.compile(r"\s*(?:#|;|//|<!--)|\s*$")
 
@@ -95,15 +94,19 @@ def ignores_in(sources: Iterable[Source], is_name_of: Callable[[str, str], bool]
 
 
 def _read(source: Source) -> Iterator[Ignore]:
+    read = 0
     for match in _COMMENT.finditer(source.text):
+        lead = source.text[max(source.text.rfind("\n", read, match.start()) + 1, read) : match.start()]
+        read = match.end()
         line: int | None = None
         if match["what"] == "ignore":
             line = source.position(match.end("names")).line
-            if not match["lead"].strip():
+            if not lead.strip():
                 line = _next_line(source, line)
         names = source.located(*match.span("names"))
+        reason = (match["reason"] or "").strip().removesuffix("-->").rstrip()
         for part in re.finditer(r"[^,\s]+", names):
-            yield Ignore(names.part(*part.span()), match["reason"] or "", line)
+            yield Ignore(names.part(*part.span()), reason, line)
 
 
 def _next_line(source: Source, line: int) -> int:

@@ -18,12 +18,14 @@ TEMPLATE_SUFFIXES = {
 }
 
 _PLACEHOLDERS = (
-    ("jinja", re.compile(r"\{\{.*?\}\}|\{%.*?%\}")),
-    ("configure", re.compile(r"@[A-Za-z_][A-Za-z0-9_]*@")),
-    ("empy", re.compile(r"@\([^)]*\)|^@\[", re.M)),
-    ("erb", re.compile(r"<%.*?%>")),
-    ("template", re.compile(r"__[A-Z][A-Z0-9_]*__|<[A-Z][A-Z0-9_]*>")),
+    ("jinja", "{", re.compile(r"\{\{(?:(?!\{\{|\}\}).)*\}\}|\{%(?:(?!\{%|%\}).)*%\}")),
+    ("configure", "@", re.compile(r"@[A-Za-z_][A-Za-z0-9_]*@")),
+    ("empy", "@", re.compile(r"@\((?:(?!@\()[^)])*\)|^@\[", re.M)),
+    ("erb", "<%", re.compile(r"<%(?:(?!<%|%>).)*%>")),
+    ("template", "", re.compile(r"__[A-Z][A-Z0-9_]*__|<[A-Z][A-Z0-9_]*>")),
 )
+"""Language, what is in every placeholder of it, and a placeholder: a search begins anew at each place where one could
+begin, so that it must not run over the next such place."""
 _CONTROL = re.compile(r"\{%|^@\[|<%(?!=)|^(?:ifdef|ifelse|m4_)\b|^#(?:if|else|endif)\b", re.M)
 
 
@@ -32,8 +34,8 @@ def template_language(name: str, text: str) -> str:
     for suffix, language in TEMPLATE_SUFFIXES.items():
         if name.endswith(suffix):
             return language
-    for language, pattern in _PLACEHOLDERS[:-1]:
-        if pattern.search(text):
+    for language, mark, pattern in _PLACEHOLDERS[:-1]:
+        if mark in text and pattern.search(text):
             return language
     return ""
 
@@ -48,7 +50,7 @@ def final_name(name: str) -> str:
 
 def has_placeholder(text: str) -> bool:
     """Whether some of the text is still to be filled in."""
-    return any(pattern.search(text) for _, pattern in _PLACEHOLDERS)
+    return any(mark in text and pattern.search(text) for _, mark, pattern in _PLACEHOLDERS)
 
 
 def has_control_flow(text: str) -> bool:

@@ -23,7 +23,7 @@ TYPES = ("bool", "integer", "double", "string", "bool_array", "integer_array", "
 NOT_SET = "not_set"
 
 OPENING = re.compile(
-    r"(?:\ufeff?(?:[ \t]*(?:#[^\n]*)?|---[^\n]*|%[^\n]*|[ \t]*[\w/*\"'-]+[ \t]*:[ \t]*(?:#[^\n]*)?)\r?\n)*"
+    r"(?:\ufeff?(?:[ \t]*(?:#[^\n]*|\r)?|---[^\n]*|%[^\n]*|(?!---)[ \t]*[\w/*\"'-]+[ \t]*:[ \t]*(?:#[^\n]*|\r)?)\n)*"
     r"[ \t]+[\"']?ros__parameters[\"']?[ \t]*:"
 )
 """Nothing but bare keys above the first ``ros__parameters``, whatever is broken."""

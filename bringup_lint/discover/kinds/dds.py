@@ -10,7 +10,7 @@ from bringup_lint.discover.kinds import Kind
 _XML = re.compile(r"\.xml(?:\.(?:in|j2|jinja|jinja2|em|tmpl|tpl|template|erb))?$", re.I)
 _PROLOG = re.compile(r"(?:\ufeff|\s|<\?.*?(?:\?>|$)|<!--.*?(?:-->|$)|<![A-Z][^>\[]*(?:\[.*?\]\s*)?>)*", re.S)
 _TAG = re.compile(r"<([A-Za-z_][\w.-]*:)?([A-Za-z_][\w.-]*)([^>]*)")
-_NOISE = re.compile(r"<!--.*?(?:-->|$)|<\?.*?\?>", re.S)
+_NOISE = re.compile(r"<!--.*?(?:-->|$)|<\?.*?(?:\?>|$)", re.S)
 _CYCLONE_GROUPS = {
     "domain",
     "general",

@@ -11,7 +11,7 @@ _NAME = re.compile(
     r"(?:^|/)(?:(?:Dockerfile|Containerfile)(?:[._-][\w.-]+)?|[\w.-]+\.(?:[Dd]ockerfile|[Cc]ontainerfile))$"
 )
 _NOT = re.compile(r"\.(?:dockerignore|md|rst|txt|py|sh|ya?ml|json|html|orig|bak)$|~$")
-_FROM = re.compile(r"^\s*FROM\s+\S", re.M | re.I)
+_FROM = re.compile(r"^[^\S\n]*FROM\s+\S", re.M | re.I)
 
 
 def _is_dockerfile(path: str, head: Head) -> bool:

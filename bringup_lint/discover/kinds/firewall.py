@@ -9,7 +9,7 @@ from bringup_lint.discover.kinds import Kind
 _SAVED_NAME = re.compile(r"(?:^|/)(?:rules\.v[46]|iptables\.(?:rules|conf)|ip6?tables\.up\.rules)$")
 _SAVED = re.compile(r"^\*filter\b", re.M)
 _NFT_NAME = re.compile(r"(?:^|/)nftables(?:\.d/[^/]+)?\.conf$|\.nft$")
-_NFT = re.compile(r"^\s*table\s+(?:inet|ip6?|bridge|netdev)\s+\w+", re.M)
+_NFT = re.compile(r"^[^\S\n]*table\s+(?:inet|ip6?|bridge|netdev)\s+\w+", re.M)
 
 
 KINDS = (

@@ -13,14 +13,14 @@ LAUNCH = ("launch-python", "launch-xml", "launch-yaml")
 _PYTHON = re.compile(r"(?:[._-]launch\.py|/launch/(?:[^/]+/)*[^/]+\.py)$")
 _XML = re.compile(r"[._-]launch\.xml$|/launch/[^/]+\.xml$")
 _YAML = re.compile(r"[._-]launch\.ya?ml$|/launch/[^/]+\.ya?ml$")
-_ENTRY = re.compile(r"^\s*(?:async\s+)?def generate_(?:launch|test)_description\b", re.M)
-_LAUNCH_IMPORT = re.compile(r"^\s*(?:from|import)\s+launch(?:_ros)?\b", re.M)
-_ROOT = re.compile(r"^\s*(?:<\?xml.*?\?>\s*)?(?:<!--.*?-->\s*|<!DOCTYPE[^>]*>\s*)*<launch\b", re.S)
+_ENTRY = re.compile(r"^[^\S\n]*(?:async\s+)?def generate_(?:launch|test)_description\b", re.M)
+_LAUNCH_IMPORT = re.compile(r"^[^\S\n]*(?:from|import)\s+launch(?:_ros)?\b", re.M)
+_ROOT = re.compile(r"^\s*(?:<\?xml(?:(?!\?>).)*\?>\s*)?(?:<!--(?:(?!-->).)*-->\s*|<!DOCTYPE[^>]*>\s*)*<launch\b", re.S)
 _ROS1 = re.compile(
-    r"\$\((?:arg|find|optenv)\s|<rosparam\b|<machine\b|<node\b[^>]*\stype\s*=|<include\b[^>]*\sns\s*=|<test\b"
+    r"\$\((?:arg|find|optenv)\s|<rosparam\b|<machine\b|<node\b[^<>]*\stype\s*=|<include\b[^<>]*\sns\s*=|<test\b"
 )
 _ROS2 = re.compile(
-    r"\$\((?:var|find-pkg-share|find-pkg-prefix|dirname|exec-in-pkg)\b|<node\b[^>]*\sexec\s*=|<let\b|<executable\b"
+    r"\$\((?:var|find-pkg-share|find-pkg-prefix|dirname|exec-in-pkg)\b|<node\b[^<>]*\sexec\s*=|<let\b|<executable\b"
     r"|<push[-_]ros[-_]namespace\b|<node_container\b|<set_parameter\b|<load_composable_node\b"
 )
 _YAML_ROOT = re.compile(r"^launch\s*:", re.M)

@@ -15,7 +15,7 @@ _TABOO = re.compile(
     r"|ucf-(?:dist|new|old))|~)$"
 )
 """The endings that logrotate passes over in included folders (tabooext in logrotate(8))."""
-_STANZA = re.compile(r"^[ \t]*[\"'/~][^\n{]*(?:\n[ \t]*[\"'/~][^\n{]*)*\s*\{", re.M)
+_STANZA = re.compile(r"^[ \t]*[\"'/~][^\n{]*(?:\n\s*)?\{", re.M)
 
 
 def _is_logrotate(path: str, head: Head) -> bool:

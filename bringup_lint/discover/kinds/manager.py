@@ -13,7 +13,7 @@ _FOLDER = re.compile(r"/systemd/(?:system|journald|logind)\.conf(?:\.d/[^/]+)?$"
 _MAIN = re.compile(r"/(?P<daemon>system|journald|logind)\.conf$")
 _DROPIN = re.compile(r"/(?P<daemon>system|journald|logind)\.conf\.d/(?P<name>[^/]+)$")
 _SECTION = {"system": "Manager", "journald": "Journal", "logind": "Login"}
-_LINE = re.compile(r"^[ \t]*#?[ \t]*[A-Z]\w+[ \t]*=", re.M)
+_LINE = re.compile(r"^[ \t]*(?:#[ \t]*)?[A-Z]\w+[ \t]*=", re.M)
 
 
 def _claims(daemon: str) -> Callable[[str, Head], bool]:

@@ -12,12 +12,12 @@ _YAML = re.compile(r"\.ya?ml$")
 _CLOUD = re.compile(r"/(?:user-data|network-config|cloud\.cfg\.d/[^/]+\.cfg)(?:\.ya?ml)?$")
 _TYPES = "ethernets|wifis|bonds|bridges|vlans|tunnels|vrfs|modems|dummy-devices|virtual-ethernets|nm-devices"
 _NETPLAN = re.compile(
-    r"^network:[ \t]*(?:#.*)?\r?\n(?:[ \t]*(?:#.*)?\r?\n)*"
+    r"^network:[ \t]*(?:#[^\n]*|\r)?\n(?:[ \t]*(?:#[^\n]*|\r)?\n)*"
     rf"[ \t]+(?:version:[ \t]*[\"']?2\b|renderer:|(?:{_TYPES}):)"
     rf"|^network:[ \t]*\{{[ \t\r\n]*(?:version[ \t]*:[ \t]*2\b|renderer[ \t]*:|(?:{_TYPES})[ \t]*:)",
     re.M,
 )
-_TOP_KEY = re.compile(r"^[\"']?([A-Za-z_][\w .-]*?)[\"']?[ \t]*:(?:[ \t]|\r?$)", re.M)
+_TOP_KEY = re.compile(r"^[\"']?([A-Za-z_][\w.-]*(?: +[\w.-]+)*) *(?:[\"'\t][ \t]*)?:(?:[ \t]|\r?$)", re.M)
 """Other keys beside ``network:`` mark a file of another tool that borrows netplan's format."""
 _CLOUD_NETWORK = re.compile(r"^network:|^version:[ \t]*[12]\b", re.M)
 

@@ -10,7 +10,7 @@ from bringup_lint.templates import final_name
 
 _NAME = re.compile(r"/sshd_config(?:\.d/[^/]+\.conf)?$")
 _LINE = re.compile(
-    r"^[ \t]*#?[ \t]*(?:Port|PermitRootLogin|PasswordAuthentication|Subsystem|Match|Include|UsePAM"
+    r"^[ \t]*(?:#[ \t]*)?(?:Port|PermitRootLogin|PasswordAuthentication|Subsystem|Match|Include|UsePAM"
     r"|X11Forwarding|AllowUsers|PubkeyAuthentication|AuthorizedKeysFile|\w*Authentication|\w*Forwarding|Ciphers|MACs|MaxAuthTries"
     r"|ClientAlive\w+)[ \t=]",
     re.M | re.I,

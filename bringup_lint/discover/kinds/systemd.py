@@ -25,9 +25,12 @@ _TEMPLATE = r"(?:\.(?:in|j2|jinja|jinja2|em|m4|tmpl|tpl|template|erb))?"
 _UNIT = re.compile(rf"/[^/]+\.(?:{_TYPES}){_TEMPLATE}$")
 _DROPIN = re.compile(rf"/(?:[^/]*\.)?(?:{_TYPES})\.d/[^/]+$")
 _LINK = re.compile(r"\.(?:wants|requires|upholds)/[^/]+$")
-_SECTION = re.compile(r"^\ufeff?\s*\[(?:Unit|Service|Install|Socket|Timer|Path|Mount|Automount|Swap|Slice)\]", re.M)
+_SECTION = re.compile(
+    r"^\ufeff?[^\S\n]*\[(?:Unit|Service|Install|Socket|Timer|Path|Mount|Automount|Swap|Slice)\]", re.M
+)
 _CONF = re.compile(rf"\.conf{_TEMPLATE}$")
-_SERVICE = re.compile(r"^\s*\[Unit\].*^\s*\[Service\].*^\s*ExecStart\s*=", re.M | re.S)
+_SERVICE = tuple(re.compile(rf"^[^\S\n]*{word}", re.M) for word in (r"\[Unit\]", r"\[Service\]", r"ExecStart\s*="))
+"""What makes a service of a file with another name, in this order."""
 _BACKUP = re.compile(r"(?:~|\.(?:bak|orig|rej|swp|dpkg-\w+|rpm\w+|ucf-\w+))$")
 
 
@@ -39,12 +42,22 @@ def _is_dropin(path: str, head: Head) -> bool:
 def _is_unit(path: str, head: Head) -> bool:
     path = f"/{path}"
     if _CONF.search(path) and not _DROPIN.search(path):
-        return bool(_SERVICE.search(head()))
+        return _is_service(head())
     if not _UNIT.search(path) or "/dbus-1/" in path:
         return False
     if "/systemd/" in path or _LINK.search(path):
         return True
     return bool(_SECTION.search(head())) or not head().strip()
+
+
+def _is_service(text: str) -> bool:
+    at = 0
+    for pattern in _SERVICE:
+        found = pattern.search(text, at)
+        if found is None:
+            return False
+        at = found.end()
+    return True
 
 
 KINDS = (

@@ -31,6 +31,7 @@ from bringup_lint.graph.launch.scope import Scope
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.launch.visits import VISITS
+from bringup_lint.graph.memo import memo
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.graph.workspace import Found
 from bringup_lint.graph.workspace import Package
@@ -62,7 +63,7 @@ SIMULATORS = re.compile(
 _LOOKS_AT_DISTRIBUTION = re.compile(r"(?i)ros_?distro|except TypeError")
 PUBLIC = ("nav2_", "ros2_", "ros_", "rclcpp_", "tf2_", "launch_", "image_", "joint_", "moveit_", "rviz", "controller_")
 """How packages of ROS itself begin."""
-_LAUNCH_FILE = re.compile(r"[\w.-]+\.launch(?:\.(?:py|xml|ya?ml))?|[\w.-]+_launch\.py")
+_LAUNCH_FILE = re.compile(r"(?<![\w.-])(?:[\w.-]+\.launch(?:\.(?:py|xml|ya?ml))?|[\w.-]+_launch\.py)")
 EXPANSIONS = 2_000
 """Entries that are expanded in one run."""
 ACTIONS_OF_RUN = 100
@@ -324,6 +325,7 @@ class Launch:
         program = literal_text(node.plugin) or literal_text(node.executable)
         return role_of(literal_text(node.package), program, self._tree_files.target.ros)
 
+    @memo
     def simulated(self, file: LaunchFile) -> bool:
         """Whether a launch file is for a simulator, a test or a look at a model: by its path, or by what it starts."""
         if self._tree_files.purpose(file.source) is not Purpose.ROBOT or _VIEW.search(file.source.name):
