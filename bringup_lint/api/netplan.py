@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bringup_lint.graph.netplan.subnets import Subnets
 from bringup_lint.model.netplan import Address
 from bringup_lint.model.netplan import Interface
 from bringup_lint.model.netplan import Plan
@@ -13,5 +14,6 @@ __all__ = [
     "Interface",
     "Plan",
     "PlanCode",
+    "Subnets",
     "home_of",
 ]

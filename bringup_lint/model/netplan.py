@@ -368,7 +368,7 @@ class Plan:
     whole: bool = False
     """The files lie in netplan's own folders; else the plan is one file that may have companions."""
 
-    @property
+    @cached_property
     def masters(self) -> dict[str, Interface]:
         """The bridge, bond or VRF of every member."""
         return {str(member): owner for owner in self.interfaces.values() for member in owner.members}

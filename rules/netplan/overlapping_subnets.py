@@ -36,32 +36,31 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.netplan import Address
-from bringup_lint.api.netplan import Interface
+from bringup_lint.api.netplan import Subnets
 
 
 @rule("warning")
 def overlapping_subnets(robot: Robot) -> Iterator[Finding]:
     for plan in robot.netplan.plans:
-        seen: list[tuple[Interface, Address]] = []
+        seen = Subnets()
         for interface in plan.interfaces.values():
             if interface.name in plan.masters or any(True for _ in interface.items("routing-policy")):
                 continue
             for address in interface.addresses:
                 if address.ip is None or address.ip.is_link_local or address.ip.network.num_addresses < 4:
                     continue
-                for other, first in seen:
-                    if other is interface or first.ip.version != address.ip.version or first.ip.ip == address.ip.ip:
-                        continue
-                    if first.ip.network.overlaps(address.ip.network):
-                        both = f"{other.name} and {interface.name} share {address.ip.network}"
-                        yield finding(
-                            address.text,
-                            f"{both}: packets can leave by either",
-                            advice="use separate subnets",
-                            related=[note(first.text, f"{other.name} is in {first.ip.network}")],
-                        )
-                        break
-            seen += [(interface, address) for address in interface.addresses if _counts(address)]
+                first = seen.first_overlap(interface, address.ip)
+                if first is not None:
+                    other = first.interface.name
+                    yield finding(
+                        address.text,
+                        f"{other} and {interface.name} share {address.ip.network}: packets can leave by either",
+                        advice="use separate subnets",
+                        related=[note(first.address.text, f"{other} is in {first.ip.network}")],
+                    )
+            for address in interface.addresses:
+                if _counts(address):
+                    seen.add(interface, address)
 
 
 def _counts(address: Address) -> bool:

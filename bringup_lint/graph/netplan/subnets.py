@@ -1,0 +1,66 @@
+"""Which addresses share a subnet, without a comparison of each with each."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from bringup_lint.model.netplan import Address
+from bringup_lint.model.netplan import Interface
+from bringup_lint.model.netplan import IpInterface
+
+Network = tuple[int, int, int]
+"""IP version, length of the prefix, the prefix as a number."""
+
+
+class Member(NamedTuple):
+    """An address, and where it comes in the order of the files."""
+
+    order: int
+    interface: Interface
+    address: Address
+    ip: IpInterface
+
+    def conflicts(self, interface: Interface, ip: IpInterface) -> bool:
+        return self.interface is not interface and self.ip.ip != ip.ip
+
+
+class Subnets:
+    """The addresses so far, by the networks that they are in."""
+
+    def __init__(self) -> None:
+        self._exact: dict[Network, list[Member]] = {}
+        self._within: dict[Network, list[Member]] = {}
+        self._count = 0
+
+    def add(self, interface: Interface, address: Address) -> None:
+        """Keep an address that has an ``ip``."""
+        if address.ip is None:
+            return
+        member = Member(self._count, interface, address, address.ip)
+        self._count += 1
+        length = address.ip.network.prefixlen
+        _keep(self._exact.setdefault(_network(address.ip, length), []), member)
+        for shorter in range(length + 1):
+            _keep(self._within.setdefault(_network(address.ip, shorter), []), member)
+
+    def first_overlap(self, interface: Interface, ip: IpInterface) -> Member | None:
+        """The first other address of another interface whose network overlaps that of an address."""
+        length = ip.network.prefixlen
+        lists = [self._exact.get(_network(ip, shorter), []) for shorter in range(length)]
+        lists.append(self._within.get(_network(ip, length), []))
+        members = (member for found in lists for member in found if member.conflicts(interface, ip))
+        return min(members, key=lambda member: member.order, default=None)
+
+
+def _network(ip: IpInterface, length: int) -> Network:
+    return ip.version, length, int(ip) >> (ip.max_prefixlen - length)
+
+
+def _keep(members: list[Member], new: Member) -> None:
+    """Keep a member unless those before it answer every question that it answers, so that a list stays short: a
+    question rules out one interface and one address, two members of each at most, and so leaves one of five."""
+    of_interface = [member for member in members if member.interface is new.interface]
+    of_address = [member for member in members if member.ip.ip == new.ip.ip]
+    known = any(member.ip.ip == new.ip.ip for member in of_interface)
+    if not known and len(of_interface) < 2 and len(of_address) < 2 and len(members) < 5:
+        members.append(new)
