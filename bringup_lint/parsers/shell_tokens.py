@@ -66,7 +66,7 @@ def tokens(script: Located) -> list[Token]:
 
 def _word(script: Located, start: int) -> tuple[int, Word]:
     """The word at ``start``, its quotes removed, and where it ends."""
-    text = str(script)
+    text: str = script  # str(script) would copy the whole script for each word
     size = len(text)
     at = start
     out: list[str] = []

@@ -73,15 +73,29 @@ def split_command_line(value: Located) -> CommandLine:
         if first.word == ";":
             at = first.next
             continue
-        start = len(value) - len(value[at:].lstrip(BLANKS))
+        start = _after_blanks(value, at)
         words, stop, at, bad = _arguments(value, first.next)
         count = _prefix_length(first.word)
         prefixes, program = str(first.word[:count]), first.word.part(count, len(first.word))
         problems += _relaxed(bad, LINE if "-" in prefixes else UNIT)
         argv0 = words.pop(0) if "@" in prefixes and words else None
-        where = value.part(start, len(value[:stop].rstrip(BLANKS)))
+        where = value.part(start, _before_blanks(value, stop))
         commands.append(Command(where, prefixes, program, tuple(words), argv0))
     return CommandLine(tuple(commands), tuple(problems))
+
+
+def _after_blanks(value: str, at: int) -> int:
+    """Where the blanks that begin at a place end; the value is not copied, as it may be long."""
+    while at < len(value) and value[at] in BLANKS:
+        at += 1
+    return at
+
+
+def _before_blanks(value: str, at: int) -> int:
+    """Where the blanks that end at a place begin."""
+    while at > 0 and value[at - 1] in BLANKS:
+        at -= 1
+    return at
 
 
 def _arguments(value: Located, at: int) -> tuple[list[Located], int, int, list[ValueProblem]]:
@@ -91,11 +105,11 @@ def _arguments(value: Located, at: int) -> tuple[list[Located], int, int, list[V
     while at >= 0:
         if value[at] == ";" and value[at + 1 : at + 2] in (" ", "\t", "\n", "\r", ""):
             rest = at + 1
-            return words, at, rest if value[rest:].strip(BLANKS) else -1, problems
+            return words, at, rest if _after_blanks(value, rest) < len(value) else -1, problems
         if value[at : at + 2] == "\\;" and value[at + 2 : at + 3] in (" ", "\t", "\n", "\r", ""):
             words.append(value.part(at + 1, at + 2))
-            after = value[at + 2 :].lstrip(BLANKS)
-            at = len(value) - len(after) if after else -1
+            after = _after_blanks(value, at + 2)
+            at = after if after < len(value) else -1
             continue
         found = extract(value, at, escapes=DECODE_RELAXED)
         problems += found.problems

@@ -91,7 +91,7 @@ def extract(
     coalesce: bool = True,
 ) -> Extracted:
     """The first word at or after ``at``. Without ``coalesce`` every single separator ends a (maybe empty) word."""
-    text = str(value)
+    text: str = value  # str(value) would copy the whole line for each word
     size = len(text)
     if at < 0 or at > size:
         return Extracted(None, -1)
