@@ -107,6 +107,8 @@ class State:
         self.names = Stack("/")
         self.prefixes = Stack(".")
         self.nodes: dict[str, int] = {}
+        self.node_names: list[str] = []
+        """In the order of their numbers."""
         self.tables: list[Table] = []
 
     def save(self) -> Saved:
@@ -179,6 +181,7 @@ class State:
             name = self.names.text or ""
             if name not in self.nodes:
                 self.nodes[name] = len(self.tables)
+                self.node_names.append(name)
                 self.tables.append(Table())
             self.node = self.nodes[name]
             self.names.pop()

@@ -120,7 +120,7 @@ class _Reader:
             block = None
         elif block is None and state.in_parameters:
             names = tuple(self.keys)
-            name = list(state.nodes)[state.node]
+            name = state.node_names[state.node]
             block = Block(name, names[-1] if names else key.value, names, key.value, value)
             self.file.blocks.append(block)
             self.header(value, block, before)

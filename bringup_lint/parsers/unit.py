@@ -34,17 +34,22 @@ def parse(source: Source) -> UnitFile:
     unit = UnitFile(source, *unit_name(source))
     unit.uncertain = bool(source.template) and has_control_flow(source.text)
     section: Section | None = None
+    broken_header = False
     for line in logical_lines(source, unit.problems):
         text = line.strip_located(_BLANK)
         if not text or (source.template and _TEMPLATE_LINE.match(text)):
             continue
         if text[0] == "[":
             section = _section(text, unit)
+            broken_header = broken_header or section is None
             continue
         if source.template and "=" not in text:
             section, unit.uncertain = None, True
             continue
-        _assignment(text, section, unit)
+        if section is not None:
+            _assignment(text, section, unit)
+        elif not broken_header:
+            unit.problems.append(Problem("line-outside-section", text))
     return unit
 
 
@@ -107,11 +112,7 @@ def _section(text: Located, unit: UnitFile) -> Section | None:
     return section
 
 
-def _assignment(text: Located, section: Section | None, unit: UnitFile) -> None:
-    if section is None:
-        if not any(problem.code == "bad-section-header" for problem in unit.problems):
-            unit.problems.append(Problem("line-outside-section", text))
-        return
+def _assignment(text: Located, section: Section, unit: UnitFile) -> None:
     key, equals, _ = text.partition("=")
     if not equals:
         unit.problems.append(Problem("missing-equals", text))

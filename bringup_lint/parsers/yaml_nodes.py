@@ -23,6 +23,8 @@ from bringup_lint.source import Span
 
 DEEPEST = 100
 """Levels of nesting that are kept; what lies deeper is left out with the problem ``too-deep``."""
+HOPELESS = 10 * DEEPEST
+"""Levels of nesting at which reading ends: the time that libyaml takes for a token grows with them."""
 LARGEST = 100_000
 """Nodes that aliases may add, counted as if each were copied; then an alias stays empty (``alias-bomb``)."""
 FORBIDDEN = re.compile("[^\t\n\r\x20-\x7e\x85\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
@@ -44,6 +46,10 @@ class _Mark(Protocol):
 
     @property
     def index(self) -> int: ...
+
+
+class _Hopeless(Exception):
+    """Nested so deep that nothing more is read."""
 
 
 class _Builder:
@@ -69,6 +75,8 @@ class _Builder:
                 self.take(event)
         except yaml.YAMLError as error:
             self.broken(error)
+        except _Hopeless:
+            pass  # said as too-deep
         return self.file
 
     def events(self) -> Iterator[yaml.Event]:
@@ -100,6 +108,8 @@ class _Builder:
                 self.problem("too-deep", *self.range(event), f"nested deeper than {DEEPEST} levels")
                 self.add(self.nothing(event))
             self.skipping += 1
+            if self.skipping > HOPELESS:
+                raise _Hopeless
             return
         kind = Sequence if isinstance(event, yaml.SequenceStartEvent) else Mapping
         node = kind(self.span(*self.range(event)), flow=bool(event.flow_style), tag=event.tag or "")

@@ -237,7 +237,7 @@ def _waits_for_ever(ending: Ending, owner: ast.Attribute, call: ast.Call) -> boo
         or "in_waiting" in ending.file.source.text
     ):
         return False
-    made = [each for each in ending.syntax.calls if ending.syntax.qualified(each) == "serial.Serial"]
+    made = ending.syntax.named.get("serial.Serial", [])
     text = ending.file.source.text
     return len(made) == 1 and len(made[0].args) < 7 and not _has(made[0], "timeout") and ".timeout" not in text
 
@@ -252,7 +252,7 @@ def _never_ends(node: ast.While) -> bool:
 
 def awaits_asyncio(ending: Ending, cls: NodeClass) -> Iterator[tuple[Callback, str, ast.Call, str]]:
     """``await asyncio.sleep(...)`` and the like in callbacks: callback, its name, the call, the function's name."""
-    if any((ending.syntax.qualified(call) or "") in _LOOPS for call in ending.syntax.calls):
+    if not _LOOPS.isdisjoint(ending.syntax.named):
         return
     seen: set[ast.AST] = set()
     for callback in cls.callbacks:

@@ -32,7 +32,7 @@ def endless_rates(syntax: Syntax) -> Iterator[EndlessRate]:
 
 def _makes_node(syntax: Syntax) -> bool:
     """Whether the file is the program: it initialises rclpy itself, so that nobody else spins its nodes."""
-    return any(syntax.qualified(call) == "rclpy.init" for call in syntax.calls)
+    return "rclpy.init" in syntax.named
 
 
 def _is_method(call: ast.Call, name: str, owner: str | None = None) -> bool:
@@ -46,7 +46,7 @@ def _is_in_callback(syntax: Syntax, call: ast.Call) -> bool:
     """Whether a spin may run the method that sleeps: it then blocks the executor, and is no matter of the rate."""
     function = syntax.function(call)
     method = any(isinstance(outer, ast.ClassDef) for outer, _ in syntax.above(call))
-    spins = any(syntax.qualified(each) == "rclpy.spin" for each in syntax.calls)
+    spins = "rclpy.spin" in syntax.named
     return method and spins and function is not None and function.name != "__init__"
 
 

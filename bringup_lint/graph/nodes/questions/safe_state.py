@@ -48,7 +48,7 @@ def has_safe_state(ending: Ending, nodes: list[NodeClass]) -> bool:
     """Whether a file does anything at the end that could be a stop command, well or badly."""
     if ending.handlers or any(is_on_shutdown(call) for call in ending.syntax.calls):
         return True
-    if any(ending.syntax.qualified(call) == "atexit.register" for call in ending.syntax.calls):
+    if "atexit.register" in ending.syntax.named:
         return True
     for node in nodes:
         for name in _ENDS:

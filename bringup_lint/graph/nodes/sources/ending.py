@@ -67,7 +67,7 @@ class Ending:
 
     @cached_property
     def inits(self) -> list[ast.Call]:
-        return [call for call in self.syntax.calls if self.syntax.qualified(call) == "rclpy.init"]
+        return self.syntax.named.get("rclpy.init", [])
 
     @cached_property
     def signals(self) -> str | None:
@@ -75,7 +75,7 @@ class Ending:
         options = {self._option(call) for call in self.inits}
         if self.distribution in UNKNOWN:
             return None
-        if len(options) != 1 or any(self.syntax.qualified(call) in _OWN_SIGNALS for call in self.syntax.calls):
+        if len(options) != 1 or not self.syntax.named.keys().isdisjoint(_OWN_SIGNALS):
             return None
         return options.pop()
 
@@ -91,7 +91,7 @@ class Ending:
     @cached_property
     def is_raw_terminal(self) -> bool:
         """Whether Ctrl-C reaches the program as a character, and not as a signal."""
-        return any(self.syntax.qualified(call) in _RAW for call in self.syntax.calls)
+        return not self.syntax.named.keys().isdisjoint(_RAW)
 
     @cached_property
     def reads_keys(self) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterable
 from collections.abc import Iterator
+from functools import cached_property
 
 from bringup_lint.model.node_source import NodeSource
 
@@ -29,6 +30,16 @@ class Syntax:
                         self._above[child] = (node, name)
                         stack.append(child)
         self.calls.sort(key=lambda call: (call.lineno, call.col_offset))
+
+    @cached_property
+    def named(self) -> dict[str, list[ast.Call]]:
+        """The calls whose function has a known dotted name, by that name, in the order of the text."""
+        found: dict[str, list[ast.Call]] = {}
+        for call in self.calls:
+            name = self.qualified(call)
+            if name is not None:
+                found.setdefault(name, []).append(call)
+        return found
 
     def above(self, node: ast.AST) -> Iterator[tuple[ast.AST, str]]:
         """What a node is in, innermost first, each with the field that holds it."""
