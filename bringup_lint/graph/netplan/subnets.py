@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from bringup_lint import addresses
 from bringup_lint.model.netplan import Address
 from bringup_lint.model.netplan import Interface
-from bringup_lint.model.netplan import IpInterface
 
 Network = tuple[int, int, int]
 """IP version, length of the prefix, the prefix as a number."""
@@ -18,9 +18,9 @@ class Member(NamedTuple):
     order: int
     interface: Interface
     address: Address
-    ip: IpInterface
+    ip: addresses.Interface
 
-    def conflicts(self, interface: Interface, ip: IpInterface) -> bool:
+    def conflicts(self, interface: Interface, ip: addresses.Interface) -> bool:
         return self.interface is not interface and self.ip.ip != ip.ip
 
 
@@ -43,7 +43,7 @@ class Subnets:
         for shorter in range(length + 1):
             _keep(self._within.setdefault(_network(address.ip, shorter), []), member)
 
-    def first_overlap(self, interface: Interface, ip: IpInterface) -> Member | None:
+    def first_overlap(self, interface: Interface, ip: addresses.Interface) -> Member | None:
         """The first other address of another interface whose network overlaps that of an address."""
         length = ip.network.prefixlen
         lists = [self._exact.get(_network(ip, shorter), []) for shorter in range(length)]
@@ -52,7 +52,7 @@ class Subnets:
         return min(members, key=lambda member: member.order, default=None)
 
 
-def _network(ip: IpInterface, length: int) -> Network:
+def _network(ip: addresses.Interface, length: int) -> Network:
     return ip.version, length, int(ip) >> (ip.max_prefixlen - length)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from collections.abc import Set
 from dataclasses import dataclass
 from functools import cached_property
 from importlib import import_module
@@ -20,6 +21,7 @@ from bringup_lint.graph.runners.runner import Runner
 from bringup_lint.graph.runners.runner import RunnerKind
 from bringup_lint.graph.runners.runner import Start
 from bringup_lint.model.launch import LaunchFile
+from bringup_lint.source import Source
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
@@ -39,7 +41,8 @@ class Runners:
         for module, starter in STARTERS.items():
             if self.files.of_kind(*starter.kinds):
                 make = import_module(f"bringup_lint.graph.runners.{module}").runners
-                found += [runner for runner in make(self.files, self.layers) if not _is_started(runner, found)]
+                started = {step.script for other in found for line in other.lines for step in line.steps}
+                found += [runner for runner in make(self.files, self.layers) if not _is_started(runner, started)]
         return found
 
     @cached_property
@@ -69,9 +72,20 @@ class Runners:
 
     def purpose(self, place: Span) -> Purpose:
         """What the runner at a place is for; for a Dockerfile, all those that build it."""
-        around = [runner for runner in self.all if _holds(runner, place)]
+        around = [runner for runner in self._by_source.get(place.source, ()) if _holds(runner, place)]
         purposes = {runner.purpose for runner in around}
         return Purpose.ROBOT if Purpose.ROBOT in purposes or not around else around[0].purpose
+
+    @cached_property
+    def _by_source(self) -> dict[Source, list[Runner]]:
+        """The runners that a file describes, whole or in a part of it."""
+        found: dict[Source, list[Runner]] = {}
+        for runner in self.all:
+            image = [] if runner.stage is None else [runner.stage.start.keyword.span.source]
+            own = [] if runner.extent is None else [runner.extent.source]
+            for source in dict.fromkeys((*image, *own)):
+                found.setdefault(source, []).append(runner)
+        return found
 
     def expansion(self, start: Start) -> Expansion | None:
         """What a command leads to with its arguments, always the same object; None when its launch file is not in
@@ -95,8 +109,6 @@ def _holds(runner: Runner, place: Span) -> bool:
     return extent.start <= place.start < extent.end or runner.where == place
 
 
-def _is_started(runner: Runner, others: list[Runner]) -> bool:
+def _is_started(runner: Runner, scripts: Set[Source | None]) -> bool:
     """Whether a script is one that another runner starts."""
-    if runner.kind is not RunnerKind.SCRIPT:
-        return False
-    return any(step.script is runner.source for other in others for line in other.lines for step in line.steps)
+    return runner.kind is RunnerKind.SCRIPT and runner.source in scripts
