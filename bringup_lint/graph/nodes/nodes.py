@@ -233,6 +233,10 @@ class Nodes:
         chains = (self._provenance().chain_to_node(each, *more) for each in self.launched(file))
         return next(filter(None, chains), ())
 
+    def imported(self, file: NodeSource) -> list[NodeSource] | None:
+        """A file and all of the workspace that it imports; None when part of that is not found."""
+        return self._modules.closure(file)
+
     def made(self, file: NodeSource) -> list[NodeClass]:
         """The nodes that the code of a file makes, also of classes of other files."""
         if file not in self._made:

@@ -39,7 +39,9 @@ if TYPE_CHECKING:
     from bringup_lint.graph.systemd.units import Units
     from bringup_lint.graph.topics.questions.watch_lists import Missing
     from bringup_lint.graph.topics.resolved.node_names import NodeNames
+    from bringup_lint.graph.topics.sources.parameter_names import ParameterNames
     from bringup_lint.model.node_source import Endpoint
+    from bringup_lint.model.parameter_words import ParameterWords
     from bringup_lint.source import Source
     from bringup_lint.source import Span
 
@@ -81,6 +83,16 @@ class Topics:
     @cached_property
     def _codes(self) -> dict[tuple[str | None, ...], Code | None]:
         return {}
+
+    def parameter_words(self, started: Started) -> ParameterWords | None:
+        """The texts with which a launched program may name its parameters; None when not all of it is known."""
+        return self._parameter_names.of(started)
+
+    @cached_property
+    def _parameter_names(self) -> ParameterNames:
+        from bringup_lint.graph.topics.sources.parameter_names import ParameterNames
+
+        return ParameterNames(self.files, self.launch.workspace, self.nodes)
 
     def node(self, started: Started) -> LaunchedNode:
         """What launch makes of a node: its name, its parameters, and the topics that it uses."""

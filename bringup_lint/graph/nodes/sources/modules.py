@@ -20,6 +20,10 @@ Parsed = Callable[[Callable[[Source], NodeSource], Iterable[Source]], list[NodeS
 
 _DEPTH = 6
 """Files through which a class is followed."""
+CLOSURE = 100
+"""Files that one program imports."""
+_GENERATED = frozenset({"msg", "srv", "action"})
+"""Modules of a package that are made from its interfaces."""
 
 
 class Modules:
@@ -85,6 +89,36 @@ class Modules:
         if (dotted, here) not in self._modules:
             self._modules[dotted, here] = self._find(dotted, here)
         return self._modules[dotted, here]
+
+    def closure(self, file: NodeSource) -> list[NodeSource] | None:
+        """A file and all of the workspace that it imports; None when a file is missing, or there are too many."""
+        found, todo = {file.source: file}, [file]
+        while todo:
+            current = todo.pop()
+            targets = [name for name in current.imports.values() if name is not None]
+            for dotted in (*targets, *current.stars):
+                other = self.module(dotted, current) or self.module(self._parent(dotted), current)
+                if other is None and self._is_own(dotted):
+                    return None
+                if other is not None and other.source not in found:
+                    found[other.source] = other
+                    todo.append(other)
+            if len(found) > CLOSURE or current.tree is None:
+                return None
+        return list(found.values())
+
+    @staticmethod
+    def _parent(dotted: str) -> str:
+        """The module that a name is imported from."""
+        module = dotted.rpartition(".")[0]
+        if module.strip("."):
+            return module
+        return dotted[: len(dotted) - len(dotted.lstrip("."))] or dotted
+
+    def _is_own(self, dotted: str) -> bool:
+        """Whether a module should be one of the workspace's own."""
+        top, _, rest = dotted.partition(".")
+        return not top or (top in self._workspace.packages and rest.partition(".")[0] not in _GENERATED)
 
     def _find(self, dotted: str, here: str) -> NodeSource | None:
         level = len(dotted) - len(dotted.lstrip("."))

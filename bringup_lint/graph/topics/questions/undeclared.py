@@ -1,0 +1,121 @@
+"""Parameters that a launched node is given and does not declare, and those that a source asks for all the same."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+from typing import NamedTuple
+
+from bringup_lint.facts.ros.parameters import is_of_library
+from bringup_lint.graph.launch.resolve import text_of
+from bringup_lint.graph.params.loads import path_of
+from bringup_lint.model.launch_values import Choice
+from bringup_lint.model.launch_values import DerivedFile
+from bringup_lint.model.launch_values import DictValue
+from bringup_lint.model.launch_values import Literal
+from bringup_lint.model.launch_values import ParameterFile
+from bringup_lint.model.launch_values import TypedValue
+from bringup_lint.model.launch_values import Value
+from bringup_lint.model.params import matches
+from bringup_lint.source import Located
+from bringup_lint.source import Span
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.topics.resolved.endpoint_use import LaunchedNode
+    from bringup_lint.graph.topics.topics import Topics
+    from bringup_lint.model.params import Block
+
+
+class GivenName(NamedTuple):
+    """A parameter that something gives to a node."""
+
+    name: str
+    place: Located
+    group: Span
+    """The block of the file, or the node in the launch file: what is given together."""
+    certain: bool = True
+    """It is given to this node, as far as the names are known."""
+
+
+class Undeclared(NamedTuple):
+    """Parameters of one block or launch action that no node which gets them declares."""
+
+    node: LaunchedNode
+    given: tuple[GivenName, ...]
+
+
+def undeclared(topics: Topics) -> Iterator[Undeclared]:
+    """What is given together, each once; silent where a node that may get it is not known."""
+    verdicts: dict[Span, bool] = {}
+    found: dict[Span, tuple[LaunchedNode, GivenName]] = {}
+    for node in _launched(topics):
+        words = topics.parameter_words(node.started)
+        for given in _given_to(topics, node):
+            span = given.place.span
+            lacks = words is not None and not words.name(given.name) and not is_of_library(given.name)
+            verdicts[span] = verdicts.get(span, True) and lacks
+            if given.certain:
+                found.setdefault(span, (node, given))
+    grouped: dict[Span, list[tuple[LaunchedNode, GivenName]]] = {}
+    for span, pair in found.items():
+        if verdicts[span] and span.source.judged:
+            grouped.setdefault(pair[1].group, []).append(pair)
+    for pairs in grouped.values():
+        yield Undeclared(pairs[0][0], tuple(given for _, given in pairs))
+
+
+def _launched(topics: Topics) -> Iterator[LaunchedNode]:
+    for expansion in topics.launch.expansions:
+        yield from (topics.node(each) for each in expansion.nodes if each.is_node)
+
+
+def _given_to(topics: Topics, node: LaunchedNode) -> Iterator[GivenName]:
+    for source in node.started.parameters:
+        for value in _options(source):
+            if isinstance(value, DictValue):
+                yield from _inline(value, "", node.started.span)
+            else:
+                yield from _of_source(topics, value, node)
+
+
+def _options(value: Value) -> Iterator[Value]:
+    if isinstance(value, Choice):
+        for _, option in value.options:
+            yield from _options(option)
+    else:
+        yield value
+
+
+def _of_source(topics: Topics, value: Value, node: LaunchedNode) -> Iterator[GivenName]:
+    rewritten = False
+    while isinstance(value, (ParameterFile, DerivedFile)):
+        rewritten |= isinstance(value, DerivedFile)
+        value = value.base if isinstance(value, DerivedFile) else value.file
+    path = path_of(topics.launch, value)
+    file = topics.params().at_path(path) if path is not None else None
+    if file is None or not file.accepted or file.uncertain or file.source.template:
+        return
+    for block in file.blocks:
+        if _may_reach(block, node, rewritten):
+            certain = node.fqn is not None or block.name.strip("/") == "**"
+            yield from (GivenName(each.name, each.key, block.span, certain) for each in block.parameters)
+
+
+def _inline(values: DictValue, prefix: str, group: Span) -> Iterator[GivenName]:
+    for key, value in values.items:
+        name = text_of(key)
+        inner = value.value if isinstance(value, TypedValue) else value
+        if name is None or not isinstance(key, Literal) or not isinstance(key.text, Located):
+            continue
+        if isinstance(inner, DictValue):
+            yield from _inline(inner, f"{prefix}{name}.", group)
+        else:
+            yield GivenName(prefix + name, key.text, group)
+
+
+def _may_reach(block: Block, node: LaunchedNode, rewritten: bool) -> bool:
+    """Whether a block may be for a node; a file that is rewritten may get another namespace."""
+    if node.fqn is None:
+        return True
+    own = block.name.rpartition("/")[2]
+    return matches(block.name, node.fqn) or (rewritten and (own == node.name or "*" in own))

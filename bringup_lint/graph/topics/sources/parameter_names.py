@@ -1,0 +1,242 @@
+"""The texts with which the sources of a program may name its parameters, in Python or C++."""
+
+from __future__ import annotations
+
+import ast
+import os
+import re
+from collections.abc import Iterable
+from collections.abc import Iterator
+from functools import cached_property
+from functools import reduce
+from operator import or_
+from typing import TYPE_CHECKING
+
+from bringup_lint.facts.ros.parameters import hands_parameters
+from bringup_lint.graph.launch.started import Started
+from bringup_lint.graph.launch.started import literal_text
+from bringup_lint.graph.nodes.nodes import Nodes
+from bringup_lint.graph.nodes.resolved.programs import Program
+from bringup_lint.graph.workspace import Package
+from bringup_lint.graph.workspace import Workspace
+from bringup_lint.model.node_source import NodeSource
+from bringup_lint.model.package import Build
+from bringup_lint.model.parameter_words import ParameterWords
+from bringup_lint.parsers.python_node.classes import ROOTS
+from bringup_lint.source import Source
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.files import Files
+
+CPP_FILES = 300
+"""C++ files of one program that are read."""
+_CPP = (".cpp", ".cc", ".cxx", ".hpp", ".hh", ".h", ".hxx", ".ipp", ".tpp", ".inl")
+_HEADERS = _CPP[3:]
+_ASIDE = re.compile(r"/(?:tests?|examples?|build|install|log)/")
+_CLASS = re.compile(r"\b(?:class|struct)\s+[\w\s]{1,120}:(?P<bases>[^:{};()](?:[^{};()]|::){0,400})\{")
+_INCLUDE = re.compile(r"^[ \t]*#[ \t]*include[ \t]*[<\"](?P<package>[\w-]+)/", re.M)
+_LOCAL = re.compile(r"^[ \t]*#[ \t]*include[ \t]*[<\"]([^>\"\n]+)[>\"]", re.M)
+_MAIN = re.compile(r"\bint\s+main\s*\(|\bRCLCPP_COMPONENTS_REGISTER_NODE\b")
+_NODE = re.compile(r"\brclcpp(?:_lifecycle)?::(?:Lifecycle)?Node\b")
+_ACCESS = re.compile(r"\b(?:public|virtual|private|protected)\b|\s")
+_BASES = frozenset({"rclcpp::Node", "Node", "rclcpp_lifecycle::LifecycleNode", "LifecycleNode"})
+_SAFE = ("rclpy", "rclpy_action", "tf2_ros", "message_filters", "diagnostic_updater", "cv_bridge", "builtins", "super")
+"""Python modules that are handed a node and declare nothing of their own."""
+
+
+class ParameterNames:
+    def __init__(self, files: Files, workspace: Workspace, nodes: Nodes) -> None:
+        self._files = files
+        self._workspace = workspace
+        self._nodes = nodes
+        self._known: dict[tuple[str | None, ...], ParameterWords | None] = {}
+
+    def of(self, started: Started) -> ParameterWords | None:
+        """None when not everything is known that may declare a parameter in the program."""
+        key = (literal_text(started.package), literal_text(started.executable), literal_text(started.plugin))
+        if key not in self._known:
+            self._known[key] = self._of(started)
+        return self._known[key]
+
+    def _of(self, started: Started) -> ParameterWords | None:
+        program = self._nodes.program_of(started)
+        if program is not None:
+            return self._python(program)
+        package = self._workspace.packages.get(str(literal_text(started.package)))
+        word = literal_text(started.plugin) or literal_text(started.executable)
+        return self._cpp(package, str(word)) if package is not None and word is not None else None
+
+    def _python(self, program: Program) -> ParameterWords | None:
+        from bringup_lint.parsers.python_node.parameter_words import parse
+
+        lineage = [each for node in program.classes for each in node.lineage]
+        if not lineage or not all(each.is_node and self._is_followed(each.bases, each.base) for each in lineage):
+            return None
+        files = self._nodes.imported(program.file)
+        if files is None or any(_hands_out(file, self._workspace) for file in files):
+            return None
+        return _joined(self._files.parsed(parse, [file.source for file in files]))
+
+    @staticmethod
+    def _is_followed(bases: tuple[str, ...], base: object) -> bool:
+        return base is not None or not bases or all(each in ROOTS or each == "object" for each in bases)
+
+    def _cpp(self, package: Package, program: str) -> ParameterWords | None:
+        from bringup_lint.parsers.cpp_node.parameter_words import parse
+
+        own = self._own(package, program)
+        if own is None:
+            return None
+        sources = self._with_included(package, own)
+        if sources is None:
+            return None
+        if not _is_plain_node(sources):
+            return None
+        return _joined(self._files.parsed(parse, sources))
+
+    def _own(self, package: Package, program: str) -> list[str] | None:
+        """The files of the package that an executable or component may be made of, but not those of other programs;
+        None when it is not built there."""
+        for build in package.builds:
+            target = build.components.get(program, program)
+            if target in build.targets:
+                made = set(_made_of(build, target))
+                every = self._files_of(package, _CPP)
+                used = made | self._implementing(made, every)
+                return [path for path in every if path in used or not made or not self._is_program(path)]
+        return None
+
+    def _implementing(self, made: set[str], every: list[str]) -> set[str]:
+        """The files that are called like a header which some files, or such files, include."""
+        by_stem: dict[str, list[str]] = {}
+        for path in every:
+            by_stem.setdefault(_stem(path), []).append(path)
+        found: set[str] = set()
+        todo = list(made)
+        while todo:
+            source = self._source(todo.pop())
+            names = _LOCAL.findall(source.text) if source is not None else []
+            new = {path for name in names for path in by_stem.get(_stem(name), [])} - found - made
+            found |= new
+            todo += new
+        return found
+
+    def _is_program(self, path: str) -> bool:
+        """Whether a file is the main one of a program, or registers a component."""
+        source = self._source(path) if not path.endswith(_HEADERS) else None
+        return source is not None and bool(_MAIN.search(source.text))
+
+    def _with_included(self, package: Package, paths: list[str]) -> list[Source] | None:
+        """Files, and those of the packages of the workspace that they include; None when others that they include may
+        declare parameters, or there are too many."""
+        depends = {str(name) for _, name in package.manifest.depends}
+        found: dict[str, Source] = {}
+        todo, seen = list(paths), {package.name}
+        while todo:
+            path = todo.pop()
+            source = self._source(path) if path not in found else None
+            if source is None:
+                continue
+            found[path] = source
+            if len(found) > CPP_FILES:
+                return None
+            for name in {each["package"] for each in _INCLUDE.finditer(source.text)} - seen:
+                seen.add(name)
+                other = self._workspace.packages.get(name)
+                if other is not None:
+                    depends |= {str(each) for _, each in other.manifest.depends}
+                    todo += self._files_of(other, _CPP)
+                elif name in depends and hands_parameters(name):
+                    return None
+        return list(found.values())
+
+    def _files_of(self, package: Package, endings: tuple[str, ...]) -> list[str]:
+        paths = self._by_folder.get(package.folder, [])
+        return [path for path in paths if path.endswith(endings)]
+
+    @cached_property
+    def _by_folder(self) -> dict[str, list[str]]:
+        """Folder of a package -> the C++ files in it, without those of tests."""
+        folders = {package.folder for package in self._workspace.packages.values()}
+        found: dict[str, list[str]] = {}
+        for path in self._files.tree.paths:
+            if path.endswith(_CPP):
+                owner = _owner(path, folders)
+                if owner is not None and not _ASIDE.search(path[len(owner) :]):
+                    found.setdefault(owner, []).append(path)
+        return found
+
+    def _source(self, path: str) -> Source | None:
+        if path not in self._read:
+            known = self._known_sources.get(path)
+            self._read[path] = known or self._files.tree.read(path, "cpp-node", judged=False)
+        return self._read[path]
+
+    @cached_property
+    def _read(self) -> dict[str, Source | None]:
+        return {}
+
+    @cached_property
+    def _known_sources(self) -> dict[str, Source]:
+        return {os.path.abspath(source.name): source for source in self._files.of_kind("cpp-node")}
+
+
+def _made_of(build: Build, target: str) -> Iterator[str]:
+    """The sources of a target and of those that it links."""
+    folder = os.path.dirname(os.path.abspath(build.source.name))
+    todo, seen = [target], {target}
+    while todo:
+        current = todo.pop()
+        yield from (os.path.normpath(os.path.join(folder, file)) for file in build.targets.get(current, ()))
+        for name in build.links.get(current, ()):
+            if name in build.targets and name not in seen:
+                seen.add(name)
+                todo.append(name)
+
+
+def _stem(path: str) -> str:
+    return os.path.basename(path).partition(".")[0]
+
+
+def _owner(path: str, folders: set[str]) -> str | None:
+    folder = os.path.dirname(path)
+    while folder not in folders:
+        above = os.path.dirname(folder)
+        if above == folder:
+            return None
+        folder = above
+    return folder
+
+
+def _joined(words: Iterable[ParameterWords]) -> ParameterWords | None:
+    found = reduce(or_, words, ParameterWords())
+    return None if found.open else found
+
+
+def _is_plain_node(sources: list[Source]) -> bool:
+    """Whether the nodes of the sources build on those of rclcpp alone."""
+    classes = [found["bases"] for source in sources for found in _CLASS.finditer(source.text)]
+    bases = [_ACCESS.sub("", each) for text in classes for each in text.split(",")]
+    odd = [base for base in bases if base.partition("<")[0].endswith("Node") and base not in _BASES]
+    return not odd and any(_NODE.search(source.text) for source in sources)
+
+
+def _hands_out(file: NodeSource, workspace: Workspace) -> bool:
+    """Whether a file gives a node to something that is not in the tree and may declare parameters in it."""
+    if file.tree is None:
+        return True
+    for call in ast.walk(file.tree):
+        if not isinstance(call, ast.Call) or not any(map(_is_node, _given(call))):
+            continue
+        top, dot, _ = (file.qualified(call.func) or "").partition(".")
+        if top and dot and top not in workspace.packages and top not in _SAFE and hands_parameters(top):
+            return True
+    return False
+
+
+def _given(call: ast.Call) -> list[ast.expr]:
+    return [*call.args, *(key.value for key in call.keywords)]
+
+
+def _is_node(value: ast.expr) -> bool:
+    return isinstance(value, ast.Name) and value.id in ("self", "node")

@@ -1,0 +1,64 @@
+"""The texts with which a source may name parameters."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+from bringup_lint.source import Located
+
+_HOLE = re.compile(r"%[-+ #0-9.]*[a-zA-Z]|\{[^{}]*\}")
+"""Where a formatted text takes something in."""
+_JOINTS = "._/"
+
+
+class Asked(NamedTuple):
+    """A parameter that is asked for under a literal name."""
+
+    name: Located
+    required: bool
+    """The call raises an exception when the parameter is not declared."""
+
+
+@dataclass(frozen=True)
+class ParameterWords:
+    texts: frozenset[str] = frozenset()
+    """Every text of the source but those by which parameters are only read."""
+    pieces: frozenset[str] = frozenset()
+    """Texts that are put together with something else."""
+    asked: tuple[Asked, ...] = ()
+    open: bool = False
+    """Names of parameters may come from somewhere else."""
+
+    def __or__(self, other: ParameterWords) -> ParameterWords:
+        return ParameterWords(
+            self.texts | other.texts, self.pieces | other.pieces, self.asked + other.asked, self.open or other.open
+        )
+
+    def name(self, parameter: str) -> bool:
+        """Whether the texts may name a parameter, as a whole, by its last part, or put together."""
+        leaf = parameter.rpartition(".")[2]
+        if parameter in self.texts or leaf in self._leaves:
+            return True
+        return any(_is_part(piece, parameter) for piece in self._joined)
+
+    @cached_property
+    def _leaves(self) -> frozenset[str]:
+        return frozenset(text.rpartition(".")[2] for text in self.texts)
+
+    @cached_property
+    def _joined(self) -> frozenset[str]:
+        found = {piece for piece in self.pieces if len(piece) > 1}
+        for text in self.texts:
+            if len(text) > 1 and (text[0] in _JOINTS or text[-1] in _JOINTS):
+                found.add(text)
+            parts = _HOLE.split(text)
+            if len(parts) > 1:
+                found.update(part for part in parts if len(part) > 1)
+        return frozenset(piece for piece in found if not piece.isspace())
+
+
+def _is_part(piece: str, name: str) -> bool:
+    return name.startswith(piece) or name.endswith(piece) or f".{piece}" in name

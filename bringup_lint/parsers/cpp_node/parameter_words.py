@@ -1,0 +1,96 @@
+"""The texts of a C++ file, and whether all names that it declares parameters under are among them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.model.parameter_words import Asked
+from bringup_lint.model.parameter_words import ParameterWords
+from bringup_lint.parsers.cpp_node.parameters import DECLARING
+from bringup_lint.parsers.cpp_node.parameters import LOOSE
+from bringup_lint.parsers.cpp_node.parameters import reads
+from bringup_lint.source import Source
+
+if TYPE_CHECKING:
+    from tree_sitter import Node
+
+    from bringup_lint.parsers.cpp_node.syntax import Call
+    from bringup_lint.parsers.cpp_node.syntax import Code
+
+TEXT = 400_000
+"""Code points of a file."""
+_READ = r"\b(?:get_parameter(?:_or|_value)?|has_parameter|undeclare_parameter)\s*(?:<[^;(){}]{0,80}>)?\s*\(\s*"
+_TOKEN = re.compile(
+    rf'(?P<read>{_READ})?(?P<before>\+\s*)?"(?P<text>(?:\\.|[^"\\\n])*)"(?P<after>\s*\+)?'
+    r"|'(?:\\.|[^'\\\n])'|//[^\n]*|/\*.*?\*/",
+    re.S,
+)
+_MACRO = re.compile(r"^[ \t]*#[ \t]*define\b(?:\\\n|[^\n])*parameter", re.M)
+_LOOPS = frozenset({"for_range_loop", "for_statement", "while_statement"})
+
+
+def parse(source: Source) -> ParameterWords:
+    """Never raises."""
+    text = source.text
+    if len(text) > TEXT:
+        return ParameterWords(open=True)
+    found = list(_texts(text))
+    texts = frozenset(each for each, _ in found)
+    pieces = frozenset(each for each, joined in found if joined)
+    if "_parameter" not in text:
+        return ParameterWords(texts, pieces)
+    if LOOSE.search(text) or _MACRO.search(text):
+        return ParameterWords(texts, pieces, open=True)
+    from bringup_lint.parsers.cpp_node.syntax import Code
+
+    code = Code(source)
+    asked = tuple(Asked(read.name, read.required) for call in code.calls for read in reads(code, call))
+    return ParameterWords(texts, pieces, asked, any(_is_open(code, call) for call in code.calls))
+
+
+def _texts(text: str) -> Iterator[tuple[str, bool]]:
+    """The texts outside of comments, and whether each is put together with something."""
+    for found in _TOKEN.finditer(text):
+        if found["text"] is not None and found["read"] is None:
+            yield found["text"], bool(found["before"] or found["after"])
+
+
+def _is_open(code: Code, call: Call) -> bool:
+    """Whether a declaration takes its name from something that is not written in the file."""
+    if call.name not in DECLARING or not call.arguments:
+        return False
+    given = call.arguments[:2] if call.name in ("declare_parameters", "declare_parameter_if_not_declared") else []
+    return not any(_is_written(code, each) for each in (given or call.arguments[:1]))
+
+
+def _is_written(code: Code, node: Node) -> bool:
+    """Whether a text, a constant, or the parameter of a helper gives the name."""
+    text = code.text(node)
+    if '"' in text:
+        return True
+    name = text.strip()
+    if not re.fullmatch(r"[A-Za-z_]\w*(?:\.c_str\(\))?", name):
+        return bool(re.fullmatch(r"(?:\w+::)*[A-Z][A-Z0-9_]*|(?:\w+::)*k[A-Z]\w*", name))
+    return name.isupper() or _is_constant(code, name) or _is_of_helper(code, node, name.removesuffix(".c_str()"))
+
+
+def _is_constant(code: Code, name: str) -> bool:
+    for made in code.written.get("made", ()):
+        declared = code.text(made.child_by_field_name("declarator")).lstrip("*& ").removesuffix("[]")
+        if declared == name and '"' in code.text(made.child_by_field_name("value")):
+            return True
+    return False
+
+
+def _is_of_helper(code: Code, node: Node, name: str) -> bool:
+    """Whether a name is a parameter of the function around it, which is not gone through in a loop."""
+    for outer in code.above(node):
+        if outer.type in _LOOPS and re.search(rf"\b{name}\b", code.text(outer).partition("{")[0]):
+            return False
+        if outer.type in ("lambda_expression", "function_definition"):
+            header = code.text(outer).partition("{")[0]
+            if re.search(rf"\b(?:string|string_view|char)\b[\s&*]*{name}\b|\bauto\b[\s&*]*{name}\b", header):
+                return True
+    return False
