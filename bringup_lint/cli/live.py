@@ -111,16 +111,14 @@ def _compare(outputs: list[Output], paths: tuple[str, ...], options: dict[str, A
 
 def _known(robot: Robot) -> None:
     """Raises ConfigError when ``--launch`` names no launch file of the tree."""
-    import shlex
-
     from bringup_lint.graph.observed.expected import launch_file
 
     for command in robot.launch_commands:
         try:
-            words = [word for word in shlex.split(command) if ":=" not in word]
+            file = launch_file(robot.tree, robot.launch, command)
         except ValueError as error:
             raise ConfigError(f"--launch '{command}': {error}") from error
-        if launch_file(robot.tree, robot.launch, words) is None:
+        if file is None:
             raise ConfigError(f"--launch '{command}': this is not one launch file of the tree")
 
 

@@ -10,6 +10,7 @@ from bringup_lint.model.dockerfile import Instruction
 from bringup_lint.model.dockerfile import Stage
 from bringup_lint.model.shell import Command
 from bringup_lint.parsers.shell import commands
+from bringup_lint.parsers.systemd_values import split_words
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
@@ -181,6 +182,19 @@ def _heredocs(file: Dockerfile, instruction: Instruction, lines: list[tuple[int,
             file.problems.append(Problem("unterminated-heredoc", instruction.value, opening["word"]))
             return first
     return at
+
+
+def assignments(instruction: Instruction) -> Iterator[tuple[str, Located]]:
+    """What ENV or ARG sets: ``NAME=value ...``, or the old ``ENV NAME value``."""
+    line = instruction.value
+    first = next(line.words(), None)
+    if instruction.name == "ENV" and first is not None and "=" not in first:
+        yield str(first), line.part(len(first), len(line)).strip_located()
+        return
+    for word in split_words(line).words:
+        name, equals, _ = word.partition("=")
+        if equals:
+            yield name, word.part(len(name) + 1, len(word))
 
 
 def commands_of(stage: Stage) -> Iterator[Command]:

@@ -45,6 +45,11 @@ def words(line: Located) -> Iterator[Located]:
         yield from command.words
 
 
+def split(text: str) -> list[str]:
+    """The words of a command line whose place nobody needs."""
+    return [str(word) for word in words(Source("", text).located(0, len(text)))]
+
+
 def flatten(found: Iterable[Block], depth: int = 0) -> Iterator[Command]:
     """The simple commands of statements, each with the number of compound commands around it."""
     for block in found:

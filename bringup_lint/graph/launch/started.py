@@ -21,6 +21,7 @@ from bringup_lint.model.launch_values import Literal
 from bringup_lint.model.launch_values import Operation
 from bringup_lint.model.launch_values import Value
 from bringup_lint.model.launch_values import same
+from bringup_lint.parsers.shell import split
 from bringup_lint.source import Located
 from bringup_lint.source import Span
 
@@ -79,7 +80,8 @@ class Started:
             if text:
                 return text
         program = literal_text(self.arguments[0]) if self.arguments else None
-        return program.split()[0].rpartition("/")[2] if program and program.split() else "the process"
+        words = split(program) if program else []
+        return words[0].rpartition("/")[2] if words else "the process"
 
 
 def literal_text(value: Value | None) -> Located | None:

@@ -118,8 +118,9 @@ class Expected:
         return next(iter(sorted(found, key=lambda node: not node.must)), None)
 
 
-def launch_file(tree: Tree, launch: Launch, named: list[str]) -> LaunchFile | None:
-    """The launch file that the words of ``ros2 launch`` name: a path, or a package and a file name."""
+def launch_file(tree: Tree, launch: Launch, command: str) -> LaunchFile | None:
+    """The launch file that ``[PACKAGE] FILE [NAME:=VALUE]...`` names. Raises ValueError for an open quote."""
+    named = [word for word in shlex.split(command) if ":=" not in word]
     if len(named) == 1:
         path = tree.real_path(named[0])
         found = [file for file in launch.files if tree.real_path(file.source.name) == path]
@@ -162,11 +163,10 @@ class Sources:
 
     def _add_command(self, result: Expected, command: str) -> None:
         """``[PACKAGE] FILE [NAME:=VALUE]...`` from the command line."""
-        words = shlex.split(command)
-        file = launch_file(self.files.tree, self.launch, [word for word in words if ":=" not in word])
+        file = launch_file(self.files.tree, self.launch, command)
         if file is None:
             return
-        passed = (word.partition(":=") for word in words if ":=" in word)
+        passed = (word.partition(":=") for word in shlex.split(command) if ":=" in word)
         arguments: dict[str, Value] = {
             name: Literal(Located(value, file.source.whole), file.source.whole) for name, _, value in passed
         }

@@ -19,7 +19,7 @@ from bringup_lint.model.compose import Service
 from bringup_lint.model.dockerfile import Instruction
 from bringup_lint.model.dockerfile import Stage
 from bringup_lint.model.dockerfile import runs_as_root
-from bringup_lint.parsers.systemd_values import split_words
+from bringup_lint.parsers.dockerfile import assignments
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
@@ -61,18 +61,10 @@ def _program(words: tuple[Located, ...], reads: Callable[[str], Source | None]) 
 
 
 def image_variables(stage: Stage) -> Iterator[Variable]:
-    """What the ENV instructions of a stage set: ``NAME=value ...`` or the old ``NAME value``."""
+    """What the ENV instructions of a stage set."""
     for instruction in stage.all("ENV"):
-        first = next(instruction.value.words(), None)
-        if first is not None and "=" not in first:
-            value = instruction.value.part(len(first), len(instruction.value)).strip_located()
-            yield Variable(str(first), value, None if "$" in value else str(value), "ENV")
-            continue
-        for word in split_words(instruction.value).words:
-            name, equals, text = word.partition("=")
-            if equals:
-                value = word.part(len(name) + 1, len(word))
-                yield Variable(name, value, None if "$" in text else str(value), "ENV")
+        for name, value in assignments(instruction):
+            yield Variable(name, value, None if "$" in value else str(value), "ENV")
 
 
 def image_environment(stage: Stage | None, image: str | None = None) -> Environment:

@@ -22,6 +22,7 @@ from bringup_lint.graph.secrets.ros import Indirect
 from bringup_lint.graph.secrets.ros import indirect
 from bringup_lint.graph.secrets.ros import launch_words
 from bringup_lint.graph.secrets.ros import named_values
+from bringup_lint.parsers.dockerfile import assignments
 from bringup_lint.parsers.env_file import parse
 from bringup_lint.source import Located
 from bringup_lint.source import Origin
@@ -247,11 +248,8 @@ def _of_images(dockerfiles: Iterable[Dockerfile]) -> Iterator[Secret]:
     for file in dockerfiles:
         for instruction in file.instructions:
             if instruction.name in ("ENV", "ARG"):
-                for word in instruction.value.words():
-                    name, equals, _ = word.partition("=")
-                    if equals:
-                        value = word.part(len(name) + 1, len(word)).strip_located("\"'")
-                        yield from _one(secret(name, value, "image"))
+                for name, value in assignments(instruction):
+                    yield from _one(secret(name, value, "image"))
 
 
 def _of_programs(files: Files) -> Iterator[Secret]:

@@ -13,6 +13,7 @@ from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.model.launch import ComposableNode
 from bringup_lint.model.shell import Command
+from bringup_lint.parsers.shell import split
 from bringup_lint.source import Located
 from bringup_lint.source import Span
 
@@ -44,10 +45,10 @@ def enclave_of(node: Started) -> tuple[bool, Located | None]:
         text = text_of(value)
         if text is None:
             return True, None
-        if OPTION in text.split():
-            after = text.split()[text.split().index(OPTION) + 1 :]
-            if after:
-                return True, None
+        words = split(text)
+        if OPTION in words[:-1]:
+            return True, None
+        if OPTION in words:
             return True, literal_text(values[at + 1]) if at + 1 < len(values) else None
     return False, None
 

@@ -9,6 +9,7 @@ from typing import NamedTuple
 from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.resolve import truth
 from bringup_lint.model.launch import Process
+from bringup_lint.parsers.shell import split
 
 if TYPE_CHECKING:
     from bringup_lint.graph.launch.expansion import Expansion
@@ -73,7 +74,7 @@ def check_of(node: Started) -> str | None:
         return None
     words = [text_of(word) or "" for word in node.arguments]
     if len(words) == 1:
-        words = words[0].split()
+        words = split(words[0])
     if not words:
         return None
     program = words[0].rpartition("/")[2]

@@ -10,6 +10,8 @@ from functools import cached_property
 
 from bringup_lint.discover.roots import resolve_inside
 from bringup_lint.facts import table
+from bringup_lint.graph.commands.wrappers import program_name
+from bringup_lint.graph.commands.wrappers import unwrapped
 from bringup_lint.graph.files import Files
 from bringup_lint.graph.systemd.directories import directories
 from bringup_lint.graph.systemd.provision import makes
@@ -18,6 +20,7 @@ from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.graph.systemd.units import Units
 from bringup_lint.model.fstab import Fstab
 
+_MAKERS = ("mkdir", "install")
 _MADE_BY_TMPFILES = frozenset("fFwdDvqQpLcbC")
 _STATE = ("/var/log/", "/var/lib/", "/var/cache/", "/var/spool/", "/run/", "/var/run/", "/tmp/", "/var/tmp/")
 """Where nothing is unless somebody makes it."""
@@ -122,8 +125,10 @@ class Filesystem:
             yield folder.rstrip("/")
         for process in self.units.processes(unit):
             yield from (str(word) for word in process.argv if word.startswith("/"))
-            if "mkdir" in process.line or "install -d" in process.line:
-                yield from (word.strip("'\";&") for word in process.line.split() if word.startswith("/"))
+            for step in process.steps:
+                name, *words = unwrapped(step.command.words) or [""]
+                if program_name(name) in _MAKERS:
+                    yield from (str(word) for word in words if word.startswith("/"))
 
 
 def _above(path: str) -> Iterator[str]:

@@ -6,6 +6,7 @@ import ast
 
 from bringup_lint.facts.short_programs import returns_at_once
 from bringup_lint.graph.nodes.sources.ending import Ending
+from bringup_lint.parsers.shell import split
 
 
 def is_short(ending: Ending, call: ast.Call) -> bool:
@@ -23,4 +24,4 @@ def _words(ending: Ending, call: ast.Call) -> list[str]:
         known = [part for part in parts if isinstance(part, str)]
         return known if parts and isinstance(parts[0], str) else []
     text = ending.file.constant(given, ending.syntax.function(call)) if given is not None else None
-    return text.split() if isinstance(text, str) else []
+    return split(text) if isinstance(text, str) else []

@@ -16,6 +16,7 @@ from bringup_lint.model.launch_values import FileDir
 from bringup_lint.model.launch_values import PackageShare
 from bringup_lint.model.launch_values import PathJoin
 from bringup_lint.model.launch_values import Value
+from bringup_lint.parsers.shell import split
 from bringup_lint.source import Span
 
 _REMAP = ("-r", "--remap")
@@ -53,7 +54,7 @@ def _words(values: tuple[Value, ...]) -> Iterator[tuple[str | None, Value]]:
     for value in values:
         text = text_of(value)
         if text is not None and text.split(" ")[0] in (*_REMAP, *_PARAMETER) and " " in text:
-            yield from ((word, value) for word in text.split())
+            yield from ((word, value) for word in split(text))
         else:
             yield text, value
 
