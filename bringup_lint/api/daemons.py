@@ -7,6 +7,8 @@ from collections.abc import Iterator
 
 from bringup_lint.api import finding
 from bringup_lint.api import fix
+from bringup_lint.api.schema import unknown_name
+from bringup_lint.api.schema import wrong_value
 from bringup_lint.finding import Finding
 from bringup_lint.graph.systemd.daemons import Daemon
 from bringup_lint.graph.systemd.daemons import bad_values
@@ -30,12 +32,8 @@ def invalid_values(configurations: Iterable[Daemon], target: Target) -> Iterator
     for daemon in configurations:
         for assignment, problem in bad_values(daemon, target.newest):
             text, program = problem.suggestion, PROGRAMS[daemon.name]
-            yield finding(
-                problem.where,
-                f"{assignment.key}= takes {problem.expected}, not '{problem.where}': {program} ignores the line",
-                advice=f"write {text or problem.expected}",
-                fix=fix(f"write {text}", (problem.where, text), safe=problem.safe) if text else None,
-            )
+            message = f"{assignment.key}= takes {problem.expected}, not '{problem.where}': {program} ignores the line"
+            yield wrong_value(problem.where, message, text, f"write {problem.expected}", safe=problem.safe)
 
 
 def unknown_keys(configurations: Iterable[Daemon], target: Target) -> Iterator[Finding]:
@@ -44,12 +42,8 @@ def unknown_keys(configurations: Iterable[Daemon], target: Target) -> Iterator[F
         for assignment in keys_unknown_to(daemon):
             key = assignment.key
             meant = nearest(key, setting_names(daemon.name))
-            yield finding(
-                key,
-                f"Unknown key '{key}' in [{daemon.section}]: {PROGRAMS[daemon.name]} ignores the line",
-                advice=f"did you mean {meant[0]}?" if meant else f"remove the line, or see {MANUALS[daemon.name]}",
-                fix=fix(f"rename to {meant[0]}", (key, meant[0])) if len(meant) == 1 else None,
-            )
+            message = f"Unknown key '{key}' in [{daemon.section}]: {PROGRAMS[daemon.name]} ignores the line"
+            yield unknown_name(key, message, meant, f"remove the line, or see {MANUALS[daemon.name]}")
         if not target.systemd_known:
             continue
         for assignment, since in newer_keys(daemon, target.systemd):

@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
+from bringup_lint.api import finding
+from bringup_lint.api import fix
 from bringup_lint.facts.ros.node_roles import lifecycle_names
+from bringup_lint.finding import Finding
 from bringup_lint.graph.launch.delays import delayed
 from bringup_lint.graph.launch.delays import undelayed
 from bringup_lint.graph.launch.delays import waiting_comment
@@ -10,6 +15,7 @@ from bringup_lint.graph.launch.entry_points import MissingEntry
 from bringup_lint.graph.launch.entry_points import missing_entries
 from bringup_lint.graph.launch.expansion import Expansion
 from bringup_lint.graph.launch.expansion import Used
+from bringup_lint.graph.launch.launch import Launch
 from bringup_lint.graph.launch.lifecycle import Managed
 from bringup_lint.graph.launch.lifecycle import Manager
 from bringup_lint.graph.launch.lifecycle import full_name
@@ -118,6 +124,7 @@ __all__ = [
     "managers",
     "missing_entries",
     "outside",
+    "refused",
     "respawns",
     "same",
     "setting",
@@ -131,3 +138,18 @@ __all__ = [
     "walk_actions",
     "watched",
 ]
+
+
+def refused(launch: Launch, code: str, otherwise: str) -> Iterator[Finding]:
+    """What launch refuses for one of the codes of its grammar; ``otherwise`` advises where no known name is near."""
+    for file in launch.judged:
+        for each in launch.refusals(file):
+            if each.code == code:
+                near = each.near[0] if len(each.near) == 1 else ""
+                yield finding(
+                    each.where,
+                    each.effect,
+                    advice=f"write {near}" if near else otherwise,
+                    confidence="medium" if each.extension else None,
+                    fix=fix(f"write {near}", (each.where, near), safe=False) if near else None,
+                )

@@ -1,10 +1,55 @@
-"""What readers of tables say about a file, for rules that turn it into findings."""
+"""What readers of tables say about a file, and how rules turn it into findings."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from collections.abc import Iterator
+from collections.abc import Mapping
+from collections.abc import Sequence
+
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.finding import Finding
 from bringup_lint.model.schema import Code
 from bringup_lint.model.schema import Item
 from bringup_lint.model.schema import Remark
 from bringup_lint.schema.names import suggestions
+from bringup_lint.source import Located
+from bringup_lint.source import Problem
+from bringup_lint.source import Span
 
-__all__ = ["Code", "Item", "Remark", "suggestions"]
+__all__ = ["Code", "Item", "Remark", "explained", "suggestions", "unknown_name", "wrong_value"]
+
+
+def explained(problems: Iterable[Problem], texts: Mapping[str, tuple[str, str]]) -> Iterator[Finding]:
+    """One finding for each problem whose code has a message and an advice; ``{where}`` and ``{detail}`` in them are the
+    problem's."""
+    for problem in problems:
+        if problem.code in texts:
+            said = {"where": problem.where, "detail": problem.detail}
+            message, advice = (text.format(**said) for text in texts[problem.code])
+            yield finding(problem.where, message, advice=advice)
+
+
+def unknown_name(
+    where: Located | Span, message: str, near: Sequence[str], otherwise: str, *, safe: bool = True
+) -> Finding:
+    """A name that the program does not know: renamed where one known name is near."""
+    return finding(
+        where,
+        message,
+        advice=f"did you mean {' or '.join(near)}?" if near else otherwise,
+        fix=fix(f"rename to {near[0]}", (where, near[0]), safe=safe) if len(near) == 1 else None,
+    )
+
+
+def wrong_value(
+    where: Located | Span, message: str, right: str | None, otherwise: str, *, safe: bool = True
+) -> Finding:
+    """A value that the program does not take: replaced where it is known which one was meant."""
+    return finding(
+        where,
+        message,
+        advice=f"write {right}" if right else otherwise,
+        fix=fix(f"write {right}", (where, right), safe=safe) if right else None,
+    )

@@ -5,8 +5,10 @@ from __future__ import annotations
 import itertools
 import re
 from collections.abc import Iterator
+from functools import cache
 from typing import NamedTuple
 
+from bringup_lint import facts
 from bringup_lint.model.package import Build
 from bringup_lint.model.package import Install
 from bringup_lint.source import Located
@@ -25,42 +27,16 @@ _TOKEN = re.compile(
 _SKIP = re.compile(r"(?:\s+|\#\[(?P<hash>=*)\[.*?\](?P=hash)\]|\#[^\n]*)+", re.S)
 _VARIABLE = re.compile(r"\$\{(\w+)\}")
 _CPP = re.compile(r"\.(?:cpp|cc|cxx|c\+\+|C)$")
-_KEYWORDS = frozenset(
-    "DESTINATION RUNTIME LIBRARY ARCHIVE INCLUDES TYPE COMPONENT OPTIONAL PERMISSIONS CONFIGURATIONS RENAME EXPORT"
-    " FILES_MATCHING PATTERN REGEX EXCLUDE USE_SOURCE_PERMISSIONS DIRECTORY_PERMISSIONS FILE_PERMISSIONS OBJECTS"
-    " BUNDLE PUBLIC_HEADER PRIVATE_HEADER RESOURCE EXCLUDE_FROM_ALL MESSAGE_NEVER NAMELINK_SKIP".split()
-)
-HARMLESS = frozenset(
-    "cmake_minimum_required project set find_package find_library find_path add_library add_executable option unset"
-    " target_link_libraries target_include_directories target_compile_features target_compile_definitions"
-    " target_compile_options set_target_properties ament_target_dependencies include_directories add_compile_options"
-    " add_definitions message if elseif else endif ament_export_dependencies ament_export_targets"
-    " ament_export_libraries ament_export_include_directories ament_package ament_lint_auto_find_test_dependencies"
-    " rosidl_generate_interfaces rosidl_get_typesupport_target pluginlib_export_plugin_description_file install"
-    " rclcpp_components_register_node rclcpp_components_register_nodes ament_python_install_package"
-    " find_package_handle_standard_args link_directories set_property list string ament_environment_hooks"
-    " ament_add_gtest ament_add_gmock ament_add_pytest_test target_sources enable_testing add_test"
-    " ament_auto_find_build_dependencies ament_auto_add_library ament_auto_add_executable ament_auto_package"
-    " generate_parameter_library add_dependencies execute_process get_filename_component file configure_file"
-    " add_custom_command add_custom_target find_dependency include include_guard mark_as_advanced return"
-    " ament_add_gtest_test ament_add_gtest_executable ament_add_ros_isolated_gtest ament_uncrustify"
-    " ament_generate_version_header add_subdirectory nav2_package generate_export_header add_compile_definitions"
-    " cmake_policy link_libraries separate_arguments get_target_property cmake_parse_arguments math"
-    " add_launch_test add_ros_test ament_auto_add_gtest ament_find_gtest ament_mypy ament_flake8 ament_pep257"
-    " ament_lint_cmake ament_clang_format ament_cppcheck ament_cpplint ament_copyright ament_xmllint ament_package_xml"
-    " pkg_check_modules pkg_search_module find_program find_file set_tests_properties set_source_files_properties"
-    " target_precompile_headers enable_language qt5_wrap_cpp rosidl_target_interfaces fetchcontent_declare"
-    " fetchcontent_makeavailable processorcount nav2_add_gtest pybind11_add_module target_compile_definitions"
-    " target_link_directories target_link_options cmake_dependent_option".split()
-)
+
+
+@cache
+def _names(use: str) -> frozenset[str]:
+    """The names of the table ``ros/cmake`` for one use: ``command``, ``module`` or ``install``."""
+    return frozenset(name for each, name in facts.rows("ros/cmake")[1] if each == use)
+
 
 LOOPED = 2_000
 """Commands that the loops of one file run."""
-_MODULES = frozenset(
-    "GNUInstallDirs CTest CMakePackageConfigHelpers CheckCXXCompilerFlag CheckCCompilerFlag CheckIPOSupported "
-    "FetchContent"
-    " ExternalProject FindPkgConfig GenerateExportHeader CMakePrintHelpers".split()
-)
 
 
 class Command(NamedTuple):
@@ -170,7 +146,7 @@ class Reader:
         handler = getattr(self, f"do_{command.name}", None)
         if handler is not None:
             handler(command)
-        if command.name in ("function", "macro", "while") or command.name not in HARMLESS | _ENDS:
+        if command.name in ("function", "macro", "while") or command.name not in _names("command") | _ENDS:
             self.open()
 
     def open(self) -> None:
@@ -239,7 +215,7 @@ class Reader:
 
     def do_include(self, command: Command) -> None:
         """A module of CMake changes nothing; a file of the package may install anything."""
-        if not command.arguments or command.arguments[0] not in _MODULES:
+        if not command.arguments or command.arguments[0] not in _names("module"):
             self.open()
 
     def do_add_subdirectory(self, command: Command) -> None:
@@ -324,7 +300,7 @@ class Reader:
         sources: list[Located] = []
         options: list[Located] = []
         for argument in command.arguments[1:]:
-            (options if options or argument in _KEYWORDS else sources).append(argument)
+            (options if options or argument in _names("install") else sources).append(argument)
         destination = self.destination(options)
         if kind in ("SCRIPT", "CODE"):
             self.build.installs_known = False

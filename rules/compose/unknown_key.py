@@ -35,12 +35,11 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
-from bringup_lint.api import finding
-from bringup_lint.api import fix
 from bringup_lint.api import rule
 from bringup_lint.api.compose import homes_of
 from bringup_lint.api.schema import Code
 from bringup_lint.api.schema import Remark
+from bringup_lint.api.schema import unknown_name
 from bringup_lint.api.spelling import nearest
 
 OLD = {
@@ -63,12 +62,8 @@ def unknown_key(robot: Robot) -> Iterator[Finding]:
         key, inside = str(remark.where), remark.item
         known = [name for name in inside.children if name not in ("*", "x-*")] if inside else []
         near = [] if key in OLD else nearest(key, known)
-        yield finding(
-            remark.where,
-            f"Unknown key '{key}' {_place(remark)}: docker compose refuses the file",
-            advice=_advice(key, near),
-            fix=fix(f"rename to {near[0]}", (remark.where, near[0]), safe=True) if len(near) == 1 else None,
-        )
+        message = f"Unknown key '{key}' {_place(remark)}: docker compose refuses the file"
+        yield unknown_name(remark.where, message, near, _otherwise(key))
 
 
 def _place(remark: Remark) -> str:
@@ -76,9 +71,7 @@ def _place(remark: Remark) -> str:
     return "at the top of the file" if kind == "root" else f"in {kind}"
 
 
-def _advice(key: str, near: list[str]) -> str:
-    if near:
-        return f"did you mean {' or '.join(near)}?"
+def _otherwise(key: str) -> str:
     if key in OLD:
         return OLD[key]
     homes = homes_of(key)

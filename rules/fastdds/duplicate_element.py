@@ -29,16 +29,18 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
-from bringup_lint.api import finding
 from bringup_lint.api import rule
 from bringup_lint.api.schema import Code
+from bringup_lint.api.schema import explained
+
+TEXTS: dict[str, tuple[str, str]] = {
+    Code.DUPLICATE: (
+        "{where} appears twice: the whole file is ignored, the robot runs with defaults",
+        "keep one of the two",
+    ),
+}
 
 
 @rule("error", symptoms=["Duplicated element found"])
 def duplicate_element(robot: Robot) -> Iterator[Finding]:
-    for _, remark in robot.dds.fastdds_remarks(Code.DUPLICATE):
-        yield finding(
-            remark.where,
-            f"{remark.where} appears twice: the whole file is ignored, the robot runs with defaults",
-            advice="keep one of the two",
-        )
+    yield from explained((remark for _, remark in robot.dds.fastdds_remarks(Code.DUPLICATE)), TEXTS)

@@ -28,16 +28,18 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
-from bringup_lint.api import finding
 from bringup_lint.api import rule
 from bringup_lint.api.schema import Code
+from bringup_lint.api.schema import explained
+
+TEXTS: dict[str, tuple[str, str]] = {
+    Code.VALUE: (
+        "'{where}' is not what Fast DDS expects: the whole file is ignored, the robot runs with defaults",
+        "write {detail}",
+    ),
+}
 
 
 @rule("error", symptoms=["Expected an octet value", "invalid server's guidPrefix"])
 def invalid_value(robot: Robot) -> Iterator[Finding]:
-    for _, remark in robot.dds.fastdds_remarks(Code.VALUE):
-        yield finding(
-            remark.where,
-            f"'{remark.where}' is not what Fast DDS expects: the whole file is ignored, the robot runs with defaults",
-            advice=f"write {remark.detail}",
-        )
+    yield from explained((remark for _, remark in robot.dds.fastdds_remarks(Code.VALUE)), TEXTS)

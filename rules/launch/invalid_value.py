@@ -29,8 +29,8 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
-from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.launch import refused
 
 
 @rule(
@@ -38,11 +38,4 @@ from bringup_lint.api import rule
     symptoms=["could not convert string to float", "expected to be of type", "non-uniform list"],
 )
 def invalid_value(robot: Robot) -> Iterator[Finding]:
-    for file in robot.launch.judged:
-        for refused in robot.launch.refusals(file):
-            if refused.code == "value":
-                yield finding(
-                    refused.where,
-                    refused.effect,
-                    advice="write a value of this type",
-                )
+    yield from refused(robot.launch, "value", "write a value of this type")

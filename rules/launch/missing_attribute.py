@@ -28,17 +28,10 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
-from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.launch import refused
 
 
 @rule("error", symptoms=["Attribute 'exec' of type", "Can not find attribute", "required keyword-only argument"])
 def missing_attribute(robot: Robot) -> Iterator[Finding]:
-    for file in robot.launch.judged:
-        for refused in robot.launch.refusals(file):
-            if refused.code == "missing":
-                yield finding(
-                    refused.where,
-                    refused.effect,
-                    advice="add it",
-                )
+    yield from refused(robot.launch, "missing", "add it")

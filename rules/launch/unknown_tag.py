@@ -32,21 +32,10 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
-from bringup_lint.api import finding
-from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.launch import refused
 
 
 @rule("error", fix="unsafe", symptoms=["Unrecognized entity of the type", "Unexpected nested tag(s) found"])
 def unknown_tag(robot: Robot) -> Iterator[Finding]:
-    for file in robot.launch.judged:
-        for refused in robot.launch.refusals(file):
-            if refused.code == "tag":
-                near = refused.near[0] if len(refused.near) == 1 else ""
-                yield finding(
-                    refused.where,
-                    refused.effect,
-                    advice=f"write {near}" if near else "remove it, or put it where it belongs",
-                    confidence="medium" if refused.extension else None,
-                    fix=fix(f"write {near}", (refused.where, near), safe=False) if near else None,
-                )
+    yield from refused(robot.launch, "tag", "remove it, or put it where it belongs")

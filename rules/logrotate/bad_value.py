@@ -38,10 +38,9 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
-from bringup_lint.api import finding
-from bringup_lint.api import fix
 from bringup_lint.api import rule
 from bringup_lint.api.logrotate import LogrotateFile
+from bringup_lint.api.schema import wrong_value
 
 WHAT = {
     "argument-expected": "{name} needs a value",
@@ -72,12 +71,7 @@ def bad_value(robot: Robot) -> Iterator[Finding]:
             value = problem.word
             text = meant(value) if problem.code in ("bad-size", "unknown-unit") else None
             what = WHAT[problem.code].format(name=problem.detail or value, value=value)
-            yield finding(
-                value,
-                f"{what}: {cost(file, value)}",
-                advice=f"write {text}" if text else "see logrotate(8) for the accepted values",
-                fix=fix(f"write {text}", (value, text)) if text else None,
-            )
+            yield wrong_value(value, f"{what}: {cost(file, value)}", text, "see logrotate(8) for the accepted values")
 
 
 def meant(value: Located) -> str | None:

@@ -33,9 +33,8 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
-from bringup_lint.api import finding
-from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.schema import unknown_name
 from bringup_lint.api.spelling import nearest
 
 
@@ -43,13 +42,7 @@ from bringup_lint.api.spelling import nearest
 def unknown_directive(robot: Robot) -> Iterator[Finding]:
     for file in robot.logs.files:
         for problem in file.problems:
-            if problem.code != "unknown-directive":
-                continue
-            word = problem.word
-            meant = nearest(word, robot.logs.directives)
-            yield finding(
-                word,
-                f"logrotate does not know '{word}': it ignores the line",
-                advice=f"did you mean {meant[0]}?" if meant else "remove the line, or see logrotate(8)",
-                fix=fix(f"write {meant[0]}", (word, meant[0])) if len(meant) == 1 else None,
-            )
+            if problem.code == "unknown-directive":
+                message = f"logrotate does not know '{problem.word}': it ignores the line"
+                near = nearest(problem.word, robot.logs.directives)
+                yield unknown_name(problem.word, message, near, "remove the line, or see logrotate(8)")

@@ -32,15 +32,17 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
-from bringup_lint.api import finding
 from bringup_lint.api import rule
 from bringup_lint.api.schema import Code
+from bringup_lint.api.schema import explained
+
+MESSAGE = "netplan generates nothing: '{where}' {detail}"
+TEXTS: dict[str, tuple[str, str]] = {
+    Code.ADDRESS: (MESSAGE, "correct the address"),
+    Code.PREFIX_LENGTH: (MESSAGE, "append the prefix length, such as /24"),
+}
 
 
 @rule("error", symptoms=["is missing /prefixlength", "malformed address", "invalid prefix length in address"])
 def bad_address(robot: Robot) -> Iterator[Finding]:
-    for problem in robot.netplan.problems(Code.ADDRESS, Code.PREFIX_LENGTH):
-        length = problem.code == Code.PREFIX_LENGTH
-        advice = "append the prefix length, such as /24" if length else "correct the address"
-        message = f"netplan generates nothing: '{problem.where}' {problem.detail}"
-        yield finding(problem.where, message, advice=advice)
+    yield from explained(robot.netplan.problems(*TEXTS), TEXTS)

@@ -39,18 +39,18 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
-from bringup_lint.api import finding
 from bringup_lint.api import rule
 from bringup_lint.api.netplan import PlanCode
+from bringup_lint.api.schema import explained
 
-ADVICE: dict[str, str] = {
-    PlanCode.NETWORKD_LACKS: "choose renderer: NetworkManager, or remove this setting",
-    PlanCode.NETWORK_MANAGER_LACKS: "choose renderer: networkd, or remove this setting",
-    PlanCode.DIFFERENT_OVERRIDES: "write the same value in both",
+MESSAGE = "netplan stops halfway: {detail}"
+TEXTS: dict[str, tuple[str, str]] = {
+    PlanCode.NETWORKD_LACKS: (MESSAGE, "choose renderer: NetworkManager, or remove this setting"),
+    PlanCode.NETWORK_MANAGER_LACKS: (MESSAGE, "choose renderer: networkd, or remove this setting"),
+    PlanCode.DIFFERENT_OVERRIDES: (MESSAGE, "write the same value in both"),
 }
 
 
 @rule("error", symptoms=["networkd does not support this wifi mode", "networkd backend does not support"])
 def renderer_unsupported(robot: Robot) -> Iterator[Finding]:
-    for problem in robot.netplan.problems(*ADVICE):
-        yield finding(problem.where, f"netplan stops halfway: {problem.detail}", advice=ADVICE[problem.code])
+    yield from explained(robot.netplan.problems(*TEXTS), TEXTS)

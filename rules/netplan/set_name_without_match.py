@@ -30,16 +30,18 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
-from bringup_lint.api import finding
 from bringup_lint.api import rule
 from bringup_lint.api.netplan import PlanCode
+from bringup_lint.api.schema import explained
+
+TEXTS: dict[str, tuple[str, str]] = {
+    PlanCode.SET_NAME: (
+        "set-name needs match: netplan generates nothing",
+        "add match with the MAC address of the device",
+    ),
+}
 
 
 @rule("error", symptoms=["'set-name:' requires 'match:' properties"])
 def set_name_without_match(robot: Robot) -> Iterator[Finding]:
-    for problem in robot.netplan.problems(PlanCode.SET_NAME):
-        yield finding(
-            problem.where,
-            "set-name needs match: netplan generates nothing",
-            advice="add match with the MAC address of the device",
-        )
+    yield from explained(robot.netplan.problems(*TEXTS), TEXTS)

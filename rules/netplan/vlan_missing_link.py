@@ -33,22 +33,11 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
-from bringup_lint.api import finding
-from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.netplan import PlanCode
+from bringup_lint.api.netplan import undefined_names
 
 
 @rule("error", symptoms=["is not defined"])
 def vlan_missing_link(robot: Robot) -> Iterator[Finding]:
-    for problem in robot.netplan.problems(PlanCode.VLAN_LINK):
-        link, later = problem.word, problem.detail
-        related = [note(place, "defined here") for place in robot.netplan.declarations(link) if place.path == later]
-        if later:
-            message, advice = (
-                f"'{link}' is defined only in {later}, which sorts later",
-                "rename the files so that it is read first",
-            )
-        else:
-            message, advice = f"interface '{link}' is not defined", "define it, even with dhcp4: false"
-        yield finding(link, f"{message}: netplan generates nothing", advice=advice, related=related)
+    yield from undefined_names(robot.netplan, PlanCode.VLAN_LINK)

@@ -31,13 +31,15 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
-from bringup_lint.api import finding
 from bringup_lint.api import rule
 from bringup_lint.api.netplan import PlanCode
+from bringup_lint.api.schema import explained
+
+TEXTS: dict[str, tuple[str, str]] = {
+    PlanCode.NO_ACCESS_POINT: ("{where} has no access points: netplan generates nothing", "add access-points"),
+}
 
 
 @rule("error", symptoms=["No access points defined"])
 def wifi_no_ap(robot: Robot) -> Iterator[Finding]:
-    for problem in robot.netplan.problems(PlanCode.NO_ACCESS_POINT):
-        message = f"{problem.where} has no access points: netplan generates nothing"
-        yield finding(problem.where, message, advice="add access-points")
+    yield from explained(robot.netplan.problems(*TEXTS), TEXTS)

@@ -35,11 +35,10 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
-from bringup_lint.api import finding
-from bringup_lint.api import fix
 from bringup_lint.api import rule
 from bringup_lint.api.schema import Code
 from bringup_lint.api.schema import Remark
+from bringup_lint.api.schema import wrong_value
 
 CODES = (Code.BOOL, Code.NUMBER, Code.ENUM, Code.ADDRESS)
 BOOLEANS = {"yes": "true", "on": "true", "no": "false", "off": "false"}
@@ -50,12 +49,7 @@ def invalid_value(robot: Robot) -> Iterator[Finding]:
     for _, problem in robot.networkmanager.problems(*CODES):
         if not isinstance(problem, Remark):
             continue
-        key = problem.item.name
         consequence = "refuses the profile" if problem.fatal else "ignores the line, the default applies"
+        message = f"{problem.item.name} takes {problem.detail}, not '{problem.where}': NetworkManager {consequence}"
         right = BOOLEANS.get(str(problem.where).lower()) if problem.code == Code.BOOL else None
-        yield finding(
-            problem.where,
-            f"{key} takes {problem.detail}, not '{problem.where}': NetworkManager {consequence}",
-            advice=f"write {right or problem.detail}",
-            fix=fix(f"write {right}", (problem.where, right)) if right else None,
-        )
+        yield wrong_value(problem.where, message, right, f"write {problem.detail}")

@@ -32,12 +32,11 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
-from bringup_lint.api import finding
-from bringup_lint.api import fix
 from bringup_lint.api import rule
 from bringup_lint.api.schema import Code
 from bringup_lint.api.schema import Remark
 from bringup_lint.api.schema import suggestions
+from bringup_lint.api.schema import unknown_name
 
 
 @rule("warning", fix="unsafe")
@@ -48,9 +47,5 @@ def unknown_key(robot: Robot) -> Iterator[Finding]:
         section, key = problem.item, problem.word
         near = suggestions(section.children, str(key))
         if near:
-            yield finding(
-                key,
-                f"Unknown key '{key}' in [{section.name}]: NetworkManager ignores it",
-                advice=f"did you mean {' or '.join(near)}?",
-                fix=fix(f"rename to {near[0]}", (key, near[0]), safe=False) if len(near) == 1 else None,
-            )
+            message = f"Unknown key '{key}' in [{section.name}]: NetworkManager ignores it"
+            yield unknown_name(key, message, near, "", safe=False)

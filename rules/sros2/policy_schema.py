@@ -34,10 +34,9 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
-from bringup_lint.api import finding
-from bringup_lint.api import fix
 from bringup_lint.api import rule
 from bringup_lint.api.schema import Code
+from bringup_lint.api.schema import wrong_value
 
 MESSAGES: dict[str, str] = {
     Code.MISSING: "{where} has no {detail}",
@@ -62,9 +61,9 @@ def policy_schema(robot: Robot) -> Iterator[Finding]:
                 continue
             what = MESSAGES[remark.code].format(where=remark.where, detail=remark.detail)
             right = str(remark.where).strip().upper() if remark.code == Code.ENUM else ""
-            yield finding(
+            yield wrong_value(
                 remark.where,
                 f"{what}: ros2 security fails, the permissions do not change",
-                advice=f"write {right}" if right in ("ALLOW", "DENY") else "follow sros2's policy schema 0.2.0",
-                fix=fix(f"write {right}", (remark.where, right)) if right in ("ALLOW", "DENY") else None,
+                right if right in ("ALLOW", "DENY") else None,
+                "follow sros2's policy schema 0.2.0",
             )

@@ -29,15 +29,17 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
-from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.schema import explained
 
-WHAT = {
-    "no-argument": "'{text}' has no value",
-    "invalid-quotes": "The quotes are not closed",
-    "extra-arguments": "'{text}' is one argument too many",
-    "bad-match": "sshd cannot parse this Match line",
-    "bad-value": "'{text}' is not {expected}",
+REFUSED = "sshd refuses to start, and nobody can log in"
+CORRECT = "correct the line, and test with sshd -t"
+TEXTS = {
+    "no-argument": (f"'{{where}}' has no value: {REFUSED}", CORRECT),
+    "invalid-quotes": (f"The quotes are not closed: {REFUSED}", CORRECT),
+    "extra-arguments": (f"'{{where}}' is one argument too many: {REFUSED}", CORRECT),
+    "bad-match": (f"sshd cannot parse this Match line: {REFUSED}", CORRECT),
+    "bad-value": (f"'{{where}}' is not {{detail}}: {REFUSED}", "write {detail}, and test with sshd -t"),
 }
 
 
@@ -52,13 +54,4 @@ WHAT = {
 )
 def bad_value(robot: Robot) -> Iterator[Finding]:
     for sshd in robot.sshd:
-        for file in sshd.files:
-            for problem in file.problems:
-                if problem.code in WHAT:
-                    what = WHAT[problem.code].format(text=problem.where, expected=problem.detail)
-                    advice = f"write {problem.detail}" if problem.code == "bad-value" else "correct the line"
-                    yield finding(
-                        problem.where,
-                        f"{what}: sshd refuses to start, and nobody can log in",
-                        advice=f"{advice}, and test with sshd -t",
-                    )
+        yield from explained(sshd.problems, TEXTS)

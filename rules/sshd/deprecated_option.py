@@ -28,18 +28,13 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
-from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.schema import explained
+
+TEXTS = {"deprecated": ("sshd no longer supports {where}: the line does nothing", "delete it")}
 
 
 @rule("info", symptoms=["Deprecated option"])
 def deprecated_option(robot: Robot) -> Iterator[Finding]:
     for sshd in robot.sshd:
-        for file in sshd.files:
-            for problem in file.problems:
-                if problem.code == "deprecated":
-                    yield finding(
-                        problem.where,
-                        f"sshd no longer supports {problem.where}: the line does nothing",
-                        advice="delete it",
-                    )
+        yield from explained(sshd.problems, TEXTS)

@@ -30,24 +30,16 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
-from bringup_lint.api import finding
-from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.schema import unknown_name
 from bringup_lint.api.spelling import nearest
 
 
 @rule("error", fix="unsafe", symptoms=["Bad configuration option"])
 def unknown_option(robot: Robot) -> Iterator[Finding]:
     for sshd in robot.sshd:
-        for file in sshd.files:
-            for problem in file.problems:
-                if problem.code != "unknown-option":
-                    continue
-                word = problem.word
-                meant = nearest(word, sshd.keywords)
-                yield finding(
-                    word,
-                    f"sshd does not know '{word}' and refuses to start: nobody can log in",
-                    advice=f"did you mean {meant[0]}?" if meant else "remove the line, and test with sshd -t",
-                    fix=fix(f"write {meant[0]}", (word, meant[0]), safe=False) if len(meant) == 1 else None,
-                )
+        for problem in sshd.problems:
+            if problem.code == "unknown-option":
+                message = f"sshd does not know '{problem.word}' and refuses to start: nobody can log in"
+                near = nearest(problem.word, sshd.keywords)
+                yield unknown_name(problem.word, message, near, "remove the line, and test with sshd -t", safe=False)

@@ -19,6 +19,7 @@ from bringup_lint.parsers.sshd import keywords
 from bringup_lint.parsers.sshd import parse
 from bringup_lint.parsers.sshd_values import algorithms
 from bringup_lint.source import Located
+from bringup_lint.source import Problem
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
@@ -75,6 +76,12 @@ class Sshd:
             for file in (*filter(None, [self.main]), *self.dropins)
             if file.source.judged and not file.source.template
         ]
+
+    @property
+    def problems(self) -> Iterator[Problem]:
+        """What the parser says of the judged files."""
+        for file in self.files:
+            yield from file.problems
 
     @property
     def is_whole(self) -> bool:
