@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 import traceback
 from collections import Counter
 from collections.abc import Iterable
@@ -10,6 +11,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from dataclasses import replace
 
+from bringup_lint import budget
+from bringup_lint.budget import OutOfTime
+from bringup_lint.budget import limited
 from bringup_lint.config import Config
 from bringup_lint.config import ConfigError
 from bringup_lint.finding import Confidence
@@ -26,6 +30,7 @@ from bringup_lint.spelling import meant
 from bringup_lint.suppress import ignores_in
 
 INTERNAL_ERROR = "lint/internal-error"
+TIME_BUDGET = "lint/time-budget"
 
 
 @dataclass(frozen=True)
@@ -78,9 +83,8 @@ def run(robot: Robot, registry: Registry, config: Config, *, ignores: bool = Tru
     severities = {selection.known(name): Severity[value.upper()] for name, value in config.severity.items()}
     rules = {rule_id: registry[rule_id] for rule_id in registry.ids_for(robot) if selection.runs(rule_id)}
     failures: list[Finding] = []
-    findings = [
-        found for rule in rules.values() for found in _run_rule(rule, robot, registry.purposes(rule.id), failures)
-    ]
+    findings = list(_run_rules(rules.values(), robot, registry, failures))
+    findings += [_too_slow(source, "Not judged: to parse it", budget.FILE) for source in robot.unfinished]
     failures += [_internal(source, f"reading {source.name}", error) for source, error in robot.failures]
     findings += failures
     if ignores:
@@ -94,6 +98,33 @@ def run(robot: Robot, registry: Registry, config: Config, *, ignores: bool = Tru
         else:
             hidden[found.severity] += 1
     return Outcome(tuple(shown), rules, tuple(failure.message for failure in failures), hidden)
+
+
+def _run_rules(rules: Iterable[Rule], robot: Robot, registry: Registry, failures: list[Finding]) -> Iterator[Finding]:
+    """What the rules find, as long as there is time."""
+    end = time.process_time() + budget.RUN
+    for rule in rules:
+        left = end - time.process_time()
+        place = Source(rule.path.name)
+        if left <= 0:
+            yield _too_slow(place, f"Not run: the rules before {rule.id}", budget.RUN)
+            continue
+        found: list[Finding] = []
+        try:
+            with limited(min(left, budget.RULE)):
+                found.extend(_run_rule(rule, robot, registry.purposes(rule.id), failures))
+        except OutOfTime:
+            yield _too_slow(place, f"Not judged whole: the rule {rule.id}", min(left, budget.RULE))
+        yield from found
+
+
+def _too_slow(source: Source, what: str, seconds: float) -> Finding:
+    return Finding(
+        f"{what} takes more than {seconds:.0f} seconds of CPU time",
+        source.whole,
+        rule=TIME_BUDGET,
+        advice="exclude what is generated or damaged; for an ordinary tree this is a bug in bringup-lint",
+    )
 
 
 def _run_rule(

@@ -118,6 +118,11 @@ class Robot:
         return self.files.failures
 
     @property
+    def unfinished(self) -> list[Source]:
+        """Sources whose parser took too long."""
+        return self.files.unfinished
+
+    @property
     def sources(self) -> list[Source]:
         return self.files.sources
 

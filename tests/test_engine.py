@@ -8,6 +8,9 @@ from pathlib import Path
 
 import pytest
 
+from bringup_lint import budget
+from bringup_lint.model.unit import UnitFile
+from bringup_lint.source import Source
 from tests.lint import lint
 
 RULE = '''
@@ -126,6 +129,44 @@ def test_failing_parser_is_reported_and_the_other_files_are_checked(
     assert run.code == 3
     assert "reading broken.service failed: IndexError" in run.stdout
     assert "['robot.service']" in run.stdout
+
+
+def test_a_rule_that_never_ends_is_stopped_and_the_others_run(tree: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(budget, "RULE", 0.2)
+    own_rule(tree)
+    own_rule(tree, body="while True: pass", name="endless")
+    run = run_own(tree)
+    assert run.code == 1
+    assert "Not judged whole: the rule site/endless takes more than 0 seconds" in run.stdout
+    assert "[site/no-legacy]" in run.stdout
+
+
+def test_a_parser_that_never_ends_is_stopped_and_the_other_files_are_checked(
+    tree: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from bringup_lint.graph.systemd import unit_loading
+    from bringup_lint.parsers import unit
+
+    def parse(source: Source) -> UnitFile:
+        while "endless" in source.name:
+            pass
+        return unit.parse(source)
+
+    monkeypatch.setattr(budget, "FILE", 0.2)
+    monkeypatch.setattr(unit_loading, "parse", parse)
+    (tree / "endless.service").write_text("[Service]\nExecStart=/bin/true\n")
+    own_rule(tree, body="yield finding(word, str([unit.name for unit in robot.units.judged]))")
+    run = lint("--rules", "own", "--select", "site", "--output-format", "concise", ".", cwd=tree)
+    assert run.code == 1
+    assert "endless.service:1:1: error[lint/time-budget] Not judged: to parse it takes more than" in run.stdout
+    assert "['robot.service']" in run.stdout
+
+
+def test_rules_do_not_run_when_the_time_of_the_run_is_spent(tree: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(budget, "RUN", -1)
+    own_rule(tree)
+    run = run_own(tree)
+    assert "Not run: the rules before site/no-legacy" in run.stdout
 
 
 @pytest.mark.parametrize("text", ["x = (", "import absent_module", "pass"])

@@ -13,6 +13,9 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 from typing import TypeVar
 
+from bringup_lint import budget
+from bringup_lint.budget import OutOfTime
+from bringup_lint.budget import limited
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.graph.purpose import Purposes
 from bringup_lint.graph.purpose import by_names
@@ -56,6 +59,7 @@ class Files:
     today: date = field(default_factory=date.today)
     """The day for which validity dates are judged."""
     failures: list[tuple[Source, Exception]] = field(default_factory=list)
+    unfinished: list[Source] = field(default_factory=list)
     """Sources on which a parser failed inside."""
 
     @property
@@ -78,13 +82,17 @@ class Files:
         return [source for kind in kinds for source in self._by_kind.get(kind, ())]
 
     def parsed(self, parse: Callable[[Source], Model], sources: Iterable[Source]) -> list[Model]:
-        """The models of the sources. A parser that fails costs its own source: it is noted in ``failures``."""
+        """The models of the sources. A parser that fails costs its own source: it is noted in ``failures``, or in
+        ``unfinished`` when it takes too long."""
         models = []
         for source in sources:
             try:
-                models.append(parse(source))
+                with limited(budget.FILE):
+                    models.append(parse(source))
             except Exception as error:
                 self.failures.append((source, error))
+            except OutOfTime:
+                self.unfinished.append(source)
         return models
 
     @property

@@ -59,7 +59,7 @@ LAYERS = (
     {"schema"},
     {"model", "finding", "facts"},
     {"addresses"},
-    {"source", "spelling", "templates", "toml"},
+    {"budget", "source", "spelling", "templates", "toml"},
     {""},
 )
 """From the top down. The layers of one line do not import each other; ``""`` is the version of the package."""
