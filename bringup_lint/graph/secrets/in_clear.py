@@ -16,6 +16,7 @@ from bringup_lint.graph.runners.runner import RunnerKind
 from bringup_lint.graph.secrets.passwords import Password
 from bringup_lint.graph.secrets.passwords import given_to_programs
 from bringup_lint.graph.secrets.passwords import in_images
+from bringup_lint.graph.secrets.passwords import in_variables
 from bringup_lint.graph.secrets.passwords import in_wifi_files
 from bringup_lint.graph.secrets.programs import assigned
 from bringup_lint.graph.secrets.ros import Indirect
@@ -143,6 +144,8 @@ class Secrets:
     def _passwords(self) -> Iterator[Secret]:
         for password in in_wifi_files(self.files):
             yield from _one(_of_password(password, "file"))
+        for password in in_variables(self.files):
+            yield from _one(secret(password.name, password.value, "file"))
         for password in given_to_programs(self.files):
             yield from _one(_of_password(password, "program"))
         for password in in_images(self.files):

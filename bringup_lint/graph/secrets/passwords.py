@@ -20,8 +20,16 @@ _WIFI = {
         r"^[ \t]*(?P<name>psk|password|sae_password)=(?!ext:|hash:)\"?(?P<value>[^\n\r\"]+)", re.M
     ),
     "networkmanager": re.compile(r"^(?P<name>psk|password|wep-key\d|private-key-password)=(?P<value>[^\n\r]+)", re.M),
+    "netplan": re.compile(r"^[ \t]*(?P<name>password):[ \t]*[\"']?(?P<value>[^\s\"'#]{8,64})[\"']?[ \t\r]*$", re.M),
+    "code-server": re.compile(r"^(?P<name>password):[ \t]*[\"']?(?P<value>[^\s\"'#]+)[\"']?[ \t\r]*$", re.M),
 }
 """Kind of file -> where it holds a password."""
+_WORD = r"(?P<quote>[\"']?)(?P<value>[^\s\"'{}!#]+)(?P=quote)"
+_VARIABLES = (
+    re.compile(r"^[ \t]*[\"']?(?P<name>[A-Za-z_]\w*)[\"']?:[ \t]+" + _WORD + r"[ \t\r]*(?:#.*)?$", re.M),
+    re.compile(r"(?<![\w#])(?P<name>ansible_\w*pass(?:word)?)[ \t]*=[ \t]*" + _WORD + r"(?=\s|$)"),
+)
+"""Variables of Ansible: YAML, and the words of an inventory."""
 
 _SUDO = r"(?:sudo[ \t]+(?:-\w+[ \t]+)*)?"
 _SECRET = r"(?P<value>[^\s\"'`$|;&<>\\{}]{1,100})"
@@ -71,6 +79,15 @@ def in_wifi_files(files: Files) -> Iterator[Password]:
             if source.judged and not source.template and (source.mode is None or source.mode & 0o077):
                 for match in pattern.finditer(source.text):
                     yield Password(match["name"], source.located(*match.span("value")).strip_located())
+
+
+def in_variables(files: Files) -> Iterator[Password]:
+    """The variables of Ansible's hosts, groups and roles."""
+    for source in files.of_kind("ansible-vars"):
+        if source.judged and not source.text.startswith("$ANSIBLE_VAULT"):
+            for match in (match for pattern in _VARIABLES for match in pattern.finditer(source.text)):
+                if not _is_comment(source.text, match.start()):
+                    yield Password(match["name"], source.located(*match.span("value")))
 
 
 def given_to_programs(files: Files) -> Iterator[Password]:
