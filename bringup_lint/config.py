@@ -18,6 +18,8 @@ from bringup_lint.toml import read_toml
 
 FILE_NAME = "bringup-lint.toml"
 SEVERITIES = ("info", "warning", "error")
+OFF = "off"
+"""In place of a severity: the rule does not run."""
 ROS_DISTROS = distros.supported()
 PURPOSES = ("robot", "development", "simulation", "test", "ci", "example", "archive")
 
@@ -31,7 +33,7 @@ class Option(NamedTuple):
 
     type: str
     """``string``, ``integer``, ``strings`` (a list), ``severity``, ``ros``, or a table: ``paths``, ``purposes``,
-    ``severities``."""
+    ``severities``, ``names`` (of lists)."""
     help: str
 
 
@@ -43,7 +45,16 @@ OPTIONS = {
     ),
     "min-severity": Option("severity", "The lowest severity that is shown."),
     "fail-on": Option("severity", "The lowest severity that makes the exit code 1."),
-    "severity": Option("severities", "Rules with another severity than their own: a table of rule id to severity."),
+    "severity": Option(
+        "severities",
+        "Rules with another severity than their own: a table of rule or family to severity, or to off. A rule's own"
+        " entry counts more than its family's.",
+    ),
+    "per-file-ignores": Option(
+        "names",
+        "Rules or families that are silent in some files: a table of gitignore pattern, relative to the configuration"
+        " file, to a list of names.",
+    ),
     "target-ros": Option("ros", "The ROS distribution that the robot runs."),
     "target-systemd": Option("integer", "The systemd version that the robot runs, 245 to 257."),
     "deploy": Option("paths", "Where files of the repository go: a table of path or folder to the path on the robot."),
@@ -65,6 +76,7 @@ class Config:
     min_severity: str = "warning"
     fail_on: str = "warning"
     severity: dict[str, str] = field(default_factory=dict)
+    per_file_ignores: dict[str, tuple[str, ...]] = field(default_factory=dict)
     target_ros: str | None = None
     target_systemd: int | None = None
     deploy: dict[str, str] = field(default_factory=dict)
@@ -73,6 +85,8 @@ class Config:
     rules: tuple[str, ...] = ()
     path: Path | None = None
     """The file that was read, or None."""
+    text: str = ""
+    """What the file holds."""
 
     @property
     def folder(self) -> Path:
@@ -97,7 +111,8 @@ def find(start: Path) -> Path | None:
 def read(path: Path) -> Config:
     """Read a configuration file. Raises ConfigError with the file's name in the text."""
     try:
-        data = read_toml(path.read_text("utf-8"))
+        text = path.read_text("utf-8")
+        data = read_toml(text)
     except OSError as error:
         raise ConfigError(f"{path}: {error.strerror}") from error
     except ValueError as error:
@@ -112,7 +127,15 @@ def read(path: Path) -> Config:
             values[key.replace("-", "_")] = _checked(OPTIONS[key].type, value)
         except ValueError as error:
             raise ConfigError(f"{path}: {key} {error}") from error
-    return Config(**values, path=path)
+    return Config(**values, path=path, text=text)
+
+
+_CHOICES = {
+    "severity": SEVERITIES,
+    "severity or off": (*SEVERITIES, OFF),
+    "ros": ROS_DISTROS,
+    "purpose": PURPOSES,
+}
 
 
 def _did_you_mean(key: str) -> str:
@@ -125,11 +148,15 @@ def _checked(kind: str, value: Any) -> Any:
         if not isinstance(value, list) or not all(isinstance(item, str) for item in value):
             raise ValueError("must be a list of strings")
         return tuple(value)
+    if kind == "names":
+        if not isinstance(value, dict):
+            raise ValueError("must be a table of lists of strings")
+        return {pattern: _checked("strings", names) for pattern, names in value.items()}
     if kind in ("paths", "severities", "purposes"):
         if not isinstance(value, dict) or not all(isinstance(item, str) for item in value.values()):
             raise ValueError("must be a table of strings")
         if kind == "severities":
-            value = {key: _checked("severity", item) for key, item in value.items()}
+            value = {key: _checked("severity or off", item) for key, item in value.items()}
         if kind == "purposes":
             value = {key: _checked("purpose", item) for key, item in value.items()}
         return value
@@ -139,7 +166,7 @@ def _checked(kind: str, value: Any) -> Any:
         return value
     if not isinstance(value, str):
         raise ValueError("must be a string")
-    choices = {"severity": SEVERITIES, "ros": ROS_DISTROS, "purpose": PURPOSES}.get(kind)
+    choices = _CHOICES.get(kind)
     if choices and value not in choices:
         raise ValueError(f"must be one of {', '.join(choices)}, not '{value}'")
     return value
@@ -154,7 +181,8 @@ def schema() -> dict[str, Any]:
         "integer": {"type": "integer", "minimum": 245},
         "strings": {"type": "array", "items": string, "uniqueItems": True},
         "severity": severity,
-        "severities": {"type": "object", "additionalProperties": severity},
+        "severities": {"type": "object", "additionalProperties": {"enum": [*SEVERITIES, OFF]}},
+        "names": {"type": "object", "additionalProperties": {"type": "array", "items": string}},
         "ros": {"enum": list(ROS_DISTROS)},
         "paths": {"type": "object", "additionalProperties": string},
         "purposes": {"type": "object", "additionalProperties": {"enum": list(PURPOSES)}},

@@ -14,6 +14,7 @@ from dataclasses import replace
 from bringup_lint import budget
 from bringup_lint.budget import OutOfTime
 from bringup_lint.budget import limited
+from bringup_lint.config import OFF
 from bringup_lint.config import Config
 from bringup_lint.config import ConfigError
 from bringup_lint.finding import Confidence
@@ -27,7 +28,9 @@ from bringup_lint.registry import Rule
 from bringup_lint.robot import Robot
 from bringup_lint.source import Source
 from bringup_lint.spelling import meant
+from bringup_lint.suppress import UNUSED
 from bringup_lint.suppress import ignores_in
+from bringup_lint.suppress.files import file_ignores
 
 INTERNAL_ERROR = "lint/internal-error"
 TIME_BUDGET = "lint/time-budget"
@@ -48,13 +51,17 @@ class Outcome:
 
 
 class Selection:
-    """Which rules run: ``select`` minus ``ignore``, each a rule id, a family, or an older name of a rule."""
+    """Which rules run: ``select`` minus ``ignore`` and what is off, each a rule id, a family, or an older name of a
+    rule."""
 
-    def __init__(self, registry: Registry, select: Iterable[str], ignore: Iterable[str]):
+    def __init__(self, registry: Registry, config: Config):
         self.registry = registry
         self.families = {family.name for family in registry.families}
-        self.select = [self.known(name) for name in select if name != "all"]
-        self.ignore = [self.known(name) for name in ignore]
+        self.select = [self.known(name) for name in config.select if name != "all"]
+        self.ignore = [self.known(name) for name in config.ignore]
+        self.levels = {self.known(name): level for name, level in config.severity.items()}
+        for name in (name for names in config.per_file_ignores.values() for name in names):
+            self.known(name)
 
     def known(self, name: str) -> str:
         """The id that a name means. Raises ConfigError when it means none."""
@@ -66,10 +73,22 @@ class Selection:
         near = meant(name, [*self.families, *self.registry.paths])
         raise ConfigError(f"no rule or family is called '{name}'" + (f"; did you mean '{near}'?" if near else ""))
 
+    def level(self, rule_id: str) -> str:
+        """The severity that the configuration gives a rule, itself or its family; empty where it gives none."""
+        return self.levels.get(rule_id) or self.levels.get(rule_id.partition("/")[0], "")
+
+    def severity(self, rule_id: str) -> Severity | None:
+        level = self.level(rule_id)
+        return None if level in ("", OFF) else Severity[level.upper()]
+
     def runs(self, rule_id: str) -> bool:
-        if any(names(name, rule_id) for name in self.ignore):
+        if self.level(rule_id) == OFF or any(names(name, rule_id) for name in self.ignore):
             return False
         return not self.select or any(names(name, rule_id) for name in self.select)
+
+    def covers(self, name: str) -> bool:
+        """Whether all that a name of a rule or family means is selected."""
+        return not self.select or any(names(selected, self.known(name)) for selected in self.select)
 
 
 def names(name: str, rule_id: str) -> bool:
@@ -79,8 +98,7 @@ def names(name: str, rule_id: str) -> bool:
 
 def run(robot: Robot, registry: Registry, config: Config, *, ignores: bool = True) -> Outcome:
     """Run the selected rules over a robot. Raises ConfigError for names that mean nothing, RuleError for a bad rule."""
-    selection = Selection(registry, config.select, config.ignore)
-    severities = {selection.known(name): Severity[value.upper()] for name, value in config.severity.items()}
+    selection = Selection(registry, config)
     rules = {rule_id: registry[rule_id] for rule_id in registry.ids_for(robot) if selection.runs(rule_id)}
     failures: list[Finding] = []
     findings = list(_run_rules(rules.values(), robot, registry, failures))
@@ -88,8 +106,8 @@ def run(robot: Robot, registry: Registry, config: Config, *, ignores: bool = Tru
     failures += [_internal(source, f"reading {source.name}", error) for source, error in robot.failures]
     findings += failures
     if ignores:
-        findings = _suppressed(findings, robot, rules, selection)
-    graded = sorted((_graded(found, rules.get(found.rule), severities) for found in findings), key=_order)
+        findings = _suppressed(findings, robot, rules, selection, config)
+    graded = sorted((_graded(found, rules.get(found.rule), selection) for found in findings), key=_order)
     lowest = Severity[config.min_severity.upper()]
     shown, hidden = [], Counter[Severity]()
     for found in merged(_unique(graded)):
@@ -160,21 +178,32 @@ def _internal(source: Source, what: str, error: Exception) -> Finding:
 
 
 def _suppressed(
-    findings: Iterable[Finding], robot: Robot, rules: Mapping[str, Rule], selection: Selection
+    findings: Iterable[Finding], robot: Robot, rules: Mapping[str, Rule], selection: Selection, config: Config
 ) -> list[Finding]:
-    """The findings with what the comments of the files say of them, and what there is to say of the comments."""
-    comments = ignores_in(robot.sources, lambda name, rule_id: _means(name, rules.get(rule_id), rule_id))
-    applied = [comments.apply(found) for found in findings]
-    complaints = comments.complaints(lambda name: _counts(name, rules, selection))
-    return applied + [found for found in complaints if found.rule in rules]
+    """The findings with what comments and configuration say of them, and what there is to say of these."""
+
+    def is_name_of(name: str, rule_id: str) -> bool:
+        return _means(name, rules.get(rule_id), rule_id)
+
+    def ran(name: str) -> bool:
+        return _counts(name, rules, selection)
+
+    comments = ignores_in(robot.sources, is_name_of)
+    files = file_ignores(config, is_name_of)
+    applied = [files.apply(comments.apply(found)) for found in findings]
+    complaints = [found for found in comments.complaints(ran) if found.rule in rules]
+    applied += (files.apply(comments.apply(found)) for found in complaints)
+    if config.per_file_ignores and UNUSED in rules:
+        applied += files.complaints(robot.tree.paths, robot.sources, ran)
+    return applied
 
 
-def _graded(found: Finding, rule: Rule | None, severities: Mapping[str, Severity]) -> Finding:
+def _graded(found: Finding, rule: Rule | None, selection: Selection) -> Finding:
     own = rule.severity if rule else Severity.ERROR
     highest = rule.meta.confidence if rule else Confidence.HIGH
     return replace(
         found,
-        severity=severities.get(found.rule) or found.own_severity or own,
+        severity=selection.severity(found.rule) or found.own_severity or own,
         confidence=min(found.own_confidence or highest, highest),
     )
 
@@ -185,13 +214,11 @@ def _means(name: str, rule: Rule | None, rule_id: str) -> bool:
 
 def _counts(name: str, rules: Mapping[str, Rule], selection: Selection) -> bool:
     """Whether it is wrong that an ignored name silenced nothing: its rules ran, or it names no rule at all."""
-    if any(_means(name, rule, rule_id) for rule_id, rule in rules.items()):
-        return True
     try:
-        selection.known(name)
+        covered = selection.covers(name)
     except ConfigError:
         return True
-    return False
+    return covered and any(_means(name, rule, rule_id) for rule_id, rule in rules.items())
 
 
 def _order(found: Finding) -> tuple[str, int, int, str, str]:

@@ -27,6 +27,10 @@ START = """\
 
 # [severity]
 # "systemd/root-user" = "error"
+# "node" = "off"
+
+# [per-file-ignores]
+# "legacy/" = ["systemd", "udev/symlink-match"]
 
 # Where files of this repository go on the robot.
 # [deploy]

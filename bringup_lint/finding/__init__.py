@@ -79,10 +79,12 @@ class Related(NamedTuple):
 
 
 class Suppression(NamedTuple):
-    """The comment that silences a finding."""
+    """The comment or the entry of the configuration that silences a finding."""
 
     span: Span
     reason: str
+    external: bool = False
+    """Whether the configuration says it and not the file."""
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,6 @@ from bringup_lint.finding import Edit
 from bringup_lint.finding import Finding
 from bringup_lint.finding import Fix
 from bringup_lint.finding import Related
-from bringup_lint.finding import Suppression
 from bringup_lint.finding.place import inside
 from bringup_lint.finding.secrets import MERE_NAME
 from bringup_lint.finding.secrets import given_away
@@ -97,7 +96,8 @@ class Mask:
             fix=finding.fix and self.fix(finding.fix),
             hidden=tuple(self.span(span) for span in finding.hidden),
             secrets=tuple(self.span(span) for span in finding.secrets),
-            suppression=silenced and Suppression(self.span(silenced.span), self.words(silenced.reason)),
+            suppression=silenced
+            and silenced._replace(span=self.span(silenced.span), reason=self.words(silenced.reason)),
         )
 
     def related(self, related: Related) -> Related:

@@ -1,7 +1,8 @@
 """A suppression comment gives no reason.
 
 ## What it finds
-`bringup-lint: ignore[...]` without a ` -- reason` after it.
+`bringup-lint: ignore[...]` without a reason after it: `: reason`, or ` -- reason` where the format allows it (an XML
+comment must not contain `--`).
 
 ## Why it matters on a robot
 The next person cannot distinguish a decision from a shortcut.
@@ -14,7 +15,7 @@ Restart=always
 
 ## Good
 ```ini
-# bringup-lint: ignore[systemd/restart-unlimited] -- the safety node must retry forever
+# bringup-lint: ignore[systemd/restart-unlimited]: the safety node must retry forever
 Restart=always
 ```
 

@@ -1,7 +1,8 @@
 """A suppression comment has no effect.
 
 ## What it finds
-A name in `bringup-lint: ignore[...]` or `ignore-file[...]` that suppressed no finding, although its rules ran.
+A name in `bringup-lint: ignore[...]` or `ignore-file[...]` that suppressed no finding, although its rules ran. The same
+for an entry of `[per-file-ignores]` in the configuration, and for a pattern there that matches no file.
 
 ## Why it matters on a robot
 Either the defect is fixed, or the comment is on the wrong line or misspells the rule. Then the accepted finding is
@@ -10,14 +11,14 @@ reported again, or the comment would silently suppress a new one.
 ## Bad
 ```ini
 [Service]
-# bringup-lint: ignore[systemd/root-usr] -- the driver needs raw sockets
+# bringup-lint: ignore[systemd/root-usr]: the driver needs raw sockets
 ExecStart=/usr/bin/robot-driver
 ```
 
 ## Good
 ```ini
 [Service]
-# bringup-lint: ignore[systemd/root-user] -- the driver needs raw sockets
+# bringup-lint: ignore[systemd/root-user]: the driver needs raw sockets
 ExecStart=/bin/bash -c 'source /opt/ros/jazzy/setup.bash && exec ros2 launch base driver.launch.py'
 ```
 

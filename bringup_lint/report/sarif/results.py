@@ -69,7 +69,7 @@ def _fix(fix: Fix, places: Places) -> dict[str, Any]:
 def _suppressions(finding: Finding, places: Places) -> Iterable[dict[str, Any]]:
     if finding.suppression:
         yield {
-            "kind": "inSource",
+            "kind": "external" if finding.suppression.external else "inSource",
             "justification": finding.suppression.reason,
             "location": {"physicalLocation": places.physical(finding.suppression.span, context=False)},
         }

@@ -1,0 +1,55 @@
+"""How a kind of file writes a comment on a line of its own."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from bringup_lint.source import Source
+
+
+class Form(NamedTuple):
+    """A comment on a line of its own."""
+
+    opens: str
+    closes: str = ""
+
+    def __call__(self, text: str) -> str:
+        return " ".join(filter(None, (self.opens, text, self.closes)))
+
+
+HASH = Form("#")
+XML = Form("<!--", "-->")
+_CPP = Form("//")
+
+XML_KINDS = frozenset(
+    {
+        "cyclonedds",
+        "fastdds",
+        "launch-ros1",
+        "launch-xml",
+        "ros-package",
+        "sros2-governance",
+        "sros2-permissions",
+        "sros2-policy",
+    }
+)
+_NO_COMMENTS = frozenset({"sros2-certificate", "sros2-key", "ssh-private-key"})
+PYTHON_KINDS = frozenset({"launch-python", "python-node", "setup-py"})
+YAML_KINDS = frozenset({"ansible", "cloud-init", "cloud-init-network", "compose", "launch-yaml", "netplan", "params"})
+SHELL_KINDS = frozenset({"dockerfile", "shell-script"})
+
+
+def form_of(source: Source) -> Form | None:
+    """The comment of a file's format; None where the format has no comments, such as JSON and keys."""
+    if not source.kind or source.virtual or source.kind in _NO_COMMENTS or source.name.endswith((".json", ".p7s")):
+        return None
+    if source.kind in XML_KINDS:
+        return XML
+    return _CPP if source.kind == "cpp-node" else HASH
+
+
+def starts_of(source: Source) -> tuple[str, ...]:
+    """What a line that is only a comment begins with."""
+    if source.kind in XML_KINDS:
+        return ("<!--",)
+    return ("//",) if source.kind == "cpp-node" else ("#", ";", "//")

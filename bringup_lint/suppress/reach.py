@@ -1,0 +1,122 @@
+"""Which lines a comment above them counts for: the next statement, to its last line.
+
+A comment cannot be written inside a tag, a continued line, a text block or a here-document, so the one above counts for
+all of it. Lines are counted from 1.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+from functools import lru_cache
+
+from bringup_lint.source import Source
+from bringup_lint.suppress.forms import PYTHON_KINDS
+from bringup_lint.suppress.forms import SHELL_KINDS
+from bringup_lint.suppress.forms import XML_KINDS
+from bringup_lint.suppress.forms import YAML_KINDS
+from bringup_lint.suppress.forms import starts_of
+
+LIMIT = 500
+"""Lines, and twenty times as many characters: no longer statement is looked for."""
+_PROLOG = re.compile(r"#!|<\?|<!DOCTYPE|---|#cloud-config|# *syntax *=|# *-\*-|\ufeff")
+_TAG = re.compile(r"""\s*<[^<>"']*(?:(?:"[^"]*"|'[^']*')[^<>"']*)*>?[^<]*""")
+_YAML_LINE = re.compile(
+    r"(?P<lead> *(?:- +)*)"
+    r"(?P<key>(?:[^\s#\[{\"'][^\n#]*?|[\"'][^\"'\n]*[\"']):(?:[ \t]+|$))?"
+    r"(?P<value>[^\s#]?)"
+)
+_HERE = re.compile(r"<<-?[ \t]*\\?[\"']?(\w+)")
+
+
+def is_comment(source: Source, line: int) -> bool:
+    return source.line_text(line).lstrip().startswith(starts_of(source))
+
+
+def head_end(source: Source) -> int:
+    """The last line above which nothing but comments, blanks and what must be first, such as ``<?xml ...?>``."""
+    line, last = 1, min(len(source.line_starts), LIMIT)
+    while line <= last and _is_head(source, line):
+        line += 1
+    return line - 1
+
+
+def _is_head(source: Source, line: int) -> bool:
+    text = source.line_text(line)
+    return not text.strip() or bool(_PROLOG.match(text)) or is_comment(source, line)
+
+
+def statement_after(source: Source, line: int) -> range:
+    """The lines below a comment that ends on ``line``: further comments, and then one statement."""
+    first = at = line + 1
+    last = min(len(source.line_starts), line + LIMIT)
+    while at < last and is_comment(source, at):
+        at += 1
+    return range(first, max(at, statement_end(source, at)) + 1) if at <= len(source.line_starts) else range(0)
+
+
+def statement_end(source: Source, line: int) -> int:
+    """The last line of what begins on ``line`` and cannot be interrupted by a comment."""
+    end = _continued(source, line)
+    if source.kind in XML_KINDS:
+        return max(end, _tag_end(source, line))
+    if source.kind in YAML_KINDS:
+        return max(end, _scalar_end(source, line))
+    if source.kind in SHELL_KINDS:
+        return max(end, _here_end(source, line, end))
+    if source.kind in PYTHON_KINDS:
+        return max(end, _strings(source.text).get(line, line))
+    return end
+
+
+def _continued(source: Source, line: int) -> int:
+    """The last of the lines that backslashes join."""
+    last = min(len(source.line_starts), line + LIMIT)
+    while line < last and (source.line_text(line).endswith("\\") or is_comment(source, line)):
+        line += 1
+    return line
+
+
+def _tag_end(source: Source, line: int) -> int:
+    start = source.line_starts[line - 1]
+    tag = _TAG.match(source.text, start, start + 20 * LIMIT)
+    return source.position(start + len(tag[0].rstrip()) - 1).line if tag and tag[0].strip() else line
+
+
+def _scalar_end(source: Source, line: int) -> int:
+    """The last line of a YAML scalar: those that are further to the right than its key or dash."""
+    text = source.line_text(line)
+    shape = _YAML_LINE.match(text)
+    if shape is None or not shape["value"] or not (shape["key"] or shape["lead"].strip()):
+        return line
+    column = len(shape["lead"]) if shape["key"] else shape["lead"].rfind("-")
+    end = at = line
+    while at < min(len(source.line_starts), line + LIMIT):
+        at += 1
+        below = source.line_text(at)
+        if below.strip() and len(below) - len(below.lstrip(" ")) <= column:
+            break
+        end = at if below.strip() else end
+    return end
+
+
+def _here_end(source: Source, line: int, end: int) -> int:
+    """The last line of the here-documents that a command opens."""
+    words = [word for at in range(line, end + 1) for word in _HERE.findall(source.line_text(at))]
+    last = min(len(source.line_starts), line + LIMIT)
+    at = end
+    for word in words:
+        below = (number for number in range(at + 1, last + 1) if source.line_text(number).strip() == word)
+        at = next(below, at)
+    return at
+
+
+@lru_cache(maxsize=8)
+def _strings(text: str) -> dict[int, int]:
+    """First line -> last line of the strings of a Python file that span several lines."""
+    try:
+        tree = ast.parse(text.removeprefix("\ufeff"))
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return {}
+    parts = (node for node in ast.walk(tree) if isinstance(node, (ast.Constant, ast.JoinedStr)))
+    return {node.lineno: node.end_lineno or node.lineno for node in parts if node.end_lineno != node.lineno}
