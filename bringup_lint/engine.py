@@ -17,6 +17,7 @@ from bringup_lint.budget import limited
 from bringup_lint.config import OFF
 from bringup_lint.config import Config
 from bringup_lint.config import ConfigError
+from bringup_lint.discover.tree import display_name
 from bringup_lint.finding import Confidence
 from bringup_lint.finding import Finding
 from bringup_lint.finding import Severity
@@ -189,7 +190,7 @@ def _suppressed(
         return _counts(name, rules, selection)
 
     comments = ignores_in(robot.sources, is_name_of)
-    files = file_ignores(config, is_name_of)
+    files = file_ignores(config.per_file_ignores, Source(display_name(str(config.path)), config.text), is_name_of)
     applied = [files.apply(comments.apply(found)) for found in findings]
     complaints = [found for found in comments.complaints(ran) if found.rule in rules]
     applied += (files.apply(comments.apply(found)) for found in complaints)

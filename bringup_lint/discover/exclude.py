@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 
-def exclusion(folder: Path, patterns: Sequence[str]) -> Callable[[str], bool]:
+def exclusion(folder: Path | str, patterns: Sequence[str]) -> Callable[[str], bool]:
     """A test for paths (folders end in ``/``): does one of the gitignore patterns, relative to ``folder``, match?"""
     if not patterns:
         return lambda path: False

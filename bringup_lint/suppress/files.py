@@ -7,13 +7,12 @@ from collections.abc import Callable
 from collections.abc import Collection
 from collections.abc import Iterable
 from collections.abc import Iterator
+from collections.abc import Mapping
 from dataclasses import dataclass
 from dataclasses import field
 from dataclasses import replace
 
-from bringup_lint.config import Config
 from bringup_lint.discover.exclude import exclusion
-from bringup_lint.discover.tree import display_name
 from bringup_lint.finding import Finding
 from bringup_lint.finding import Suppression
 from bringup_lint.source import Source
@@ -79,16 +78,15 @@ class FileIgnores:
         return self.matched[key]
 
 
-def file_ignores(config: Config, is_name_of: Callable[[str, str], bool]) -> FileIgnores:
+def file_ignores(
+    table: Mapping[str, Iterable[str]], configuration: Source, is_name_of: Callable[[str, str], bool]
+) -> FileIgnores:
     """The entries of a configuration file, whose patterns are relative to its folder."""
-    if config.path is None:
-        return FileIgnores()
-    source = Source(display_name(str(config.path)), config.text)
-    folder = config.folder.absolute()
+    folder = os.path.dirname(os.path.abspath(configuration.name))
     entries = []
-    for pattern, names in config.per_file_ignores.items():
-        start = max(config.text.find(pattern), 0)
-        where = source.span(start, start + len(pattern))
+    for pattern, names in table.items():
+        start = max(configuration.text.find(pattern), 0)
+        where = configuration.span(start, start + len(pattern))
         matches = exclusion(folder, [pattern])
         entries += [Entry(pattern, name, matches, where) for name in names]
     return FileIgnores(tuple(entries), is_name_of)
