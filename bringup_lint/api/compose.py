@@ -5,8 +5,10 @@ from __future__ import annotations
 from bringup_lint.graph.compose_names import MissingFile
 from bringup_lint.graph.compose_names import missing_files
 from bringup_lint.graph.compose_names import undefined_names
+from bringup_lint.graph.image_use import is_workplace
 from bringup_lint.model.compose import Device
 from bringup_lint.model.compose import Service
+from bringup_lint.model.compose import Volume
 from bringup_lint.model.compose import reach
 from bringup_lint.parsers.compose_schema import homes_of
 
@@ -14,7 +16,9 @@ __all__ = [
     "Device",
     "MissingFile",
     "Service",
+    "Volume",
     "homes_of",
+    "is_workplace",
     "missing_files",
     "reach",
     "undefined_names",

@@ -5,16 +5,20 @@ from __future__ import annotations
 from bringup_lint.graph.build_context import lacking_sources
 from bringup_lint.graph.devcontainers import Broken
 from bringup_lint.graph.devcontainers import broken_references
+from bringup_lint.graph.image_use import is_deployed
 from bringup_lint.graph.images import can_be_pulled
 from bringup_lint.graph.runners.runner import Runner
+from bringup_lint.model.dockerfile import Dockerfile
 from bringup_lint.model.dockerfile import Stage
 from bringup_lint.model.dockerfile import runs_as_root
+from bringup_lint.model.dockerfile import stays_in_shell
 from bringup_lint.model.image_build import image_name
 from bringup_lint.parsers.dockerfile import commands_of
 from bringup_lint.parsers.dockerfile import commands_of_run
 
 __all__ = [
     "Broken",
+    "Dockerfile",
     "Runner",
     "Stage",
     "broken_references",
@@ -22,6 +26,8 @@ __all__ = [
     "commands_of",
     "commands_of_run",
     "image_name",
+    "is_deployed",
     "lacking_sources",
     "runs_as_root",
+    "stays_in_shell",
 ]

@@ -1,64 +1,67 @@
-"""One finding for a line that a tree holds twice: in a template and in what was made of it, or in two udev rules files
-of one name, of which only one is read on a robot."""
+"""One finding for a line that a tree holds twice: in a template and in what was made of it, in a file and its copy
+under another name, or in two udev rules files of one name, of which only one is read on a robot."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from collections.abc import Iterator
 from dataclasses import replace
-from typing import NamedTuple
 
 from bringup_lint.finding import Finding
 from bringup_lint.finding import Related
 from bringup_lint.source import Source
 from bringup_lint.templates import final_name
 
-
-class Line(NamedTuple):
-    """What two findings on copies of one line have in common."""
-
-    rule: str
-    file: str
-    """The name of the file, once it is filled in."""
-    text: str
-    found: str
-    """The text of the place itself."""
+_MADE = re.compile(r"(?:^|/)(?:deploy|dist|out|output|build|install|generated|release)/")
+"""Folders for what is made of other files."""
 
 
 def merged(findings: Iterable[Finding]) -> Iterator[Finding]:
-    """The findings in their order, those on a copy of a line as related places of the first.
-
-    A template is the first, wherever it lies: what is made of it is made again.
-    """
-    groups: dict[Line, list[Finding]] = {}
+    """The findings in their order, those on a copy of a line as related places of the first."""
     ordered = list(findings)
+    groups: dict[tuple[str, str, str], list[Finding]] = {}
     for found in ordered:
-        groups.setdefault(_line(found), []).append(found)
-    first: dict[int, Finding] = {}
+        if found.span.end and not found.suppression:
+            groups.setdefault(_line(found), []).append(found)
+    copies: dict[int, list[Finding]] = {}
     gone: set[int] = set()
     for group in groups.values():
-        kept = min(group, key=lambda found: not found.source.template)
-        copies = [found for found in group if _is_copy(found, kept)]
-        gone.update(map(id, copies))
-        if copies:
-            related = [Related(found.span, "the same line in a copy") for found in copies]
-            first[id(kept)] = replace(kept, related=(*kept.related, *related))
+        kept: list[Finding] = []
+        for found in sorted(group, key=_rank):
+            first = next((one for one in kept if _is_copy(found.source, one.source)), None)
+            if first is None:
+                kept.append(found)
+            else:
+                copies.setdefault(id(first), []).append(found)
+                gone.add(id(found))
     for found in ordered:
         if id(found) not in gone:
-            yield first.get(id(found), found)
+            yield _with(found, copies.get(id(found), []))
 
 
-def _line(found: Finding) -> Line:
-    source, span = found.source, found.span
-    text = source.line_text(span.line).strip() if span.end else ""
-    return Line(found.rule, final_name(source.basename), text, span.text)
+def _with(found: Finding, copies: list[Finding]) -> Finding:
+    if not copies:
+        return found
+    related = [Related(copy.span, "the same line in a copy") for copy in copies]
+    return replace(found, related=(*found.related, *related))
 
 
-def _is_copy(found: Finding, kept: Finding) -> bool:
-    if found is kept or found.source is kept.source or found.suppression or kept.suppression or not found.span.text:
+def _line(found: Finding) -> tuple[str, str, str]:
+    """What findings on copies of a line have in common: the rule, the line and the place in it."""
+    return found.rule, found.source.line_text(found.span.line).strip(), found.span.text
+
+
+def _rank(found: Finding) -> tuple[int, bool, bool]:
+    """The worst comes first. A template is the original, and what lies in a folder of results is none."""
+    return -found.severity, not found.source.template, bool(_MADE.search(found.source.name))
+
+
+def _is_copy(source: Source, kept: Source) -> bool:
+    if source is kept:
         return False
-    return _is_made_of(found.source, kept.source) or found.source.kind == kept.source.kind == "udev-rules"
-
-
-def _is_made_of(source: Source, template: Source) -> bool:
-    return bool(template.template) and not source.template and source.basename != template.basename
+    if source.basename == kept.basename:
+        return source.kind == kept.kind == "udev-rules"
+    if final_name(source.basename) == final_name(kept.basename):
+        return bool(kept.template) and not source.template
+    return source.kind == kept.kind and source.text == kept.text

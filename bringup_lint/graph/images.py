@@ -66,6 +66,20 @@ class Images:
         """Whether something of the tree builds an image of this repository."""
         return image_name(image).repository in self.built
 
+    def is_named(self, dockerfile: Source) -> bool:
+        """Whether a file that may hold build commands names a Dockerfile by its name, or by its folder and name."""
+        name = dockerfile.basename
+        if name in ("Dockerfile", "Containerfile"):
+            name = "/".join(dockerfile.name.split("/")[-2:])
+            if name == dockerfile.basename:
+                return False
+        written = re.compile(rf"(?<![\w.-]){re.escape(name)}(?![\w.-])")
+        return any(written.search(text) for text in self._build_texts)
+
+    @cached_property
+    def _build_texts(self) -> list[str]:
+        return [source.text for source in self._texts() if not source.name.endswith((".md", ".rst"))]
+
     def stage(self, image: str) -> Stage | None:
         """The stage that an image is built from: of the same tag, else of the only build of its repository."""
         wanted = image_name(image)

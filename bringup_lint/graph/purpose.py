@@ -43,24 +43,34 @@ def _folder(words: str) -> re.Pattern[str]:
 
 SIMULATION = _word(
     "sim|sims|simulation|simulations|simulator|simulated|gazebo|gz|ign|ignition|webots|isaac_?sim|mujoco|airsim|carla"
-    "|awsim|loopback|mock|fake|replay|playback|rosbag2?"
+    "|awsim|loopback|mock|fake|replay|playback|rosbag2?|xil|sitl|hitl"
 )
 """Words for simulators and for recorded or made-up data."""
 
 PATHS: tuple[tuple[Purpose, re.Pattern[str]], ...] = (
     (Purpose.CI, _folder(r"\.github|\.gitlab|\.circleci|(?:[^/]*[._-])?ci|jenkins")),
     (Purpose.CI, re.compile(r"[._-]ci(?=\.[a-z]+$|$)", re.I)),
+    (Purpose.CI, _folder(r"(?:self[_-]?hosted|actions|github|gitlab|ci)[_-]runners?")),
     (Purpose.ARCHIVE, _folder(r"(?:[^/]+[_-])?(?:old|archived?|deprecated|obsolete|unused|attic|backups?)|legacy")),
     (Purpose.ARCHIVE, re.compile(r"[_-](?:old|deprecated|archived)(?=\.[a-z]+$|$)|\.(?:old|bak|orig)$", re.I)),
     (Purpose.TEST, _folder(r"tests?|testing|test_[^/]*|[^/]*[_-]tests?|attack[^/]*")),
     (Purpose.TEST, re.compile(r"(?:^|/)(?:test_[^/]*|attack[^/]*|[^/]*[_.-]tests?)\.[a-z.]+$", re.I)),
+    (Purpose.TEST, _word("mitm|attacker|adversary")),
     (Purpose.DEVELOPMENT, _folder(r"\.?devcontainer|\.vscode")),
-    (Purpose.DEVELOPMENT, _word("dev|devel|develop|development|devcontainer|laptop|workstation|docker[_-]pc")),
+    (Purpose.DEVELOPMENT, _word("dev|devel|develop|development|devcontainer|laptop|workstation|docker[_-]pc|wsl2?")),
+    (Purpose.DEVELOPMENT, _folder(r"(?:[^/]*[_-])?train(?:ing)?(?:[_-][^/]*)?|(?:torch|onnx)2trt")),
     (Purpose.DEVELOPMENT, re.compile(r"(?:^|/)docker/(?:[^/]*[_-])?pc(?:[_-][^/]*)?/", re.I)),
     (Purpose.SIMULATION, SIMULATION),
     (Purpose.EXAMPLE, _word("examples?|demos?|tutorials?|samples?")),
 )
 """The first pattern that a path matches decides."""
+
+
+_VERSION = re.compile(r"[vV]?\d{1,4}\.\d{1,4}\.\d{1,4}")
+
+
+def _version(name: str) -> tuple[int, ...]:
+    return tuple(map(int, name.lstrip("vV").split(".")))
 
 
 def by_path(path: str) -> Purpose:
@@ -97,7 +107,29 @@ class Purposes:
             return own
         if self.tree.root is not None:
             return Purpose.ROBOT
-        return by_path(self._path(source))
+        path = self._path(source)
+        return Purpose.ARCHIVE if self._is_superseded(path) else by_path(path)
+
+    def _is_superseded(self, path: str) -> bool:
+        """Whether a folder of the path is called after a version, and one beside it after a newer one."""
+        folders = path.split("/")[:-1]
+        for at, name in enumerate(folders):
+            newest = self._newest.get("/".join(folders[:at])) if _VERSION.fullmatch(name) else None
+            if newest is not None and _version(name) < newest:
+                return True
+        return False
+
+    @cached_property
+    def _newest(self) -> dict[str, tuple[int, ...]]:
+        """Folder -> the newest version after which a folder in it is called."""
+        found: dict[str, tuple[int, ...]] = {}
+        for source in self.tree.sources:
+            folders = self._path(source).split("/")[:-1]
+            for at, name in enumerate(folders):
+                if _VERSION.fullmatch(name):
+                    above = "/".join(folders[:at])
+                    found[above] = max(found.get(above, ()), _version(name))
+        return found
 
     def _configured(self, source: Source) -> Purpose | None:
         """What the configuration says of the file, or of the nearest of its folders."""

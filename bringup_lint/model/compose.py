@@ -259,11 +259,14 @@ class Service:
         return any(re.search(r"(?:^|[\s/])ros2(?:\s|$)", word) for word in self.scripts)
 
 
+_GRAPHICS = re.compile(r"/dev/(?:dri|nvidia|nvhost|nvmap|kfd|fb\d|mali)")
+
+
 def reach(service: Service) -> str:
     """What root in the container reaches on the host, as the end of a sentence; empty for an ordinary container."""
     if service.is_privileged:
         return ", and is privileged: that is root on the host"
-    if service.devices or service.items("device_cgroup_rules"):
+    if any(not _GRAPHICS.match(device.host) for device in service.devices) or service.items("device_cgroup_rules"):
         return ", and has devices of the robot: whoever breaks into a node controls them"
     return ""
 

@@ -122,6 +122,17 @@ class Dockerfile:
         return _VARIABLE.sub(value, text)
 
 
+_EXEC = re.compile(r"(?:^|&&|;)\s*exec\s")
+
+
+def stays_in_shell(stage: Stage, instruction: Instruction) -> bool:
+    """Whether the first process is a shell of the image that hands on no signal: a command in shell form without exec,
+    for ``/bin/sh`` (dash keeps its process; bash, of which SHELL speaks, gives it up for the last command)."""
+    if instruction.exec_form is not None or _EXEC.search(instruction.value):
+        return False
+    return not any(each.last("SHELL") for each in stage.chain)
+
+
 _ROOT_IMAGE = re.compile(
     r"(?:docker\.io/)?(?:library/)?(?:(?:arm64v8|amd64|arm32v7)/)?(?:ros|ubuntu|debian|python|osrf/ros2?)(?:[:@]|$)"
     r"|(?:docker\.io/)?(?:nvidia/cuda|dustynv/ros)(?:[:@]|$)|nvcr\.io/nvidia/(?:cuda|l4t-(?:base|cuda|jetpack))(?:[:@]|$)"

@@ -3,7 +3,8 @@
 ## What it finds
 A ROS service on a bridge network while another ROS service of the same file has `network_mode: host`. Silent if the
 service has a discovery server, static peers, a CYCLONEDDS_URI or Zenoh. Also `ports:` together with `network_mode:
-host`, which Docker ignores.
+host`, which Docker ignores: a warning where a port is to get another number on the host, else an info. Services whose
+`profiles` never run together, and a service with domain_bridge, are not compared.
 
 ## Why it matters on a robot
 Multicast discovery does not leave the bridge: the two halves of the robot never see each other's nodes.
@@ -53,24 +54,40 @@ def bridge_network_ros(robot: Robot) -> Iterator[Finding]:
                     f"'{service.name}' is on the host network: its ports are ignored",
                     advice="remove ports:",
                     related=[note(service.key("network_mode"), "the host network")],
+                    severity=None if any(_is_changed(port) for port in service.items("ports")) else "info",
                 )
+
+
+def _is_changed(port: str) -> bool:
+    """Whether a short mapping gives a port another number on the host, which then does not come about."""
+    *_, host, inside = ["", *port.partition("/")[0].split(":")][-3:]
+    return bool(host) and "$" not in port and host != inside
 
 
 def _apart(robot: Robot, services: list[Service]) -> Iterator[Finding]:
     host = [service for service in services if service.is_on_host_network]
     for service in services:
-        if not host or service.network_mode is not None or _finds_others(robot, service):
+        beside = [other for other in host if _run_together(service, other)]
+        if not beside or service.network_mode is not None or _finds_others(robot, service):
             continue
         yield finding(
             service.name,
-            f"'{service.name}' is on a bridge network, '{host[0].name}' on the host's: they never find each other",
+            f"'{service.name}' is on a bridge network, '{beside[0].name}' on the host's: they never find each other",
             advice="use network_mode: host in both, or a discovery server",
-            related=[note(host[0].key("network_mode"), f"'{host[0].name}' is on the host network")],
+            related=[note(beside[0].key("network_mode"), f"'{beside[0].name}' is on the host network")],
         )
+
+
+def _run_together(one: Service, other: Service) -> bool:
+    """Whether some choice of profiles starts both; a service without profiles always runs."""
+    ours, theirs = (set(map(str, service.items("profiles"))) for service in (one, other))
+    return not ours or not theirs or bool(ours & theirs)
 
 
 def _finds_others(robot: Robot, service: Service) -> bool:
     if len(robot.compose.env_files(service)) < len(service.env_files) or service.restart == "no":
+        return True
+    if any("domain_bridge" in word for word in service.scripts):
         return True
     rmw = robot.compose.variables(service, "RMW_IMPLEMENTATION")
     return bool(robot.compose.variables(service, *OTHER_WAYS)) or any("zenoh" in value for _, value in rmw)

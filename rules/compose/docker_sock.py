@@ -2,7 +2,7 @@
 
 ## What it finds
 A volume of `docker.sock`. A read-only mount makes no difference: requests are written to the socket, not to the
-file.
+file. It is info for images whose only work is to manage containers, such as Watchtower or Portainer.
 
 ## Why it matters on a robot
 Anybody in the container can start another container that mounts the host's root file system, and so is root on the
@@ -27,12 +27,18 @@ When the service is the fleet's own update agent and nothing else runs in its co
 - CWE-250
 """
 
+import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+
+MANAGES = re.compile(
+    r"(?:^|/)(?:watchtower|portainer(?:-[a-z]+)?|dozzle|diun|autoheal|docker-autoheal|lazydocker)(?=[:@]|$)"
+)
+"""Images that do nothing but manage containers, and work only through the socket."""
 
 
 @rule("warning", tags=["CWE-250"])
@@ -45,4 +51,5 @@ def docker_sock(robot: Robot) -> Iterator[Finding]:
                     volume.where,
                     f"Service '{service.name}' controls the Docker daemon, and with it the host",
                     advice="remove the volume; update containers from outside",
+                    severity="info" if service.image is not None and MANAGES.search(service.image) else None,
                 )

@@ -3,7 +3,8 @@
 ## What it finds
 An `image:` without a tag, or with `:latest`, that nothing in the tree builds: neither a service, nor a bake file, nor a
 script. Silent if no registry can hold the image (a name without a namespace that is not an official image), and
-about digests and variables. Several services of one file with the same image are one finding.
+about digests, variables and containers that only sleep. Several services of one file with the same image are one
+finding.
 
 ## Why it matters on a robot
 The next `docker compose pull` brings another ROS, another driver or another message definition to one robot of the
@@ -47,7 +48,7 @@ def latest(robot: Robot) -> Iterator[Finding]:
         images: dict[str, list[Located]] = {}
         for service in file.services:
             image = service.body.scalar("image")
-            if image is not None and _is_pulled(robot, service, str(image.value)):
+            if image is not None and not _sleeps(service) and _is_pulled(robot, service, str(image.value)):
                 images.setdefault(str(image.value), []).append(image.value)
         for name, (first, *others) in images.items():
             yield finding(
@@ -56,6 +57,11 @@ def latest(robot: Robot) -> Iterator[Finding]:
                 advice="name a version tag or a digest",
                 related=[note(other, "the same image") for other in others if other.span != first.span],
             )
+
+
+def _sleeps(service: Service) -> bool:
+    """Whether the container only waits for somebody to work in it."""
+    return " ".join(map(str, (*service.entrypoint, *service.command))).endswith("sleep infinity")
 
 
 def _is_pulled(robot: Robot, service: Service, image: str) -> bool:

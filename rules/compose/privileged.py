@@ -2,7 +2,8 @@
 
 ## What it finds
 `privileged: true`. A mount of the whole `/dev` in the same service belongs to the finding. Services that get the
-setting from one anchor or base are one finding.
+setting from one anchor or base are one finding. It is info where a comment says which devices need it, and for a
+place to work in: a terminal or a desktop without a command of the robot.
 
 ## Why it matters on a robot
 The container can do everything on the host: load modules, write to every disk, read every key. A flaw in one node
@@ -31,6 +32,7 @@ When the service is a tool for commissioning that never runs in operation.
 - CWE-250
 """
 
+import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -41,6 +43,9 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.compose import Service
+from bringup_lint.api.compose import is_workplace
+
+REASON = re.compile(r"\bprivileged\b.*\b(?:to|because|so that|for|since|as)\b.*(?:\bdevices?\b|\busb\b|/dev\b)", re.I)
 
 
 @rule("warning", tags=["CWE-250"])
@@ -57,7 +62,20 @@ def privileged(robot: Robot) -> Iterator[Finding]:
             f"Service '{first}'{f' (and {more} more)' if more else ''} has all rights on the host",
             advice="list what it needs instead: devices:, device_cgroup_rules:, cap_add:",
             related=[*_named(services), *_device_mounts(services)],
+            severity="info" if _is_meant(robot, place, services) else None,
         )
+
+
+def _is_meant(robot: Robot, place: Span, services: list[Service]) -> bool:
+    """Whether a comment at the line says which devices need it, or the containers only wait for somebody."""
+    if all(is_workplace(robot.compose, service) for service in services):
+        return True
+    source, line = place.source, place.line
+    comments = [source.line_text(line).partition("#")[2]]
+    while line > 1 and source.line_text(line - 1).lstrip().startswith("#"):
+        line -= 1
+        comments.append(source.line_text(line))
+    return REASON.search(" ".join(reversed(comments))) is not None
 
 
 def _named(services: list[Service]) -> list[Related]:

@@ -3,7 +3,8 @@
 ## What it finds
 FROM without a tag, or with `:latest`. Digests, earlier stages, `scratch` and variables are not reported, and neither
 are images that the tree builds, or that no registry can hold (a name without a namespace that is not an official
-image). One image is one finding, however many Dockerfiles build on it.
+image). One image is one finding, however many Dockerfiles build on it. It is info for stages from which files are
+only copied, and for images that a robot hardly runs by themselves.
 
 ## Why it matters on a robot
 The next build uses another Ubuntu, another ROS or another compiler, although nothing in the repository has changed.
@@ -33,24 +34,36 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.docker import Dockerfile
+from bringup_lint.api.docker import Stage
 from bringup_lint.api.docker import can_be_pulled
 from bringup_lint.api.docker import image_name
+from bringup_lint.api.docker import is_deployed
 
 
 @rule("warning")
 def no_pin(robot: Robot) -> Iterator[Finding]:
     bases: dict[str, list[Located]] = {}
+    kept: set[str] = set()
     for file in robot.dockerfiles:
         for stage in file.stages:
             if stage.base is None and file.source.judged and _is_pulled(robot, stage.resolved):
                 bases.setdefault(stage.resolved, []).append(stage.image)
+                if _is_kept(robot, file, stage):
+                    kept.add(stage.resolved)
     for name, (first, *others) in bases.items():
         yield finding(
             first,
             f"The base image '{name}' is not pinned: the next build may use another one",
             advice="name a version tag or a digest",
             related=[note(other, "the same image") for other in others[:20]],
+            severity=None if name in kept else "info",
         )
+
+
+def _is_kept(robot: Robot, file: Dockerfile, stage: Stage) -> bool:
+    """Whether the image becomes part of one that a robot may run, rather than of a stage from which files are taken."""
+    return file.final is not None and stage in file.final.chain and is_deployed(robot.compose, file)
 
 
 def _is_pulled(robot: Robot, image: str) -> bool:

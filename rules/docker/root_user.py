@@ -4,8 +4,12 @@
 A last stage with `USER root` as its last USER, or without USER on an image that certainly runs as root (the
 official ROS, Ubuntu, Debian and Python images). Not checked: builder stages, images that other Dockerfiles of the tree
 build on, images that start systemd, and images whose services in compose files all set `user:`. Silent if the
-Dockerfile or the entry script mentions gosu, su-exec, setpriv, runuser or fixuid, which drop privileges. An image
-without USER, CMD and ENTRYPOINT that no service runs is info.
+Dockerfile or the entry script mentions gosu, su-exec, setpriv, runuser or fixuid, which drop privileges, or if the
+entry script is that of a base image that is not known.
+
+It is info for images that a robot hardly runs by themselves: without USER, CMD and ENTRYPOINT; a shell in which
+somebody works; a builder, a simulator or a demonstration; and a Dockerfile that nothing builds while another one in
+its place is built.
 
 ## Why it matters on a robot
 An intruder in one node is root in the container. If the host uses another user, Fast DDS's shared memory cannot be
@@ -44,6 +48,8 @@ from bringup_lint.api import rule
 from bringup_lint.api.compose import Service
 from bringup_lint.api.compose import reach
 from bringup_lint.api.docker import Stage
+from bringup_lint.api.docker import can_be_pulled
+from bringup_lint.api.docker import is_deployed
 from bringup_lint.api.docker import runs_as_root
 
 DROPS = re.compile(r"\b(?:gosu|su-exec|setpriv|runuser|fixuid)\b")
@@ -59,17 +65,18 @@ def root_user(robot: Robot) -> Iterator[Finding]:
         users = [service for each in file.stages for service in robot.compose.users(each)]
         if users and all(service.user is not None for service in users):
             continue
-        if not _drops_in_script(robot, stage):
-            yield from _of(stage, [service for service in users if service.user is None])
+        if not _drops_in_script(robot, stage) and not _entrypoint_is_unknown(robot, stage):
+            lowered = not is_deployed(robot.compose, file)
+            yield from _of(stage, [service for service in users if service.user is None], lowered)
 
 
-def _of(stage: Stage, services: list[Service]) -> Iterator[Finding]:
+def _of(stage: Stage, services: list[Service], lowered: bool) -> Iterator[Finding]:
     user = stage.last("USER")
     far = max((reach(service) for service in services), key=len, default="")
     related = [note(service.name, "runs this image") for service in services]
     if user is not None and user.value.partition(":")[0] in ("root", "0"):
         message, advice = f"The container runs as root{far}", "end with USER and an unprivileged user"
-        yield finding(user.value, message, advice=advice, related=related)
+        yield finding(user.value, message, advice=advice, related=related, severity="info" if lowered else None)
     elif user is None and runs_as_root(stage.origin):
         why = f"{stage.origin} sets no USER, and neither does this file"
         yield finding(
@@ -77,7 +84,7 @@ def _of(stage: Stage, services: list[Service]) -> Iterator[Finding]:
             f"The container runs as root{far}; {why}" if far else f"The container runs as root: {why}",
             advice="create a user and end the file with USER",
             related=related,
-            severity=None if services or _runs(stage) else "info",
+            severity="info" if lowered or not (services or _runs(stage)) else None,
         )
 
 
@@ -94,6 +101,13 @@ def _starts_systemd(stage: Stage) -> bool:
 
 def _is_base(robot: Robot, stage: Stage) -> bool:
     return any(other.base is stage for file in robot.dockerfiles for other in file.stages)
+
+
+def _entrypoint_is_unknown(robot: Robot, stage: Stage) -> bool:
+    """Whether the image below, which is another one of the project's own, may start with a script that drops root."""
+    if stage.last("ENTRYPOINT") is not None:
+        return False
+    return "$" in stage.origin or robot.compose.images.is_built(stage.origin) or not can_be_pulled(stage.origin)
 
 
 def _drops_in_script(robot: Robot, stage: Stage) -> bool:

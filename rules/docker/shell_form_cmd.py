@@ -3,7 +3,7 @@
 ## What it finds
 CMD or ENTRYPOINT in shell form in an image that runs ROS. The instruction is correct if `exec` precedes the last
 command, and is not reported then. A CMD after an ENTRYPOINT in JSON form is checked too. A CMD that an ENTRYPOINT
-in shell form hides is not.
+in shell form hides is not. It is info for images that a robot hardly runs by themselves, such as a demonstration.
 
 ## Why it matters on a robot
 Docker runs `/bin/sh -c` and sends the stop signal to it. dash neither forwards the signal nor replaces itself with
@@ -35,9 +35,10 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.docker import is_deployed
+from bringup_lint.api.docker import stays_in_shell
 
 ROS = re.compile(r"\bros2\s|/ros_entrypoint\.sh|\.launch\.(?:py|xml)")
-EXEC = re.compile(r"(?:^|&&|;)\s*exec\s")
 
 
 @rule("warning", fix="unsafe")
@@ -48,9 +49,7 @@ def shell_form_cmd(robot: Robot) -> Iterator[Finding]:
             continue
         for name in ("ENTRYPOINT", "CMD"):
             instruction = stage.last(name)
-            if instruction is None or instruction.exec_form is not None or not ROS.search(instruction.value):
-                continue
-            if EXEC.search(instruction.value) or any(s.last("SHELL") for s in stage.chain):
+            if instruction is None or not ROS.search(instruction.value) or not stays_in_shell(stage, instruction):
                 continue
             words = instruction.value.split()
             plain = all(char not in instruction.value for char in "&|;<>$*?`'\"\\~")
@@ -60,5 +59,6 @@ def shell_form_cmd(robot: Robot) -> Iterator[Finding]:
                 f"{name} in shell form: PID 1 is sh, and the stop signal does not reach ROS",
                 advice=f"write {json}" if plain else "put exec before the last command",
                 fix=fix("write the JSON form", (instruction.value, json), safe=False) if plain else None,
+                severity=None if is_deployed(robot.compose, file) else "info",
             )
             break

@@ -2,7 +2,8 @@
 
 ## What it finds
 An image whose CMD or ENTRYPOINT runs `ros2 launch` without `STOPSIGNAL SIGINT`. Silent if compose files of the tree
-build the image and all of them set `stop_signal`.
+build the image and all of them set `stop_signal`, and where docker/shell-form-cmd reports that the signal reaches only
+a shell. It is info for images that a robot hardly runs by themselves, such as a demonstration.
 
 ## Why it matters on a robot
 On SIGTERM `ros2 launch` exits without stopping its nodes. Ten seconds later Docker kills everything that is left.
@@ -34,6 +35,8 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.docker import is_deployed
+from bringup_lint.api.docker import stays_in_shell
 
 LAUNCH = re.compile(r"\bros2[\s\",\[\]]+launch\b")
 
@@ -46,7 +49,9 @@ def stopsignal(robot: Robot) -> Iterator[Finding]:
             continue
         runs = next((i for i in (stage.last("CMD"), stage.last("ENTRYPOINT")) if i and LAUNCH.search(i.value)), None)
         services = [service for service in robot.compose.services if robot.compose.stage(service) is stage]
-        if runs is None or (services and all(service.scalar("stop_signal") for service in services)):
+        if runs is None or stays_in_shell(stage, runs):
+            continue
+        if services and all(service.scalar("stop_signal") for service in services):
             continue
         source, start = runs.keyword.span.source, runs.keyword.span.start
         here = (source.span(start, start), "STOPSIGNAL SIGINT\n")
@@ -55,4 +60,5 @@ def stopsignal(robot: Robot) -> Iterator[Finding]:
             "docker stop sends SIGTERM: ros2 launch exits before its nodes, and Docker kills them",
             advice="add STOPSIGNAL SIGINT",
             fix=fix("add STOPSIGNAL SIGINT", here) if stage.last("STOPSIGNAL") is None else None,
+            severity=None if is_deployed(robot.compose, file) else "info",
         )

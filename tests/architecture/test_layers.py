@@ -41,6 +41,7 @@ LAYERS = (
         "graph.compose_names",
         "graph.build_context",
         "graph.devcontainers",
+        "graph.image_use",
     },
     {"graph.workspace", "graph.compose", "graph.netplan", "graph.networkmanager", "graph.udev", "graph.commands"},
     {"graph.files", "graph.file_nodes", "graph.images", "graph.places", "graph.layers"},

@@ -45,10 +45,27 @@ services:
         ("docker_old/compose.yaml", Purpose.ARCHIVE),
         ("deploy/robot.service.bak", Purpose.ARCHIVE),
         ("backup.service", Purpose.ROBOT),
+        ("xil_yard/compose.yaml", Purpose.SIMULATION),
+        ("docker/train_detector/compose.yaml", Purpose.DEVELOPMENT),
+        ("docker/constrained/compose.yaml", Purpose.ROBOT),
+        ("deploy/wsl_docker/compose.yaml", Purpose.DEVELOPMENT),
+        ("deploy/compose.mitm.yaml", Purpose.TEST),
+        ("self_hosted_runner/compose.yaml", Purpose.CI),
+        ("task_runner/compose.yaml", Purpose.ROBOT),
     ],
 )
 def test_paths_tell_the_purpose(path: str, expected: Purpose) -> None:
     assert by_path(path) is expected
+
+
+def test_a_folder_of_an_older_version_is_an_archive(tmp_path: Path) -> None:
+    for version in ("1.9.0", "1.10.0"):
+        unit = tmp_path / version / "systemd" / "robot.service"
+        unit.parent.mkdir(parents=True)
+        unit.write_text("[Service]\nExecStart=/bin/true\n")
+    robot = Robot(discover([str(tmp_path)]))
+    purposes = {source.name.split("/")[-3]: robot.purpose(source) for source in robot.sources}
+    assert purposes == {"1.9.0": Purpose.ARCHIVE, "1.10.0": Purpose.ROBOT}
 
 
 def test_where_a_checkout_is_says_nothing(tmp_path: Path) -> None:
