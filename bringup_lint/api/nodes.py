@@ -28,11 +28,13 @@ from bringup_lint.graph.nodes.questions.stopping import unhandled_shutdown
 from bringup_lint.graph.nodes.questions.undefined_names import dict_ranges
 from bringup_lint.graph.nodes.questions.undefined_names import range_text
 from bringup_lint.graph.nodes.questions.undefined_names import undefined
+from bringup_lint.graph.purpose import Purpose
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import Timer
 
 __all__ = [
     "Endpoint",
+    "Purpose",
     "Timer",
     "awaits_asyncio",
     "blocking",
@@ -70,6 +72,6 @@ def valid_node_name(name: str) -> bool:
     return bool(_NODE_NAME.match(name))
 
 
-def lowered(purpose: str, severity: str) -> str:
+def lowered(purpose: Purpose, severity: str) -> str:
     """The severity of a finding in code that is only an example."""
-    return "info" if purpose else severity
+    return severity if purpose is Purpose.ROBOT else "info"

@@ -21,7 +21,6 @@ if TYPE_CHECKING:
     from bringup_lint.graph.commands.command_line import CommandLine
     from bringup_lint.graph.commands.command_line import Step
     from bringup_lint.graph.dds.dds import Dds
-    from bringup_lint.graph.dds.selection import Selection
     from bringup_lint.graph.environment.ros import RosProcess
     from bringup_lint.graph.launch.expansion import Expansion
     from bringup_lint.graph.launch.launch import Launch
@@ -63,7 +62,7 @@ class Provenance:
         name = load.path.rpartition("/")[2]
         return (*self._to_node(load.node), Related(load.where, f"{load.node.label()} gets {name}"), *more)
 
-    def chain_to_variable(self, process: RosProcess | Selection, value: Located, *more: Related) -> Steps:
+    def chain_to_variable(self, process: RosProcess, value: Located, *more: Related) -> Steps:
         """The chain to the place that gives a process the value of a variable, and on from there."""
         steps = (*self._to_variable(process, value), *more)
         return steps if len(steps) > 1 else ()
@@ -127,7 +126,7 @@ class Provenance:
             wanted = caller.script
         return tuple(steps)
 
-    def _to_variable(self, process: RosProcess | Selection, value: Located) -> Steps:
+    def _to_variable(self, process: RosProcess, value: Located) -> Steps:
         return self._from_runner(process.runner, value.span.source) if process.runner is not None else ()
 
     def _from_runner(self, runner: Runner, source: Source) -> Steps:
@@ -169,9 +168,7 @@ class Provenance:
 
     def _in_dds_file(self, span: Span) -> Steps:
         dds = self.dds()
-        readers: list[tuple[RosProcess | Selection, Located]] = [
-            (each, each.uri) for each in dds.selections if span.source in each.files
-        ]
+        readers = [(each.process, each.uri) for each in dds.selections if span.source in each.files]
         profiles = [each for each in dds.profile_files if each.source is span.source]
         readers += [reader for each in profiles for reader in dds.profile_readers(each)]
         for process, value in readers:

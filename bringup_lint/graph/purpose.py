@@ -65,6 +65,17 @@ PATHS: tuple[tuple[Purpose, re.Pattern[str]], ...] = (
 )
 """The first pattern that a path matches decides."""
 
+SOURCES: tuple[tuple[Purpose, re.Pattern[str]], ...] = (
+    (Purpose.TEST, re.compile(r"(?:^|[/_-])tests?(?:[/_.-]|$)|(?:^|/)(?:testing|integration_tests?)/", re.I)),
+    (Purpose.EXAMPLE, re.compile(r"(?:^|[/_-])(?:examples?|demos?|tutorials?|samples?|benchmarks?)(?:[/_.-]|$)", re.I)),
+    (Purpose.EXAMPLE, _folder(r"docs?|tools?")),
+    (
+        Purpose.SIMULATION,
+        re.compile(r"(?:^|[/_-])(?:sim|simulation|simulator|gazebo|gz|mujoco|webots|isaac\w*)(?:[/_.-]|$)", re.I),
+    ),
+)
+"""The same for the path of a node's source in its package, where more folders hold what no robot runs."""
+
 
 _VERSION = re.compile(r"[vV]?\d{1,4}\.\d{1,4}\.\d{1,4}")
 
@@ -76,6 +87,11 @@ def _version(name: str) -> tuple[int, ...]:
 def by_path(path: str) -> Purpose:
     """What the words of a path, relative to the top of the tree, say."""
     return next((purpose for purpose, pattern in PATHS if pattern.search(path)), Purpose.ROBOT)
+
+
+def of_source(path: str, general: Purpose) -> Purpose:
+    """What the path of a node's source in its package says; ``general`` is what the path of the file says."""
+    return next((purpose for purpose, pattern in SOURCES if pattern.search(path)), general)
 
 
 def by_names(names: Iterable[str]) -> Purpose:

@@ -48,13 +48,13 @@ def domain_id_mismatch(robot: Robot) -> Iterator[Finding]:
         for selection in robot.dds.readers(configuration):
             if selection.domain is None or selection.domain in numbers:
                 continue
-            related = [note(selection.uri, f"{selection.who} reads the file")]
+            related = [note(selection.uri, f"{selection.process.name} reads the file")]
             if selection.domain_where is not None:
-                related.append(note(selection.domain_where, f"{selection.who} runs in this domain"))
+                related.append(note(selection.domain_where, f"{selection.process.name} runs in this domain"))
             yield finding(
                 ids[0],
-                f"The file configures domain {numbers[0]}, but {selection.who} runs in domain {selection.domain}: "
-                "it has no effect",
+                f"The file configures domain {numbers[0]}, but {selection.process.name} runs in domain "
+                f"{selection.domain}: it has no effect",
                 advice="write any",
                 related=related,
                 chain=robot.provenance.chain_to(ids[0], f"the block is for domain {numbers[0]}"),

@@ -45,8 +45,8 @@ def external_domain_id(robot: Robot) -> Iterator[Finding]:
             if reader.domain is not None and reader.domain != int(text):
                 yield finding(
                     setting.value,
-                    f"{reader.who} has ROS_DOMAIN_ID {reader.domain}, but uses domain {text} on the network",
+                    f"{reader.process.name} has ROS_DOMAIN_ID {reader.domain}, but uses domain {text} on the network",
                     advice="delete ExternalDomainId",
-                    related=[note(reader.domain_where or reader.where, "the domain of the process")],
+                    related=[note(reader.domain_where or reader.process.place, "the domain of the process")],
                 )
                 break

@@ -69,6 +69,7 @@ def interface_not_waited_for(robot: Robot) -> Iterator[Finding]:
 
 def _order(robot: Robot, configuration: Configuration) -> list[Related]:
     """What the units that read the file wait for instead."""
-    units = {reader.unit.name: reader.unit for reader in robot.dds.readers(configuration) if reader.unit}
+    found = [reader.process.unit for reader in robot.dds.readers(configuration)]
+    units = {unit.name: unit for unit in found if unit is not None}
     words = [(unit, word) for unit in units.values() for word in unit.words("After") if "network" in word]
     return [note(word, f"{unit.name} waits for {word} only") for unit, word in words[:3]]

@@ -116,4 +116,4 @@ def _too_few(robot: Robot, domain: Domain, index: Setting, readers: list[Selecti
 
 
 def _counted(readers: list[Selection]) -> list[Related]:
-    return [note(each.where, f"{each.who}: {each.processes}") for each in readers]
+    return [note(each.process.place, f"{each.process.name}: {each.processes}") for each in readers]

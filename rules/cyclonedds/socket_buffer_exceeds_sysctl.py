@@ -92,4 +92,6 @@ def _limit(limit: KernelParameter | None) -> list[Related]:
 
 
 def _readers(robot: Robot, configuration: Configuration) -> list[Related]:
-    return [note(reader.uri, f"{reader.who} reads the file") for reader in robot.dds.readers(configuration)[:3]]
+    return [
+        note(reader.uri, f"{reader.process.name} reads the file") for reader in robot.dds.readers(configuration)[:3]
+    ]

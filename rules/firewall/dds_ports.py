@@ -70,6 +70,6 @@ def uses_default_ports(robot: Robot) -> bool:
         return False
     own = [each for each in robot.dds.configurations if "<Ports" in each.source.text]
     readers = [robot.dds.readers(each) for each in own]
-    elsewhere = {id(reader.unit) for group in readers for reader in group if reader.unit}
-    usual = any(process.unit and id(process.unit) not in elsewhere for process in robot.ros.processes)
+    elsewhere = {reader.process.unit for group in readers for reader in group}
+    usual = any(process.unit and process.unit not in elsewhere for process in robot.ros.processes)
     return not own or (all(readers) and usual)

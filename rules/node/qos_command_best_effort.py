@@ -75,8 +75,8 @@ def qos_command_best_effort(robot: Robot) -> Iterator[Finding]:
 def _nodes(robot: Robot) -> Iterator[tuple[list[Endpoint], list[Timer]]]:
     """The endpoints of each Python class and C++ file for the robot, with all timers of its node."""
     for node in robot.nodes.classes:
-        if not robot.nodes.purpose(node.source):
+        if robot.nodes.is_for_robot(node.source):
             yield node.endpoints, node.all_timers
     for source in robot.nodes.cpp:
-        if not robot.nodes.purpose(source.source):
+        if robot.nodes.is_for_robot(source.source):
             yield source.endpoints, source.timers

@@ -49,7 +49,7 @@ LATCHED = {
 @rule("warning", symptoms=["Waiting for map", "Waiting for robot_description"])
 def qos_latched_volatile(robot: Robot) -> Iterator[Finding]:
     for node in robot.nodes.classes:
-        if robot.nodes.purpose(node.source):
+        if not robot.nodes.is_for_robot(node.source):
             continue
         for endpoint in node.endpoints:
             name = topics.tail(endpoint.name or "")

@@ -88,6 +88,6 @@ def shutdown_publish_after_context(robot: Robot) -> Iterator[Finding]:
             )
 
 
-def _severity(raw_terminal: bool, purpose: str, moves: bool) -> str:
+def _severity(raw_terminal: bool, purpose: nodes.Purpose, moves: bool) -> str:
     """In a raw terminal Ctrl-C is not a signal: the message is sent then, and lost only on SIGTERM."""
     return "info" if raw_terminal else nodes.lowered(purpose, "error" if moves else "warning")

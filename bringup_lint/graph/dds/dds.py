@@ -159,11 +159,10 @@ class Dds:
 
     def _runners(self, configuration: Configuration | Profiles) -> Iterator[Runner]:
         """Who starts the processes that read a file."""
-        readers: list[Selection] | list[RosProcess]
         if isinstance(configuration, Profiles):
             readers = [process for process, _ in self.profile_readers(configuration)]
         else:
-            readers = self.readers(configuration)
+            readers = [each.process for each in self.readers(configuration)]
         return (each.runner for each in readers if each.runner is not None)
 
     def in_use(self, configuration: Configuration | Profiles) -> bool:

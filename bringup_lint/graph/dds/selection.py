@@ -23,10 +23,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.environment.ros import RosProcess
     from bringup_lint.graph.files import Files
     from bringup_lint.graph.launch.started import Started
-    from bringup_lint.graph.runners.runner import Runner
     from bringup_lint.graph.systemd.unit import Unit
     from bringup_lint.graph.systemd.units import Units
-    from bringup_lint.model.compose import Service
 
 URI = "CYCLONEDDS_URI"
 PROFILES = {
@@ -38,15 +36,11 @@ PROFILES = {
 
 @dataclass(eq=False)
 class Selection:
-    """One process of the robot, and what its environment says about Cyclone DDS."""
+    """What the environment of one process says about Cyclone DDS."""
 
-    who: str
-    """``robot.service``, or ``service 'base'`` of a compose file."""
-    where: Located
-    """Its command line, or its name."""
+    process: RosProcess
     uri: Located
     """The value that takes effect."""
-    runner: Runner | None = None
     files: list[Source] = field(default_factory=list)
     """The files of the list that the tree holds, in order."""
     inline: list[Located] = field(default_factory=list)
@@ -57,14 +51,6 @@ class Selection:
     domain_where: Located | None = None
     processes: int = 1
     """At least so many processes take part: what its launch files start by default."""
-
-    @property
-    def unit(self) -> Unit | None:
-        return self.runner.unit if self.runner is not None else None
-
-    @property
-    def service(self) -> Service | None:
-        return self.runner.service if self.runner is not None else None
 
 
 def selections(files: Files, ros: RosEnvironment) -> Iterator[Selection]:
@@ -79,7 +65,7 @@ def selections(files: Files, ros: RosEnvironment) -> Iterator[Selection]:
 def _selection(
     files: Files, ros: RosEnvironment, process: RosProcess, variable: Variable, apart: set[Started]
 ) -> Selection:
-    selection = Selection(process.name, process.place, variable.value, process.runner)
+    selection = Selection(process, variable.value)
     if variable.text == variable.value:
         _resolve(selection, variable.value, partial(_seen_by, files, process, variable.value))
     else:
@@ -192,5 +178,5 @@ def user_of(unit: Unit) -> tuple[str, Located | Span]:
 def largest_coexisting_group(units: Units, readers: list[Selection]) -> list[Selection]:
     """Of these processes, the most that surely run at the same time: one alone, or the units of one boot."""
     groups = [[each] for each in readers]
-    groups += [[each for each in readers if each.unit in crew] for crew in units.running_together]
+    groups += [[each for each in readers if each.process.unit in crew] for crew in units.running_together]
     return max(groups, key=lambda group: sum(each.processes for each in group), default=[])

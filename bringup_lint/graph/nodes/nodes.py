@@ -20,6 +20,7 @@ from bringup_lint.graph.nodes.sources.ending import Ending
 from bringup_lint.graph.nodes.sources.modules import Modules
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.purpose import Purpose
+from bringup_lint.graph.purpose import of_source
 from bringup_lint.graph.runners.runner import RunnerKind
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
@@ -47,16 +48,9 @@ _STARTERS = (
     *("systemd-unit", "systemd-dropin", "compose", "dockerfile", "shell-script"),
     *("launch-python", "launch-xml", "launch-yaml", "env-file", "cmake", "setup-py"),
 )
-_UNJUDGED = ("test", "ci", "archive")
+_UNJUDGED = (Purpose.TEST, Purpose.CI, Purpose.ARCHIVE)
 """Purposes whose sources are not for a robot."""
 _RUNNERS = ("systemd-unit", "systemd-dropin", "compose", "dockerfile", "supervisord", "cron")
-_TEST = re.compile(r"(?:^|[/_-])tests?(?:[/_.-]|$)|(?:^|/)(?:testing|integration_tests?)/", re.I)
-_EXAMPLE = re.compile(
-    r"(?:^|[/_-])(?:examples?|demos?|tutorials?|samples?|benchmarks?)(?:[/_.-]|$)|(?:^|/)(?:docs?|tools?)/",
-    re.I,
-)
-_SIMULATION = re.compile(r"(?:^|[/_-])(?:sim|simulation|simulator|gazebo|gz|mujoco|webots|isaac\w*)(?:[/_.-]|$)", re.I)
-_PURPOSES = (("test", _TEST), ("example", _EXAMPLE), ("simulation", _SIMULATION))
 
 
 @dataclass(eq=False)
@@ -106,21 +100,17 @@ class Nodes:
     def file_of(self, node: NodeClass) -> NodeSource:
         return self._modules.by_source[node.source]
 
-    def purpose(self, source: Source) -> str:
-        """``test``, ``example``, ``simulation`` or another purpose, by the path of the file in its package; an empty
-        string for what runs on the robot."""
+    def purpose(self, source: Source) -> Purpose:
+        """What a source is for, by the path of the file and by that in its package."""
         if source not in self._purposes:
-            self._purposes[source] = self._purpose(source)
+            self._purposes[source] = of_source(self._path(source), self.files.purpose(source))
         return self._purposes[source]
 
-    def _purpose(self, source: Source) -> str:
-        path = self._path(source)
-        general = self.files.purpose(source)
-        other = general.value if general is not Purpose.ROBOT else ""
-        return next((name for name, words in _PURPOSES if words.search(path)), other)
+    def is_for_robot(self, source: Source) -> bool:
+        return self.purpose(source) is Purpose.ROBOT
 
     @cached_property
-    def _purposes(self) -> dict[Source, str]:
+    def _purposes(self) -> dict[Source, Purpose]:
         return {}
 
     def _path(self, source: Source) -> str:
@@ -203,7 +193,7 @@ class Nodes:
     def is_stopped(self, file: NodeSource) -> bool:
         """Whether something of the robot starts a program that is not for tests, examples or a person at its keys, and
         so stops it as well."""
-        return self.is_deployed(file) and not self.purpose(file.source) and not self.ending(file).reads_keys
+        return self.is_deployed(file) and self.is_for_robot(file.source) and not self.ending(file).reads_keys
 
     @cached_property
     def _run_directly(self) -> frozenset[Source]:

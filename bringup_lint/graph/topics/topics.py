@@ -14,6 +14,7 @@ from bringup_lint.discover.starters import STARTING
 from bringup_lint.graph.launch.expansion import Expansion
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import literal_text
+from bringup_lint.graph.purpose import Purpose
 from bringup_lint.graph.topics.questions.coexistence import coexist
 from bringup_lint.graph.topics.questions.command_sources import has_stop_hardware
 from bringup_lint.graph.topics.resolved import names
@@ -146,7 +147,7 @@ class Topics:
     def endpoints(self) -> Iterator[Endpoint]:
         """Every endpoint in the sources of nodes, of tests none."""
         for node in self.nodes.classes:
-            if self.nodes.purpose(node.source) != "test":
+            if self.nodes.purpose(node.source) is not Purpose.TEST:
                 yield from node.endpoints
         for source in self.nodes.cpp:
             yield from source.endpoints

@@ -178,13 +178,13 @@ def test_unit_that_starts_a_file(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("path", "purpose"),
     [
-        ("arm/arm/driver.py", ""),
+        ("arm/arm/driver.py", "robot"),
         ("arm/test/test_driver.py", "test"),
-        ("arm/arm/latest.py", ""),
+        ("arm/arm/latest.py", "robot"),
         ("arm_examples/arm_examples/driver.py", "example"),
         ("arm/tools/plot.py", "example"),
         ("arm_gazebo/scripts/driver.py", "simulation"),
-        ("arm/arm/similar.py", ""),
+        ("arm/arm/similar.py", "robot"),
     ],
 )
 def test_purpose(tmp_path: Path, path: str, purpose: str) -> None:
@@ -193,7 +193,7 @@ def test_purpose(tmp_path: Path, path: str, purpose: str) -> None:
         tmp_path, {f"{package}/package.xml": PACKAGE.format(name=package, build="ament_python"), path: node()}
     )
     (file,) = found.nodes.sources
-    assert found.nodes.purpose(file.source) == purpose
+    assert found.nodes.purpose(file.source).value == purpose
 
 
 PIECES = [

@@ -57,7 +57,7 @@ class WatchLists:
     def all(self) -> Iterator[Watched]:
         """Every list of nodes in Python sources, parameter files and the files of runners."""
         for file in self.nodes.judged:
-            if not self.nodes.purpose(file.source):
+            if self.nodes.is_for_robot(file.source):
                 given = self.given(file.source)
                 yield from (found for found in _of_python(file) if str(found.where) not in given)
         yield from self._of_params()
