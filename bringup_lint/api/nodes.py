@@ -29,6 +29,8 @@ from bringup_lint.graph.nodes.questions.undefined_names import dict_ranges
 from bringup_lint.graph.nodes.questions.undefined_names import range_text
 from bringup_lint.graph.nodes.questions.undefined_names import undefined
 from bringup_lint.graph.purpose import Purpose
+from bringup_lint.graph.topics.questions.undeclared import asked_in_vain
+from bringup_lint.graph.topics.questions.undeclared import unset
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import Timer
 
@@ -36,6 +38,7 @@ __all__ = [
     "Endpoint",
     "Purpose",
     "Timer",
+    "asked_in_vain",
     "awaits_asyncio",
     "blocking",
     "commands",
@@ -59,6 +62,7 @@ __all__ = [
     "uncovered_sigterm",
     "undefined",
     "unhandled_shutdown",
+    "unset",
     "valid_node_name",
     "waits",
     "without_qos",

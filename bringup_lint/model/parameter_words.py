@@ -29,12 +29,18 @@ class ParameterWords:
     pieces: frozenset[str] = frozenset()
     """Texts that are put together with something else."""
     asked: tuple[Asked, ...] = ()
+    unset: tuple[Located, ...] = ()
+    """Parameters that are declared without a default and used all the same: not given, they raise an exception."""
     open: bool = False
     """Names of parameters may come from somewhere else."""
 
     def __or__(self, other: ParameterWords) -> ParameterWords:
         return ParameterWords(
-            self.texts | other.texts, self.pieces | other.pieces, self.asked + other.asked, self.open or other.open
+            self.texts | other.texts,
+            self.pieces | other.pieces,
+            self.asked + other.asked,
+            self.unset + other.unset,
+            self.open or other.open,
         )
 
     def name(self, parameter: str) -> bool:

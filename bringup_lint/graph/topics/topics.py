@@ -89,6 +89,11 @@ class Topics:
         """The texts with which a launched program may name its parameters; None when not all of it is known."""
         return self._parameter_names.of(started)
 
+    @property
+    def all_parameter_words(self) -> Iterator[ParameterWords]:
+        """The same for every program of the workspace of which it is known."""
+        return self._parameter_names.all
+
     @cached_property
     def _parameter_names(self) -> ParameterNames:
         from bringup_lint.graph.topics.sources.parameter_names import ParameterNames

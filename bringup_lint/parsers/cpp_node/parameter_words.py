@@ -11,6 +11,7 @@ from bringup_lint.model.parameter_words import ParameterWords
 from bringup_lint.parsers.cpp_node.parameters import DECLARING
 from bringup_lint.parsers.cpp_node.parameters import LOOSE
 from bringup_lint.parsers.cpp_node.parameters import reads
+from bringup_lint.source import Located
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
@@ -28,6 +29,9 @@ _TOKEN = re.compile(
     re.S,
 )
 _MACRO = re.compile(r"^[ \t]*#[ \t]*define\b(?:\\\n|[^\n])*parameter", re.M)
+_OWN = re.compile(r"(?:(?:this|self|\w*node\w*)(?:->|\.))?get_parameter\w*\Z", re.I)
+_OWN_DECLARING = re.compile(r"(?:(?:this|self|\w*node\w*)(?:->|\.))?declare_parameter\Z", re.I)
+_TYPE = re.compile(r"(?:rclcpp::)?(?:ParameterType::)?PARAMETER_[A-Z_]+\Z")
 _LOOPS = frozenset({"for_range_loop", "for_statement", "while_statement"})
 
 
@@ -46,8 +50,9 @@ def parse(source: Source) -> ParameterWords:
     from bringup_lint.parsers.cpp_node.syntax import Code
 
     code = Code(source)
-    asked = tuple(Asked(read.name, read.required) for call in code.calls for read in reads(code, call))
-    return ParameterWords(texts, pieces, asked, any(_is_open(code, call) for call in code.calls))
+    asked = tuple(_asked(code))
+    unset = tuple(_unset(code, {str(each.name) for each in asked if each.required}))
+    return ParameterWords(texts, pieces, asked, unset, any(_is_open(code, call) for call in code.calls))
 
 
 def _texts(text: str) -> Iterator[tuple[str, bool]]:
@@ -55,6 +60,32 @@ def _texts(text: str) -> Iterator[tuple[str, bool]]:
     for found in _TOKEN.finditer(text):
         if found["text"] is not None and found["read"] is None:
             yield found["text"], bool(found["before"] or found["after"])
+
+
+def _asked(code: Code) -> Iterator[Asked]:
+    """What a node is asked for; parameter clients ask other nodes."""
+    looked = {str(read.name) for call in code.calls if call.name == "has_parameter" for read in reads(code, call)}
+    for call in code.calls:
+        if _OWN.match(call.qualified):
+            tried = _is_tried(code, call)
+            for read in reads(code, call):
+                yield Asked(read.name, read.required and not tried and read.name not in looked)
+
+
+def _unset(code: Code, used: set[str]) -> Iterator[Located]:
+    """What is declared with a type alone: with a template at once, else when it is asked for, no value raises."""
+    for call in code.calls:
+        name = code.literal(call.arguments[0]) if call.arguments and call.name == "declare_parameter" else None
+        if name is None or not _OWN_DECLARING.match(call.qualified) or _is_tried(code, call):
+            continue
+        typed = call.template is not None and len(call.arguments) == 1
+        if typed or (len(call.arguments) == 2 and name in used and _TYPE.match(code.text(call.arguments[1]))):
+            yield name
+
+
+def _is_tried(code: Code, call: Call) -> bool:
+    """Whether a condition decides about a call, or its exception is handled."""
+    return code.is_conditional(call.node) or any(each.type == "try_statement" for each in code.above(call.node))
 
 
 def _is_open(code: Code, call: Call) -> bool:

@@ -19,6 +19,8 @@ TEXT = 400_000
 """Code points of a file."""
 _LOOSE = re.compile(r"automatically_declare_parameters_from_overrides|allow_undeclared_parameters|generate_parameter")
 _READING = ("get_parameter", "get_parameter_or", "has_parameter", "get_parameter_value", "undeclare_parameter")
+_OWN = re.compile(r"(?:self|(?:self\.)?\w*node\w*)\.(?:get_parameter\w*|has_parameter)\Z", re.I)
+_TYPE = re.compile(r"(?:^|\.)Parameter\.Type\.(?!NOT_SET)[A-Z_]+\Z")
 _CONTAINERS = (ast.List, ast.Tuple, ast.Dict, ast.Set)
 HELPERS = 3
 """Functions through which the name of a parameter is followed."""
@@ -51,6 +53,7 @@ class _Reader:
             frozenset(str(node.value) for node in used),
             frozenset(str(node.value) for node in pieces),
             tuple(self._asked()),
+            tuple(self._unset()),
             any(self._is_open(call) for call in self.calls),
         )
 
@@ -60,9 +63,22 @@ class _Reader:
     def _asked(self) -> Iterator[Asked]:
         for call in self.calls:
             name = call.args[0] if call.args else None
-            if _called(call) in _READING and isinstance(name, ast.Constant) and isinstance(name.value, str):
+            if not _OWN.match(ast.unparse(call.func)):
+                continue
+            if isinstance(name, ast.Constant) and isinstance(name.value, str):
                 required = _called(call) == "get_parameter" and not self._is_tried(call)
                 yield Asked(Located(name.value, self.positions.span(name)), required)
+
+    def _unset(self) -> Iterator[Located]:
+        """What is declared with a type alone and asked for."""
+        used = {str(each.name) for each in self._asked() if each.required}
+        for call in self.calls:
+            if _called(call) == "declare_parameter" and len(call.args) == 2 and not call.keywords:
+                name, kind = call.args
+                if not isinstance(name, ast.Constant) or name.value not in used or self._is_tried(call):
+                    continue
+                if _TYPE.search(ast.unparse(kind)):
+                    yield Located(str(name.value), self.positions.span(name))
 
     def _is_tried(self, call: ast.Call) -> bool:
         """Whether an exception of the call is handled, or a condition decides about it."""

@@ -64,6 +64,18 @@ def undeclared(topics: Topics) -> Iterator[Undeclared]:
         yield Undeclared(pairs[0][0], tuple(given for _, given in pairs))
 
 
+def asked_in_vain(topics: Topics) -> Iterator[Located]:
+    """Where a program of the workspace asks its node for a parameter that nothing in it declares, and raises."""
+    verdicts: dict[Span, bool] = {}
+    found: dict[Span, Located] = {}
+    for words in topics.all_parameter_words:
+        for asked in words.asked:
+            lacks = asked.required and not words.name(asked.name) and not is_of_library(asked.name)
+            verdicts[asked.name.span] = verdicts.get(asked.name.span, True) and lacks
+            found[asked.name.span] = asked.name
+    return (name for span, name in found.items() if verdicts[span] and span.source.judged)
+
+
 def _launched(topics: Topics) -> Iterator[LaunchedNode]:
     for expansion in topics.launch.expansions:
         yield from (topics.node(each) for each in expansion.nodes if each.is_node)
@@ -119,3 +131,26 @@ def _may_reach(block: Block, node: LaunchedNode, rewritten: bool) -> bool:
         return True
     own = block.name.rpartition("/")[2]
     return matches(block.name, node.fqn) or (rewritten and (own == node.name or "*" in own))
+
+
+class Unset(NamedTuple):
+    """A launched node that ends because nothing gives it a parameter."""
+
+    node: LaunchedNode
+    declared: Located
+
+
+def unset(topics: Topics) -> Iterator[Unset]:
+    """Nodes that start by default, know all that they are given, and are not given what they need; each action once."""
+    seen: set[tuple[Span, str]] = set()
+    for node in _launched(topics):
+        words = topics.parameter_words(node.started)
+        if words is None or not words.unset or node.given is None or node.given.open:
+            continue
+        if node.started.by_default is not True or node.name is None:
+            continue
+        for declared in words.unset:
+            key = (node.started.span, str(declared))
+            if declared not in node.given.values and key not in seen:
+                seen.add(key)
+                yield Unset(node, declared)

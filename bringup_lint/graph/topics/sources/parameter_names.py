@@ -5,8 +5,10 @@ from __future__ import annotations
 import ast
 import os
 import re
+from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
+from dataclasses import replace
 from functools import cached_property
 from functools import reduce
 from operator import or_
@@ -49,22 +51,36 @@ class ParameterNames:
         self._files = files
         self._workspace = workspace
         self._nodes = nodes
-        self._known: dict[tuple[str | None, ...], ParameterWords | None] = {}
+        self._known: dict[tuple[str, str], ParameterWords | None] = {}
 
     def of(self, started: Started) -> ParameterWords | None:
         """None when not everything is known that may declare a parameter in the program."""
-        key = (literal_text(started.package), literal_text(started.executable), literal_text(started.plugin))
+        package, word = literal_text(started.package), literal_text(started.plugin) or literal_text(started.executable)
+        return self.of_program(str(package), str(word)) if package is not None and word is not None else None
+
+    def of_program(self, package: str, program: str) -> ParameterWords | None:
+        """``program``: an executable or component class."""
+        key = (package, program)
         if key not in self._known:
-            self._known[key] = self._of(started)
+            self._known[key] = self._of(package, program)
         return self._known[key]
 
-    def _of(self, started: Started) -> ParameterWords | None:
-        program = self._nodes.program_of(started)
-        if program is not None:
-            return self._python(program)
-        package = self._workspace.packages.get(str(literal_text(started.package)))
-        word = literal_text(started.plugin) or literal_text(started.executable)
-        return self._cpp(package, str(word)) if package is not None and word is not None else None
+    @property
+    def all(self) -> Iterator[ParameterWords]:
+        """What is known of every program of the workspace."""
+        for package in self._workspace.packages.values():
+            components = {name for build in package.builds for name in build.components}
+            for program in sorted({*package.executables, *components}):
+                words = self.of_program(package.name, program)
+                if words is not None:
+                    yield words
+
+    def _of(self, package: str, program: str) -> ParameterWords | None:
+        python = self._nodes.program(package, program)
+        if python is not None:
+            return self._python(python)
+        owner = self._workspace.packages.get(package)
+        return self._cpp(owner, program) if owner is not None else None
 
     def _python(self, program: Program) -> ParameterWords | None:
         from bringup_lint.parsers.python_node.parameter_words import parse
@@ -75,7 +91,7 @@ class ParameterNames:
         files = self._nodes.imported(program.file)
         if files is None or any(_hands_out(file, self._workspace) for file in files):
             return None
-        return _joined(self._files.parsed(parse, [file.source for file in files]))
+        return _joined(self._words(parse, file.source) for file in files)
 
     @staticmethod
     def _is_followed(bases: tuple[str, ...], base: object) -> bool:
@@ -84,27 +100,34 @@ class ParameterNames:
     def _cpp(self, package: Package, program: str) -> ParameterWords | None:
         from bringup_lint.parsers.cpp_node.parameter_words import parse
 
-        own = self._own(package, program)
-        if own is None:
+        made = _made(package, program)
+        sources = self._with_included(package, self._own(package, made)) if made is not None else None
+        if made is None or sources is None or not _is_plain_node(sources):
             return None
-        sources = self._with_included(package, own)
-        if sources is None:
-            return None
-        if not _is_plain_node(sources):
-            return None
-        return _joined(self._files.parsed(parse, sources))
+        used = self._used(package, made)
+        found = ((source, self._words(parse, source)) for source in sources)
+        return _joined(
+            words if os.path.abspath(source.name) in used else replace(words, unset=()) for source, words in found
+        )
 
-    def _own(self, package: Package, program: str) -> list[str] | None:
-        """The files of the package that an executable or component may be made of, but not those of other programs;
-        None when it is not built there."""
-        for build in package.builds:
-            target = build.components.get(program, program)
-            if target in build.targets:
-                made = set(_made_of(build, target))
-                every = self._files_of(package, _CPP)
-                used = made | self._implementing(made, every)
-                return [path for path in every if path in used or not made or not self._is_program(path)]
-        return None
+    def _words(self, parse: Callable[[Source], ParameterWords], source: Source) -> ParameterWords:
+        if source not in self._parsed:
+            self._parsed[source] = next(iter(self._files.parsed(parse, [source])), ParameterWords(open=True))
+        return self._parsed[source]
+
+    @cached_property
+    def _parsed(self) -> dict[Source, ParameterWords]:
+        return {}
+
+    def _own(self, package: Package, made: set[str]) -> list[str]:
+        """The files of the package that a program may be made of, but not those of other programs."""
+        used = self._used(package, made)
+        return [
+            path for path in self._files_of(package, _CPP) if path in used or not made or not self._is_program(path)
+        ]
+
+    def _used(self, package: Package, made: set[str]) -> set[str]:
+        return made | self._implementing(made, self._files_of(package, _CPP))
 
     def _implementing(self, made: set[str], every: list[str]) -> set[str]:
         """The files that are called like a header which some files, or such files, include."""
@@ -179,6 +202,16 @@ class ParameterNames:
     @cached_property
     def _known_sources(self) -> dict[str, Source]:
         return {os.path.abspath(source.name): source for source in self._files.of_kind("cpp-node")}
+
+
+def _made(package: Package, program: str) -> set[str] | None:
+    """The sources of an executable or component; None when the package does not build it, empty when they are not
+    known."""
+    for build in package.builds:
+        target = build.components.get(program, program)
+        if target in build.targets:
+            return set(_made_of(build, target))
+    return None
 
 
 def _made_of(build: Build, target: str) -> Iterator[str]:

@@ -1,0 +1,63 @@
+"""A parameter that the node needs and does not have.
+
+## What it finds
+A node that asks itself for a parameter which nothing in its program declares, and a launched node that declares a
+parameter with a type but no default while no file and no launch file gives it a value. Calls under a condition, or
+whose exception is handled, are left alone.
+
+## Why it matters on a robot
+Both raise an exception: `ParameterNotDeclaredException`, or `ParameterUninitializedException`. The node ends at its
+start, or in the middle of a drive when only a callback asks.
+
+## Bad
+```python
+self.declare_parameter('cmd_timeout', 0.5)
+self.timeout = self.get_parameter('command_timeout').value
+```
+
+## Good
+```python
+self.declare_parameter('command_timeout', 0.5)
+self.timeout = self.get_parameter('command_timeout').value
+```
+
+## When to ignore it
+When another program declares the parameter in the node before it is asked for.
+
+## References
+- https://docs.ros.org/en/jazzy/Concepts/Basic/About-Parameters.html
+- rclpy, node.py, get_parameter; rclcpp, node_parameters.cpp
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+from bringup_lint.api.nodes import asked_in_vain
+from bringup_lint.api.nodes import lowered
+from bringup_lint.api.nodes import unset
+
+
+@rule("error", symptoms=["ParameterNotDeclaredException", "ParameterUninitializedException", "NoParameterOverride"])
+def parameter_missing(robot: Robot) -> Iterator[Finding]:
+    for name in asked_in_vain(robot.topics):
+        yield finding(
+            name,
+            f"Nothing declares the parameter '{name}': the call raises ParameterNotDeclaredException",
+            advice="declare the parameter with a default before it is asked for",
+            severity=lowered(robot.nodes.purpose(name.span.source), "error"),
+            confidence="medium",
+        )
+    for found in unset(robot.topics):
+        yield finding(
+            found.node.started.span,
+            f"{found.node.label()} declares '{found.declared}' without a default, and nothing gives it: the node ends "
+            "at its start",
+            advice="give the parameter a value, or declare it with a default",
+            related=[note(found.declared, "declared here")],
+            chain=robot.provenance.chain_to_node(found.node.started),
+            confidence="medium",
+        )
