@@ -23,6 +23,7 @@ from bringup_lint.graph.launch.lifecycle import managers
 from bringup_lint.graph.launch.lifecycle import outside
 from bringup_lint.graph.launch.lifecycle import setting
 from bringup_lint.graph.launch.lifecycle import transitions_elsewhere
+from bringup_lint.graph.launch.references import Reference
 from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.resolve import truth
 from bringup_lint.graph.launch.started import Started
@@ -54,6 +55,7 @@ from bringup_lint.model.launch_values import Argument
 from bringup_lint.model.launch_values import Choice
 from bringup_lint.model.launch_values import Command
 from bringup_lint.model.launch_values import Concat
+from bringup_lint.model.launch_values import Condition
 from bringup_lint.model.launch_values import DerivedFile
 from bringup_lint.model.launch_values import DictValue
 from bringup_lint.model.launch_values import Env
@@ -79,6 +81,7 @@ __all__ = [
     "Command",
     "ComposableNode",
     "Concat",
+    "Condition",
     "DeclareArgument",
     "DerivedFile",
     "DictValue",
@@ -106,6 +109,7 @@ __all__ = [
     "ParameterFile",
     "PathJoin",
     "Process",
+    "Reference",
     "SetEnv",
     "SetParameter",
     "Started",

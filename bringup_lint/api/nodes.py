@@ -7,9 +7,11 @@ import re
 from bringup_lint.graph.nodes.edits import import_edits
 from bringup_lint.graph.nodes.edits import swap
 from bringup_lint.graph.nodes.edits import tried_shutdown
+from bringup_lint.graph.nodes.questions.blocking import UNTIL_TIMEOUT
 from bringup_lint.graph.nodes.questions.blocking import awaits_asyncio
 from bringup_lint.graph.nodes.questions.blocking import blocking
 from bringup_lint.graph.nodes.questions.blocking import deadlocks
+from bringup_lint.graph.nodes.questions.blocking import only_stores
 from bringup_lint.graph.nodes.questions.blocking import waits
 from bringup_lint.graph.nodes.questions.motion import moves
 from bringup_lint.graph.nodes.questions.rates import endless_rates
@@ -19,6 +21,7 @@ from bringup_lint.graph.nodes.questions.safe_state import has_safe_state
 from bringup_lint.graph.nodes.questions.safe_state import is_watched_relay
 from bringup_lint.graph.nodes.questions.safe_state import publish_after_deactivate
 from bringup_lint.graph.nodes.questions.safe_state import relays
+from bringup_lint.graph.nodes.questions.safe_state import stops_itself
 from bringup_lint.graph.nodes.questions.safe_state import uncovered_sigterm
 from bringup_lint.graph.nodes.questions.signatures import without_qos
 from bringup_lint.graph.nodes.questions.stopping import double_shutdown
@@ -35,6 +38,7 @@ from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import Timer
 
 __all__ = [
+    "UNTIL_TIMEOUT",
     "Endpoint",
     "Purpose",
     "Timer",
@@ -53,10 +57,12 @@ __all__ = [
     "is_watched_relay",
     "lowered",
     "moves",
+    "only_stores",
     "publish_after_deactivate",
     "range_text",
     "relays",
     "stop_after_shutdown",
+    "stops_itself",
     "swap",
     "tried_shutdown",
     "uncovered_sigterm",

@@ -13,11 +13,13 @@ from bringup_lint.graph.topics.questions.namespaces import shared_by_namespaces
 from bringup_lint.graph.topics.questions.unmatched import corrected
 from bringup_lint.graph.topics.questions.unmatched import probable_typos
 from bringup_lint.graph.topics.questions.unmatched import without_publisher
+from bringup_lint.graph.topics.resolved.endpoint_use import LaunchedNode
 from bringup_lint.graph.topics.resolved.names import refusal
 from bringup_lint.graph.topics.resolved.names import tail
 from bringup_lint.graph.topics.sources.publishing import published_at_start
 
 __all__ = [
+    "LaunchedNode",
     "conflicts_of",
     "corrected",
     "is_gate",

@@ -6,8 +6,12 @@ from collections.abc import Sequence
 
 _SHORT = frozenset(
     "clear cls reset tput stty echo true false date mkdir touch rm ln cp mv chmod chown kill killall pkill sync "
-    "reboot poweroff halt shutdown amixer notify-send".split()
+    "reboot poweroff halt shutdown amixer notify-send "
+    "iwconfig iw ifconfig ip hostname uname uptime df free cat grep awk sed head tail cut wc ls pgrep pidof which "
+    "v4l2-ctl vcgencmd sensors lsusb getent id".split()
 )
+_FOLLOWS = frozenset({"-f", "-F", "--follow", "monitor"})
+"""Options and words with which a short program goes on until it is stopped."""
 _SYSTEMCTL = frozenset({"reboot", "poweroff", "halt", "suspend", "kexec", "kill", "is-active", "is-enabled"})
 
 
@@ -20,4 +24,12 @@ def returns_at_once(words: Sequence[str]) -> bool:
     program = words[0].rpartition("/")[2]
     if program == "systemctl":
         return "--no-block" in words or not _SYSTEMCTL.isdisjoint(words)
-    return program in _SHORT or words[-1].endswith("&")
+    if words[-1].endswith("&"):
+        return True
+    return program in _SHORT and _FOLLOWS.isdisjoint(words) and _ends_short(words)
+
+
+def _ends_short(words: Sequence[str]) -> bool:
+    """Whether the other programs of a pipeline or list return at once, too."""
+    starts = [at + 1 for at, word in enumerate(words[:-1]) if word in ("|", "||", "&&")]
+    return all(words[at].rpartition("/")[2] in _SHORT for at in starts)

@@ -36,6 +36,13 @@ if TYPE_CHECKING:
 SUBFOLDERS = 40
 """CMake folders of one package that are followed."""
 
+_VENDOR = re.compile(
+    r"(?:^|/)(?:libs?|third[_-]?party|3rd[_-]?party|externals?|vendor(?:ed)?|upstream|submodules|deps|dependencies)/",
+    re.IGNORECASE,
+)
+"""Folders that keep the packages of others."""
+_CHANGE_LOGS = ("CHANGELOG.rst", "CHANGELOG.md")
+
 _WILDCARD = re.compile(r"[*?\[]")
 
 
@@ -173,6 +180,30 @@ class Workspace:
     def _folders(self) -> dict[str, Package]:
         return {package.folder: package for package in self.packages.values()}
 
+    def is_vendored(self, source: Source) -> bool:
+        """Whether a file belongs to a package that others wrote and that the tree only carries: it lies below a folder
+        for such packages, or it is one of a minority with a change log as releases have it."""
+        owner = self.owner(source)
+        if owner is None:
+            return False
+        return owner.folder in self._released or bool(_VENDOR.search(self._below_top(owner.folder) + "/"))
+
+    @cached_property
+    def _released(self) -> frozenset[str]:
+        """The folders of packages with a change log; empty when most packages have one, as their own repository has."""
+        found = {folder for folder in self._folders if self._has_change_log(folder)}
+        return frozenset(found) if 2 * len(found) < len(self._folders) else frozenset()
+
+    def _has_change_log(self, folder: str) -> bool:
+        return any(self.tree.is_file(os.path.join(folder, name)) for name in _CHANGE_LOGS)
+
+    def _below_top(self, folder: str) -> str:
+        return os.path.relpath(folder, self._top)
+
+    @cached_property
+    def _top(self) -> str:
+        return os.path.commonpath(self._folders) if self._folders else "/"
+
     def owner(self, source: Source) -> Package | None:
         """The package that a file lies in."""
         folder = os.path.dirname(os.path.abspath(source.name))
@@ -218,7 +249,15 @@ class Workspace:
         if any(map(self.tree.exists, _templates(direct))):
             return None
         absent = package.installs_known or self._absence(package).of_file(path)
-        return Found(None, False, package) if absent else None
+        return Found(None, False, package) if absent and not self._has_copy(package, path) else None
+
+    def _has_copy(self, package: Package, path: str) -> bool:
+        """Whether another folder of the package's name has the file: the tree keeps versions of the package, and one
+        without a manifest may be meant."""
+        tail = f"/{package.name}/{path}"
+        own = package.folder + "/"
+        named = self.tree.named(posixpath.basename(path))
+        return any(found.endswith(tail) and not found.startswith(own) for found in named)
 
     def lacks(self, package: Package, executable: str) -> bool:
         """Whether ``ros2 run`` certainly does not find an executable of a package."""

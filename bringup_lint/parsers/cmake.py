@@ -103,6 +103,8 @@ class Reader:
         self.build = build
         self.variables = variables
         self.looped = 0
+        self.output_names: dict[str, Located] = {}
+        """Target -> the name of its file, where ``OUTPUT_NAME`` gives it another one."""
 
     def expand(self, text: Located) -> Located | None:
         """The text with known variables filled in; None when one is not known."""
@@ -129,6 +131,7 @@ class Reader:
 
     def read(self) -> None:
         self.run(list(commands(self.build.source)))
+        self.rename()
 
     def run(self, given: list[Command]) -> None:
         at = 0
@@ -239,6 +242,33 @@ class Reader:
             self.build.targets.setdefault(str(words[0]), []).extend(files)
 
     do_add_executable = do_add_library = do_ament_auto_add_library = do_target_sources = target
+
+    def do_set_target_properties(self, command: Command) -> None:
+        """``set_target_properties(target ... PROPERTIES OUTPUT_NAME name)``."""
+        at = next((at for at, word in enumerate(command.arguments) if word == "PROPERTIES"), len(command.arguments))
+        for key, value in itertools.pairwise(command.arguments[at:]):
+            if key == "OUTPUT_NAME":
+                self.output_name(command.arguments[:at], value)
+
+    def do_set_property(self, command: Command) -> None:
+        """``set_property(TARGET target ... PROPERTY OUTPUT_NAME name)``."""
+        words = command.arguments
+        if len(words) > 4 and words[0] == "TARGET" and words[-3] == "PROPERTY" and words[-2] == "OUTPUT_NAME":
+            self.output_name(words[1:-3], words[-1])
+
+    def output_name(self, targets: list[Located], name: Located) -> None:
+        names, known = self.words([name]), self.words(targets)
+        if len(names) != 1 or names[0] is None or None in known:
+            self.build.executables_known = False
+            return
+        self.output_names |= {str(target): names[0] for target in known}
+
+    def rename(self) -> None:
+        """Give the installed targets the names of their files."""
+        for target, name in self.output_names.items():
+            if self.build.executables.pop(target, None) is not None:
+                self.build.executables[str(name)] = name
+                self.build.targets[str(name)] = self.build.targets.get(target, [])
 
     def do_target_link_libraries(self, command: Command) -> None:
         words = [str(word) for word in self.words(command.arguments) if word is not None]

@@ -2,7 +2,8 @@
 
 ## What it finds
 Arguments with the default `''` that are used as a parameter file or as the file of an include, or that are passed
-on as `params_file`. Uses whose condition tests the argument are not reported.
+on as `params_file`. Uses whose condition tests the argument are not reported, nor arguments whose description says
+that they are optional.
 
 ## Why it matters on a robot
 If the launch file is started without the argument, the node uses the defaults of its code instead of the robot's
@@ -28,6 +29,7 @@ repository. Removing the default is still better: launch then reports the missin
 - launch_ros, `Node`: "Parameter file path is not a file"
 """
 
+import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -36,6 +38,11 @@ from bringup_lint.api import finding
 from bringup_lint.api import launch
 from bringup_lint.api import note
 from bringup_lint.api import rule
+
+OPTIONAL = re.compile(
+    r"optional|if (?:it is )?(?:not set|unset|empty)|(?:leave|left) empty|empty (?:=|means|for)", re.I
+)
+"""What a description says of an argument that may be empty."""
 
 
 @rule("warning", symptoms=["Parameter file path is not a file"])
@@ -49,12 +56,15 @@ def arg_empty_default_path(robot: Robot) -> Iterator[Finding]:
         }
         if not empty:
             continue
+        guards = conditions(expansion)
         for action, owner in expansion.actions:
             if owner is not file:
                 continue
             for value, what in paths(action):
                 name = str(value.name) if isinstance(value, launch.Argument) else ""
-                if name not in empty or any(name in names(condition.predicate) for condition in action.conditions):
+                if name not in empty or OPTIONAL.search(launch.text_of(empty[name].description) or ""):
+                    continue
+                if any(name in names(each.predicate) for each in guards.get(id(action), action.conditions)):
                     continue
                 yield finding(
                     empty[name].default.span,
@@ -62,6 +72,12 @@ def arg_empty_default_path(robot: Robot) -> Iterator[Finding]:
                     advice="give the argument a real default, or remove the default, so that launch requires a value",
                     related=[note(value.span, "used as a path here")],
                 )
+
+
+def conditions(expansion: launch.Expansion) -> dict[int, tuple[launch.Condition, ...]]:
+    """The conditions of nodes and includes, with those of the groups around them, by the ``id`` of the action."""
+    found = {id(node.action): node.conditions for node in expansion.nodes}
+    return found | {id(each.action): each.conditions for each in expansion.includes}
 
 
 def paths(action: launch.Action) -> Iterator[tuple[launch.Value, str]]:

@@ -2,8 +2,8 @@
 
 ## What it finds
 Nodes that drive hardware with neither `respawn` nor an exit action nor an `OnProcessExit` handler. Reported for
-launch files that also start other nodes, or that a unit launches. A warning where a unit, container or script of the
-tree launches the file, else for information.
+launch files that also start other nodes, or that a unit launches. A warning where a unit or container of the tree
+launches the file, else for information, and so for a node in a part that an argument switches on.
 
 ## Why it matters on a robot
 If the driver ends, the launch continues and the service stays "active (running)": the robot is blind until somebody
@@ -51,7 +51,9 @@ def critical_no_required(robot: Robot) -> Iterator[Finding]:
         if robot.launch.simulated(entry):
             continue
         others = [node for node in expansion.nodes if robot.launch.role(node).role not in (*ASIDE, *WATCHED_ROLES)]
-        units = [each for each in robot.runners.launching(entry) if each.runner.unit is not None]
+        starters = robot.runners.launching(entry)
+        units = [each for each in starters if each.runner.unit is not None]
+        supervised = any(robot.runners.is_supervised(each.runner) for each in starters)
         for node in expansion.nodes:
             role = robot.launch.role(node).role
             if role not in WATCHED_ROLES or not isinstance(node.action, launch.Node) or node.by_default is False:
@@ -66,9 +68,14 @@ def critical_no_required(robot: Robot) -> Iterator[Finding]:
                 f"without its {role}",
                 advice="set on_exit=Shutdown() and let the unit restart it with Restart=always, or set respawn",
                 related=starts(robot, entry),
-                severity=None if robot.runners.launching(entry) else "info",
+                severity=None if supervised and not is_option(node) else "info",
                 chain=robot.provenance.chain_to_node(node),
             )
+
+
+def is_option(node: launch.Started) -> bool:
+    """Whether a condition around the node, and none of its own, decides whether it starts."""
+    return bool(node.conditions) and node.by_default is not True and not node.action.conditions
 
 
 def starts(robot: Robot, entry: launch.LaunchFile) -> list[Related]:

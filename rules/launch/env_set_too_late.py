@@ -31,6 +31,7 @@ A scoped group shows that intention better.
 - launch, `SetEnvironmentVariable`
 """
 
+import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -44,6 +45,9 @@ from bringup_lint.api.python import move_before
 
 PREFIXES = ("ROS_", "RMW_", "CYCLONEDDS_", "FASTRTPS_", "FASTDDS_", "RCUTILS_", "RCL_", "ZENOH_")
 
+LOGS = re.compile(r"LOG|CONSOLE|COLORIZED")
+"""Variables of the logs: without them the nodes run as with them."""
+
 
 @rule("warning", fix="unsafe")
 def env_set_too_late(robot: Robot) -> Iterator[Finding]:
@@ -53,7 +57,7 @@ def env_set_too_late(robot: Robot) -> Iterator[Finding]:
             if isinstance(action, launch.Node) and started is None and not action.conditions:
                 started = action
             name = launch.literal(action.name) if isinstance(action, launch.SetEnv) else None
-            if started is None or name is None or not name.startswith(PREFIXES):
+            if started is None or name is None or not name.startswith(PREFIXES) or LOGS.search(name):
                 continue
             later = file.actions[file.actions.index(action) + 1 :]
             rest = any(

@@ -3,7 +3,7 @@
 ## What it finds
 Launch, parameter, URDF and other files of a workspace package that a launch file references through the package's
 share folder or relative to itself. They exist in the source, but no `data_files` entry or `install()` rule covers
-them.
+them. One finding for each folder of a package.
 
 ## Why it matters on a robot
 The launch file works in a workspace that is built with `--symlink-install`, and fails on the robot, where only the
@@ -36,23 +36,35 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.launch import Reference
 
 
 @rule("error", symptoms=["FileNotFoundError", "Parameter file path is not a file"])
 def file_not_installed(robot: Robot) -> Iterator[Finding]:
+    missing: dict[tuple[str, str], list[Reference]] = {}
     for file in robot.launch.judged:
         for reference in robot.launch.references(file):
             found = reference.found
             if found.file is None or found.installed is not False or not robot.tree.is_file(found.file):
                 continue
-            package = found.package
-            path = os.path.relpath(found.file, package.folder)
-            yield finding(
-                reference.span,
-                f"{path} of {package.name} is not installed: it exists in the source and is missing on the robot",
-                advice=f"install the folder '{path.partition('/')[0]}' in {package.builds[0].source.basename}"
-                if "/" in path
-                else f"install it in {package.builds[0].source.basename}",
-                chain=robot.provenance.chain_to(reference.span, f"{path} is opened"),
-                related=[note(package.builds[0].source, "what the package installs")],
-            )
+            path = os.path.relpath(found.file, found.package.folder)
+            missing.setdefault((found.package.name, os.path.dirname(path) or path), []).append(reference)
+    for reference, *others in missing.values():
+        yield not_installed(robot, reference, others)
+
+
+def not_installed(robot: Robot, reference: Reference, others: list[Reference]) -> Finding:
+    """One finding for a folder without an install rule, with the other places that use it."""
+    package = reference.found.package
+    path = os.path.relpath(reference.found.file, package.folder)
+    build = package.builds[0].source
+    return finding(
+        reference.span,
+        f"{path} of {package.name} is not installed: it exists in the source and is missing on the robot",
+        advice=f"install the folder '{path.partition('/')[0]}' in {build.basename}"
+        if "/" in path
+        else f"install it in {build.basename}",
+        chain=robot.provenance.chain_to(reference.span, f"{path} is opened"),
+        related=[note(build, "what the package installs")]
+        + [note(other.span, f"{os.path.basename(other.found.file)} is not installed either") for other in others],
+    )

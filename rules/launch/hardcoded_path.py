@@ -2,7 +2,7 @@
 
 ## What it finds
 Literal paths below `/home`, `/root` or `/opt/ros/<distribution>` in parameters, arguments, commands, includes and
-defaults.
+defaults. Info in packages of others that the tree only carries.
 
 ## Why it matters on a robot
 The path is right on the developer's machine. The robot has another user or distribution, and the file is missing
@@ -37,6 +37,9 @@ from bringup_lint.api import rule
 
 PATH = re.compile(r"(?:^|(?<=[=: ,'\"]))/(?:home/[\w.-]+|root|opt/ros/(?!\$)\w+)/[\w./-]+")
 
+PLACEHOLDERS = ("/home/livox/livox_test.lvx",)
+"""Values that drivers ask for and use only to replay a recording: livox_ros_driver2 with ``data_src`` 0."""
+
 
 @rule("warning")
 def hardcoded_path(robot: Robot) -> Iterator[Finding]:
@@ -46,12 +49,13 @@ def hardcoded_path(robot: Robot) -> Iterator[Finding]:
                 for each in launch.walk(value):
                     text = launch.literal(each)
                     match = PATH.search(text) if text else None
-                    if match is not None:
+                    if match is not None and match[0] not in PLACEHOLDERS:
                         yield finding(
                             text.part(*match.span()),
                             f"{match[0]} exists only on one machine or distribution",
                             advice="find it through the package's share folder, or make it an argument without a "
                             "default",
+                            severity="info" if robot.launch.workspace.is_vendored(file.source) else None,
                         )
 
 

@@ -60,7 +60,7 @@ def commands(robot: Robot) -> Iterator[Finding]:
         package = robot.launch.workspace.packages.get(command.package or "")
         if package is None or command.file is not None or not package.installs_known or "$" in command.target:
             continue
-        if not command.runner.certain:
+        if not command.runner.certain or robot.purpose(command.target).value == "archive":
             continue
         known = [os.path.basename(each.source.name) for each in robot.launch.files_of(package)]
         if command.target in known or not command.target.endswith((".py", ".xml", ".yaml", ".yml", ".launch")):

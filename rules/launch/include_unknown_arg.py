@@ -42,6 +42,8 @@ from bringup_lint.api.spelling import nearest
 @rule("warning", fix="unsafe")
 def include_unknown_arg(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
+        if robot.purpose(file.source).value == "test":
+            continue
         for include in robot.launch.expansion(file).includes:
             if include.source is not file or include.target is None:
                 continue

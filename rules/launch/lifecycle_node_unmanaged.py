@@ -52,6 +52,8 @@ def lifecycle_node_unmanaged(robot: Robot) -> Iterator[Finding]:
             name = launch.full_name(node, role)
             if not (lifecycle or role.managed) or name is None or node.by_default is False:
                 continue
+            if role.managed is False or robot.launch.is_plain(node):
+                continue
             if name.rpartition("/")[2] in elsewhere or launch.transitions_elsewhere(expansion, node):
                 continue
             yield finding(

@@ -30,17 +30,26 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
+from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
 @rule("error", fix="safe", symptoms=["got an unexpected keyword argument 'node_executable'"])
 def removed_keyword(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
-        for owner, keyword in robot.launch.removed_keywords(file):
-            better = keyword.removeprefix("node_")
-            yield finding(
-                keyword,
-                f"{owner} has had no argument '{keyword}' since Galactic: launch ends with a TypeError",
-                advice=f"write {better}",
-                fix=fix(f"write {better}", (keyword, better)),
-            )
+        found = list(robot.launch.removed_keywords(file))
+        if not found:
+            continue
+        owner, keyword = found[0]
+        words = list(dict.fromkeys(new_name(each) for _, each in found))
+        yield finding(
+            keyword,
+            f"{owner} has had no argument '{keyword}' since Galactic: launch ends with a TypeError",
+            advice=f"write {', '.join(words)}",
+            related=[note(each, f"removed, too: write {new_name(each)}") for _, each in found[1:]],
+            fix=fix(f"write {', '.join(words)}", *((each, new_name(each)) for _, each in found)),
+        )
+
+
+def new_name(keyword: str) -> str:
+    return keyword.removeprefix("node_")

@@ -2,7 +2,7 @@
 
 ## What it finds
 `respawn=True` without `respawn_delay`, or with a delay of 0. Tools such as rviz, and launch files for simulation,
-are not reported.
+are not reported, nor commands that run a container, whose start limits the rate.
 
 ## Why it matters on a robot
 A driver whose device is unplugged crashes and restarts hundreds of times a minute. It uses up a core, floods the
@@ -41,7 +41,7 @@ def respawn_no_delay(robot: Robot) -> Iterator[Finding]:
     for node in robot.launch.nodes:
         if not isinstance(node.action, launch.Process) or node.action.open or robot.launch.simulated(node.file):
             continue
-        if robot.launch.role(node).role == "tool":
+        if robot.launch.role(node).role == "tool" or is_container(node.action):
             continue
         value = node.action.options.get("respawn")
         delay = node.options.get("respawn_delay")
@@ -61,3 +61,9 @@ def respawn_no_delay(robot: Robot) -> Iterator[Finding]:
             advice="set respawn_delay to 2.0",
             fix=repair,
         )
+
+
+def is_container(action: launch.Process) -> bool:
+    """Whether the command runs a container, whose start takes seconds by itself."""
+    first = launch.text_of(action.cmd[0]) if action.cmd else None
+    return first is not None and first.split(maxsplit=1)[:1] in ([each] for each in ("docker", "podman"))

@@ -30,6 +30,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
+from bringup_lint.api import note
 from bringup_lint.api import rule
 
 INSTEAD = {"type": "exec", "arg": "var", "find": "find-pkg-share", "ns": "namespace"}
@@ -44,14 +45,17 @@ WORDS = {
 @rule("error", fix="safe", symptoms=["Unexpected attribute(s) found in `node`", "Unknown substitution: arg"])
 def ros1_construct(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
-        for name in file.ros1:
-            better = INSTEAD.get(name)
-            yield finding(
-                name,
-                f"'{name}' is ROS 1 syntax: ROS 2 launch rejects the file",
-                advice=f"write {better or WORDS.get(name, 'the ROS 2 equivalent')}",
-                fix=fix(f"write {better}", (name, better)) if better and name.span.text == name else None,
-            )
+        if not file.ros1:
+            continue
+        edits = [(name, INSTEAD[name]) for name in file.ros1 if name in INSTEAD and name.span.text == name]
+        name, *others = sorted(file.ros1, key=lambda each: each.span.start)
+        yield finding(
+            name,
+            f"'{name}' is ROS 1 syntax: ROS 2 launch rejects the file",
+            advice=f"write {instead(name)}",
+            related=[note(each, f"'{each}' is ROS 1 syntax, too: write {instead(each)}") for each in others],
+            fix=fix("write it as ROS 2 does", *edits) if edits else None,
+        )
     for file in robot.launch.ros1:
         package = robot.launch.workspace.owner(file.source)
         if "ros1" in file.source.name.lower():
@@ -63,3 +67,7 @@ def ros1_construct(robot: Robot) -> Iterator[Finding]:
                 advice="migrate the file, or remove it",
                 severity="warning",
             )
+
+
+def instead(name: str) -> str:
+    return INSTEAD.get(name) or WORDS.get(name, "the ROS 2 equivalent")

@@ -2,7 +2,7 @@
 
 ## What it finds
 Launch files that declare `use_sim`, `simulation` or a similar argument and start a hardware driver that neither has
-a condition nor reads the argument.
+a condition nor reads the argument. Input devices, such as a joystick, are left out.
 
 ## Why it matters on a robot
 `use_sim:=true` on the robot still starts the real driver: the hardware moves while everybody believes that only a
@@ -49,6 +49,10 @@ NAMES = (
 )
 
 
+BY_HAND = ("joy", "joy_linux", "joy_teleop", "spacenav", "wiimote")
+"""Input devices: a person drives the simulated robot with them, too."""
+
+
 @rule("warning")
 def sim_arg_ignored(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
@@ -58,12 +62,9 @@ def sim_arg_ignored(robot: Robot) -> Iterator[Finding]:
             continue
         switch = switches[0]
         for node in expansion.nodes:
-            if (
-                node.file is not file
-                or node.action.conditions
-                or node.conditions
-                or robot.launch.role(node).role != "driver"
-            ):
+            if node.file is not file or node.action.conditions or node.conditions:
+                continue
+            if robot.launch.role(node).role != "driver" or launch.literal_text(node.package) in BY_HAND:
                 continue
             values = [*getattr(node.action, "parameters", ()), *getattr(node.action, "arguments", ())]
             read = {

@@ -1,11 +1,11 @@
 """A fixed delay is used to order the start.
 
 ## What it finds
-A `TimerAction` around nodes that need something which the same start brings up: they subscribe to a topic of a node
-that starts before, they localize, map or navigate on data of a driver, or a comment beside the timer says that they
-wait. One finding for each file. Also a timer that reports success after checks whose result nothing reads. What waits
-by itself (spawners of controllers, components for their container) is left out, and so is what starts only in
-simulation.
+A `TimerAction` around nodes that need something which the same start brings up: a comment beside the timer says that
+they wait (a warning), or they subscribe to a topic of a node that starts before, or localize, map or navigate on data
+of a driver (info: most nodes wait for their topics by themselves). One finding for each file. Also a timer that reports
+success after checks whose result nothing reads. What waits by itself (spawners of controllers, components for their
+container) is left out, and so is what starts only in simulation.
 
 ## Why it matters on a robot
 On a slow boot, with a full disk or a cold camera, the delay is too short and the consumer starts before the driver.
@@ -30,6 +30,7 @@ When the delay spreads load or inrush current and no start depends on it.
 """
 
 from collections.abc import Iterator
+from typing import NamedTuple
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
@@ -50,7 +51,8 @@ def timer_ordering(robot: Robot) -> Iterator[Finding]:
             continue
         timers = [action for action, _ in robot.launch.visited(file) if isinstance(action, launch.Timer)]
         found = [(timer, why) for timer in timers if (why := awaited(robot, file, timer)) is not None]
-        for timer, (node, other, message) in found[:1]:
+        found.sort(key=lambda pair: not pair[1].said)
+        for timer, (node, other, message, said) in found[:1]:
             period = launch.text_of(robot.launch.resolved(timer.period, file))
             what = "This delay" if period is None else f"A delay of {period} s"
             yield finding(
@@ -59,6 +61,7 @@ def timer_ordering(robot: Robot) -> Iterator[Finding]:
                 advice="start it from an event handler, or let a lifecycle manager bring it up",
                 related=[note(other, "what it waits for")]
                 + [note(each.span, "another delay") for each, _ in found[1:6]],
+                severity=None if said else "info",
             )
         if found:
             continue
@@ -66,22 +69,33 @@ def timer_ordering(robot: Robot) -> Iterator[Finding]:
             yield from announced(robot, file, timer)
 
 
-def awaited(robot: Robot, file: launch.LaunchFile, timer: launch.Timer) -> tuple[str, Span, str] | None:
-    """What is delayed, the place of what it waits for, and that in words; None when nothing says that it waits."""
+class Awaited(NamedTuple):
+    node: str
+    """What is delayed."""
+    place: Span
+    """What it waits for."""
+    words: str
+    said: bool
+    """The author says so. Else only the roles of the nodes do, and most nodes wait for their topics by themselves."""
+
+
+def awaited(robot: Robot, file: launch.LaunchFile, timer: launch.Timer) -> Awaited | None:
+    """What a timer delays and for what; None when nothing says that it waits."""
     if launch.text_of(robot.launch.resolved(timer.period, file)) in ("0", "0.0"):
         return None
     expansion = robot.launch.expansion(file)
     nodes = launch.delayed(expansion, timer)
     earlier = launch.undelayed(expansion, nodes)
+    starts = nodes or any(timer in each.context and each.target is None for each in expansion.includes)
+    comment = launch.waiting_comment(file, timer) if starts else None
+    if comment is not None:
+        label = nodes[0].label() if len(nodes) == 1 else "the delayed part"
+        return Awaited(label, comment, "what it waits for", said=True)
     for node in nodes:
         other = topic_source(robot, node, timer) or provider(robot, node, earlier)
         if other is not None:
-            return node.label(), other.span, other.label()
-    starts = nodes or any(timer in each.context and each.target is None for each in expansion.includes)
-    comment = launch.waiting_comment(file, timer) if starts else None
-    if comment is None:
-        return None
-    return nodes[0].label() if len(nodes) == 1 else "the delayed part", comment, "what it waits for"
+            return Awaited(node.label(), other.span, other.label(), said=False)
+    return None
 
 
 def topic_source(robot: Robot, node: launch.Started, timer: launch.Timer) -> launch.Started | None:

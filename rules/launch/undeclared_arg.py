@@ -32,6 +32,7 @@ When the file is only ever included, by a launch file outside this tree that set
 - launch, `LaunchConfiguration.perform`
 """
 
+from collections.abc import Iterable
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -41,10 +42,16 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.launch import Expansion
 from bringup_lint.api.launch import Used
+from bringup_lint.api.launch import Value
+from bringup_lint.api.launch import literal
+from bringup_lint.api.launch import walk
 from bringup_lint.api.spelling import nearest
 
 OWN = ("ros_namespace", "ros_remaps", "global_params")
 """launch_ros keeps these among the launch configurations."""
+
+
+LEVELS: dict[str | None, int] = {None: 0, "warning": 1, "info": 2}
 
 
 @rule("error", symptoms=["launch configuration 'robot_name' does not exist"])
@@ -52,25 +59,49 @@ def undeclared_arg(robot: Robot) -> Iterator[Finding]:
     for expansion in robot.launch.entries:
         declared = {each.name: each for each in expansion.declared}
         missing = {str(used.argument.name) for used in expansion.unbound} - declared.keys()
-        for used in expansion.unbound:
-            name = str(used.argument.name)
-            if not used.certain or name not in missing or name in OWN:
-                continue
-            near = nearest(name, declared)
-            related = [note(span, "included from here") for span in used.chain]
-            related += [note(declared[other].action.span, f"'{other}' is declared here") for other in near]
-            yield finding(
-                used.argument.name,
-                f"launch configuration '{name}' is not declared: launch aborts unless {name}:= is passed",
-                advice=f"declare '{name}'" + (f", or read '{near[0]}'" if near else ""),
-                severity=None if near else grade(robot, expansion, used, missing),
-                related=related,
-            )
+        for name in sorted(missing - set(OWN)):
+            uses = [used for used in expansion.unbound if used.certain and used.argument.name == name]
+            if uses:
+                yield undeclared(robot, expansion, uses, missing)
+
+
+def undeclared(robot: Robot, expansion: Expansion, uses: list[Used], missing: set[str]) -> Finding:
+    """One finding for a name, where it does most harm, with the other places that read it."""
+    declared = {each.name: each for each in expansion.declared}
+    name = str(uses[0].argument.name)
+    near = nearest(name, declared)
+    grades = [None if near else grade(robot, expansion, used, missing) for used in uses]
+    first = min(range(len(uses)), key=lambda at: LEVELS[grades[at]])
+    related = [note(span, "included from here") for span in uses[first].chain]
+    related += [note(declared[other].action.span, f"'{other}' is declared here") for other in near]
+    related += [note(used.argument.name, "read here, too") for used in uses if used is not uses[first]]
+    return finding(
+        uses[first].argument.name,
+        f"launch configuration '{name}' is not declared: launch aborts unless {name}:= is passed",
+        advice=f"declare '{name}'" + (f", or read '{near[0]}'" if near else ""),
+        severity=grades[first],
+        related=related,
+    )
 
 
 def grade(robot: Robot, expansion: Expansion, used: Used, missing: set[str]) -> str | None:
-    """A file is meant to be included if it reads many configurations of others, or if another file mentions it."""
+    """A file is meant to be included if it reads many configurations of others, if another file mentions it, or if it
+    only hands the configuration on to what it includes, as files in XML do for a scope around them."""
     if len(missing) > 2 or robot.launch.is_named_elsewhere(expansion.entry):
+        return "info"
+    if used.file.format != "python" and handed_on(expansion, used):
         return "info"
     certain = used.file is expansion.entry and not used.conditions and used.file.format == "python"
     return None if certain else "warning"
+
+
+def handed_on(expansion: Expansion, used: Used) -> bool:
+    """Whether the place is the value that an include gives to an argument of the same name."""
+    name = str(used.argument.name)
+    given = (each.action.arguments for each in expansion.includes if each.source is used.file)
+    return any(key == name and used.argument in walk(value) for pairs in given for key, value in named(pairs))
+
+
+def named(pairs: Iterable[tuple[Value, Value]]) -> Iterator[tuple[str, Value]]:
+    for key, value in pairs:
+        yield literal(key) or "", value

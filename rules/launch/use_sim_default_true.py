@@ -3,7 +3,8 @@
 ## What it finds
 Arguments such as `use_sim_time`, `use_sim` or `simulation` with the default true, in launch files that are not for
 a simulator. An error where a unit, container or script of the tree launches the file without the argument, a warning
-where nothing of the tree launches it. Silent where every command that launches it passes the argument.
+where another launch file includes it without the argument, or a script names such a command. Info where nothing of the
+tree starts it. Silent where every command that launches it passes the argument, and every include.
 
 ## Why it matters on a robot
 Started without arguments, as a unit does it, the nodes wait for a clock that nobody publishes. Nothing moves, and
@@ -33,6 +34,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import launch
+from bringup_lint.api import note
 from bringup_lint.api import rule
 
 NAMES = ("use_sim_time", "use_sim", "sim", "simulation", "use_simulation", "is_sim", "is_simulation", "sim_mode")
@@ -58,11 +60,30 @@ def use_sim_default_true(robot: Robot) -> Iterator[Finding]:
             starters = robot.runners.launching(file)
             if starters and all(name in {str(given) for given, _ in each.arguments} for each in starters):
                 continue
+            omitted = next(robot.launch.started_without(file, name), None)
+            if not sets_clock(robot, file, name) or (omitted is None and not starters and passed(robot, file, name)):
+                continue
             yield finding(
                 where,
                 f"{name} is true by default: started without arguments, the nodes wait for a simulated clock",
                 advice="make the default false and pass true in the simulation",
                 chain=robot.provenance.chain_to(where, f"{name} is true unless a caller passes false"),
                 fix=fix("make the default false", (where, false), safe=False),
-                severity=None if starters else "warning",
+                related=[note(omitted, f"started here without {name}")] if omitted else [],
+                severity=None if starters else "warning" if omitted else "info",
             )
+
+
+def sets_clock(robot: Robot, file: launch.LaunchFile, name: str) -> bool:
+    """Whether the argument is read where nodes are given the simulated clock."""
+    files = robot.launch.expansion(file).files
+    return name in robot.launch.read_in(files) and any("use_sim_time" in each.source.text for each in files)
+
+
+def passed(robot: Robot, file: launch.LaunchFile, name: str) -> bool:
+    """Whether another launch file includes this one and passes the argument."""
+    return any(
+        include.target is file and name in include.arguments
+        for expansion in robot.launch.leading_to(file)
+        for include in expansion.includes
+    )

@@ -59,12 +59,21 @@ def use_sim_time_not_propagated(robot: Robot) -> Iterator[Finding]:
                 continue
             if launch.literal_text(node.executable) == "static_transform_publisher" or chosen_by_clock(node):
                 continue
+            if is_of_part(robot, node):
+                continue
             yield finding(
                 node.span,
                 f"{node.label()} keeps the wall clock while other nodes of the file follow use_sim_time",
                 advice="set the parameter once for all nodes with SetParameter",
                 related=[note(given[0].span, "this node gets it")],
             )
+
+
+def is_of_part(robot: Robot, node: launch.Started) -> bool:
+    """Whether a robot_state_publisher is one for a sensor or another part with fixed joints: it has a name of its own,
+    and publishes /tf_static once."""
+    named = node.name is not None and launch.literal_text(node.name) != "robot_state_publisher"
+    return named and robot.launch.role(node).role == "state"
 
 
 def chosen_by_clock(node: launch.Started) -> bool:

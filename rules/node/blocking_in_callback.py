@@ -44,6 +44,7 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import nodes
 from bringup_lint.api import note
@@ -52,6 +53,9 @@ from bringup_lint.api import rule
 WORK = ("subscription", "timer", "service", "action", "client")
 URGENT = frozenset({"subscription", "timer", "action"})
 """What must not wait: a service may answer a few seconds later."""
+
+SOON = ("for ", "as long as ")
+"""Waits that end by themselves: a subscription that only keeps the newest message may be served after them."""
 
 
 @rule("warning", tags=["CWE-833"])
@@ -71,10 +75,14 @@ def _in_python(robot: Robot) -> Iterator[Finding]:
                 if found.how_long and callback.group is not None and callback.group.reentrant is not False:
                     continue
             stuck = nodes.deadlocks(found, threads)
-            harmless = (
-                URGENT.isdisjoint(each.role for each in shared) if found.how_long and not found.nested else not stuck
-            )
-            if harmless:
+            bounded = found.how_long and not found.nested
+            ending = robot.nodes.ending(file)
+            urgent = [each for each in shared if each.role in URGENT]
+            if found.how_long.startswith(SOON):
+                urgent = [
+                    each for each in urgent if each.role != "subscription" or not nodes.only_stores(ending, node, each)
+                ]
+            if not urgent if bounded else not stuck:
                 continue
             others = f"{len(shared)} other callback{'s' if len(shared) > 1 else ''}"
             where = f"{found.name}()" if callback.function is None else found.name
@@ -89,7 +97,7 @@ def _in_python(robot: Robot) -> Iterator[Finding]:
                     note(callback.span, f"{found.name} is the callback of a {callback.role}"),
                     *(note(each.span, "does not run in the meantime") for each in shared[:3]),
                 ],
-                severity=nodes.lowered(robot.nodes.purpose(file.source), "warning"),
+                severity=grade(robot, file.source, found.how_long),
                 confidence="high" if threads == "one" else "medium",
             )
 
@@ -114,6 +122,13 @@ def _in_cpp(robot: Robot) -> Iterator[Finding]:
                     note(callback.span, f"{name} is the callback of a {callback.role}"),
                     *(note(each.span, "does not run in the meantime") for each in shared[:3]),
                 ],
-                severity=nodes.lowered(robot.nodes.purpose(source.source), "warning"),
+                severity=grade(robot, source.source),
                 confidence="medium",
             )
+
+
+def grade(robot: Robot, source: Source, how_long: str = "") -> str:
+    """Info in examples and in packages of others, and where a timeout of unknown length ends the wait."""
+    if robot.launch.workspace.is_vendored(source) or how_long == nodes.UNTIL_TIMEOUT:
+        return "info"
+    return nodes.lowered(robot.nodes.purpose(source), "warning")

@@ -37,6 +37,7 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import nodes
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api import topics
@@ -48,7 +49,7 @@ QUEUE = 10
 
 @rule("warning")
 def qos_command_best_effort(robot: Robot) -> Iterator[Finding]:
-    for endpoints, timers in _nodes(robot):
+    for endpoints, timers, relay in _nodes(robot):
         for endpoint in endpoints:
             if endpoint.name is None or endpoint.qos is None or endpoint.role not in ("publisher", "subscription"):
                 continue
@@ -61,8 +62,11 @@ def qos_command_best_effort(robot: Robot) -> Iterator[Finding]:
                     f"{'stop' if stop else 'command'} that the network drops is never sent again",
                     advice="use a reliable profile with depth 1",
                     related=related,
+                    severity=None if stop or (endpoint.role == "publisher" and not relay) else "info",
                 )
-            elif endpoint.role == "subscription" and (stop or drive) and (endpoint.qos.depth or 0) > QUEUE:
+            elif (relay and timers) or endpoint.role != "subscription":
+                continue
+            elif (stop or drive) and (endpoint.qos.depth or 0) > QUEUE:
                 yield finding(
                     endpoint.qos.span,
                     f"{endpoint.name} queues {endpoint.qos.depth} commands: a node that falls behind does what "
@@ -72,11 +76,12 @@ def qos_command_best_effort(robot: Robot) -> Iterator[Finding]:
                 )
 
 
-def _nodes(robot: Robot) -> Iterator[tuple[list[Endpoint], list[Timer]]]:
-    """The endpoints of each Python class and C++ file for the robot, with all timers of its node."""
+def _nodes(robot: Robot) -> Iterator[tuple[list[Endpoint], list[Timer], bool]]:
+    """The endpoints of each Python class and C++ file for the robot, with all timers of its node, and whether the node
+    passes a stream of commands on."""
     for node in robot.nodes.classes:
         if robot.nodes.is_for_robot(node.source):
-            yield node.endpoints, node.all_timers
+            yield node.endpoints, node.all_timers, nodes.relays(node)
     for source in robot.nodes.cpp:
         if robot.nodes.is_for_robot(source.source):
-            yield source.endpoints, source.timers
+            yield source.endpoints, source.timers, False

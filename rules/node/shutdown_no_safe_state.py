@@ -76,7 +76,7 @@ def shutdown_no_safe_state(robot: Robot) -> Iterator[Finding]:
             message = "SIGTERM ends the node at once and no finally runs: the robot keeps its last velocity"
         calm = (
             robot.nodes.gate is not None
-            or all(nodes.relays(node) for node in made)
+            or all(nodes.relays(node) or nodes.stops_itself(ending.syntax, node) for node in made)
             or made[0].is_lifecycle
             or any(nodes.is_watched_relay(node, command) for node in robot.nodes.classes if node not in made)
         )

@@ -37,9 +37,11 @@ Never: rcl rejects such a name in every distribution.
 
 import re
 from collections.abc import Iterator
+from typing import NamedTuple
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
@@ -76,10 +78,27 @@ def topic_name_invalid(robot: Robot) -> Iterator[Finding]:
                 else "use letters, digits, '_' and '/' only, and no part that begins with a digit",
                 fix=fix(f"rename it to '{better}'", (endpoint.name, better), safe=False) if good else None,
             )
-    for node, where, name, when in robot.topics.refused:
+    for (node, where, name, when), others in refused(robot):
         yield finding(
             where,
             f"'{name}' is not a valid topic name: {node.label()} exits {when}",
             advice="use letters, digits, '_' and '/' only, no '__', and no part that begins with a digit",
-            related=[note(node.started.span, f"{node.label()} is started here")],
+            related=[note(node.started.span, f"{node.label()} is started here")]
+            + [note(each.where, f"'{each.name}' is not valid either") for each in others],
         )
+
+
+class Refused(NamedTuple):
+    node: topics.LaunchedNode
+    where: Span
+    name: str
+    when: str
+
+
+def refused(robot: Robot) -> Iterator[tuple[Refused, list[Refused]]]:
+    """The refused names of each node by their first part: one value is often the namespace of several names."""
+    found: dict[tuple[Span, str], list[Refused]] = {}
+    for each in map(Refused._make, robot.topics.refused):
+        found.setdefault((each.node.started.span, each.name.strip("/").partition("/")[0]), []).append(each)
+    for first, *others in found.values():
+        yield first, others

@@ -39,7 +39,7 @@ from bringup_lint.api import rule
 @rule("error", fix="safe", symptoms=["NameError: name 'SetParametersResult' is not defined"])
 def undefined_name(robot: Robot) -> Iterator[Finding]:
     for file in robot.nodes.programs:
-        for name, module, function in nodes.undefined(robot.nodes.syntax(file)):
+        for name, module, function, stub in nodes.undefined(robot.nodes.syntax(file)):
             when = f"when {function}() is called" if function else "when the file is loaded"
             line = f"from {module} import {name.id}" if module else f"import {name.id}"
             yield finding(
@@ -47,5 +47,5 @@ def undefined_name(robot: Robot) -> Iterator[Finding]:
                 f"NameError {when}: {name.id} is never imported, and the node exits",
                 advice=f"add '{line}'",
                 fix=fix(f"add '{line}'", *nodes.import_edits(file, module, name.id)),
-                severity=nodes.lowered(robot.nodes.purpose(file.source), "error"),
+                severity="info" if stub else nodes.lowered(robot.nodes.purpose(file.source), "error"),
             )

@@ -4,7 +4,8 @@
 Node keys with `-`, spaces, `~`, a leading digit, a trailing or repeated slash, a wildcard for only a part of a name
 (`cam*`), or `*` without quotes. `/**`, `"*"` and `/*/name` are valid.
 
-An error where a launch file of the tree gives the file to a node, else a warning.
+An error where a launch file of the tree gives the file to a node, info where the tree has launch files and nothing
+names the file, else a warning.
 
 ## Why it matters on a robot
 rcl checks the name and rejects the whole file. Every node that loads it exits at start.

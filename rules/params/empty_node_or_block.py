@@ -4,7 +4,8 @@
 A node name or `ros__parameters` with nothing below it, as when all parameters are commented out. An explicit `{}`
 is valid.
 
-An error where a launch file of the tree gives the file to a node, else a warning.
+An error where a launch file of the tree gives the file to a node, info where the tree has launch files and nothing
+names the file, else a warning.
 
 ## Why it matters on a robot
 rcl rejects the whole file: 'Cannot have a value before ros__parameters'. Every node that loads it exits at start.

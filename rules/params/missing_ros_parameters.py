@@ -5,7 +5,8 @@ Values between a node name and `ros__parameters` or next to it. Misspellings suc
 `ros__parameter`. Files without any `ros__parameters` that a launch file passes to a node. A file that no launch
 file of this tree loads is checked only in a folder for configuration, and is a warning.
 
-An error where a launch file of the tree gives the file to a node, else a warning.
+An error where a launch file of the tree gives the file to a node, info where the tree has launch files and nothing
+names the file, else a warning.
 
 ## Why it matters on a robot
 rcl rejects the whole file: 'Cannot have a value before ros__parameters'. Every node that loads it exits at start.
@@ -60,7 +61,7 @@ def missing_ros_parameters(robot: Robot) -> Iterator[Finding]:
     for file, (first, *others) in misspelt.items():
         yield finding(
             first,
-            f"'{first}' is not ros__parameters: the process that loads the file exits at start",
+            f"'{first}' is not ros__parameters: {_effect(robot, file, 'the file')}",
             advice="write ros__parameters, with two underscores",
             related=[note(other, "here too") for other in others],
             fix=fix("write ros__parameters", *((where, "ros__parameters") for where in (first, *others))),
@@ -77,17 +78,23 @@ def missing_ros_parameters(robot: Robot) -> Iterator[Finding]:
 def _outside(robot: Robot, file: ParameterFile, first: Located | Span, others: list[Located | Span]) -> Finding:
     """rcl stops at the first value that is outside; the others are named with it."""
     loads = [note(load.where, "a node loads it here") for load in robot.params.loads(file)[:1]]
+    what, name = ("A value is outside", "the file") if file.is_certain else ("The file has no", "it")
     return finding(
         first,
-        "A value is outside ros__parameters: the process that loads the file exits at start"
-        if file.is_certain
-        else "The file has no ros__parameters: the process that loads it exits at start",
+        f"{what} ros__parameters: {_effect(robot, file, name)}",
         advice="move it below ros__parameters"
         if file.is_certain
         else "put the node name and ros__parameters above the values",
         related=[*loads, *(note(other, "outside, too") for other in others[:20])],
         severity=robot.params.proven(file),
     )
+
+
+def _effect(robot: Robot, file: ParameterFile, name: str) -> str:
+    """What follows: rcl ends the process; launch, which reads the files of components itself, finds no values."""
+    if robot.params.reader(file) == "pyyaml":
+        return f"the components that get {name} keep their defaults"
+    return f"the process that loads {name} exits at start"
 
 
 def in_config(file: ParameterFile) -> bool:

@@ -4,7 +4,8 @@
 Lists whose elements have different types for rcl, such as `[0, 0.5]` or `[1, null]`. A warning in files that only
 PyYAML reads.
 
-An error where a launch file of the tree gives the file to a node, else a warning.
+An error where a launch file of the tree gives the file to a node, info where the tree has launch files and nothing
+names the file, else a warning.
 
 ## Why it matters on a robot
 rcl rejects the whole file: 'Sequence should be of same type'. Every node that loads it exits at start.

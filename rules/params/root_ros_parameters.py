@@ -3,7 +3,8 @@
 ## What it finds
 A parameter file whose outermost key is `ros__parameters`.
 
-An error where a launch file of the tree gives the file to a node, else a warning.
+An error where a launch file of the tree gives the file to a node, info where the tree has launch files and nothing
+names the file, else a warning.
 
 ## Why it matters on a robot
 rcl rejects the file: 'There are no node names before ros__parameters'. Every node that loads it exits at start.

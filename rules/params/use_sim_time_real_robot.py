@@ -45,8 +45,8 @@ def use_sim_time_real_robot(robot: Robot) -> Iterator[Finding]:
     for found in simulated(robot.params):
         yield finding(
             found.parameter.span,
-            f"Nothing publishes /clock on the robot: the time of {found.load.node.label()} stays at zero "
-            "and its timers never fire",
+            f"Nothing publishes /clock on the robot: the ROS time of {found.load.node.label()} stays at zero, in its "
+            "stamps and in all that waits for that time",
             advice="write false",
             related=[note(found.load.node.span, "gets the value here")],
             chain=robot.provenance.chain_to_load(found.load, note(found.parameter.span, "the node waits for /clock")),

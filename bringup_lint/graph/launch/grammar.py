@@ -87,10 +87,12 @@ class Checker:
         yield from self.shape(tag)
         if tag.problems:
             return
-        yield from self.attributes(tag, entity)
-        yield from self.children(tag, entity)
+        own = list(self.attributes(tag, entity))
         if entity.name in ("param", "nested_param"):
-            yield from self.parameter(tag, nested=entity.name == "nested_param")
+            own += self.parameter(tag, nested=entity.name == "nested_param")
+        is_misnamed = any(refusal.code == "attribute" for refusal in own)
+        yield from (refusal for refusal in own if refusal.code != "missing" or not is_misnamed)
+        yield from self.children(tag, entity)
         if entity.holds_actions:
             if tag.actions is None:
                 yield Refusal("missing", tag.name, f"'{tag.name}' needs a list 'children'")

@@ -49,6 +49,7 @@ from bringup_lint.model.launch_values import Value
 from bringup_lint.model.launch_values import walk
 from bringup_lint.source import Located
 from bringup_lint.source import Source
+from bringup_lint.source import Span
 
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
@@ -56,6 +57,7 @@ if TYPE_CHECKING:
 
 _VIEW = re.compile(r"(?:^|[/_.-])(?:display|view\w*|rviz\w*)(?:$|[/_.-])")
 """Paths of launch files that only show something."""
+_LIFECYCLE = re.compile(r"lifecycle|nav2_util|nav2_ros_common")
 SIMULATORS = re.compile(
     r"(?:^|_)(?:sim|simulation|simulator|gazebo|gz|ign|ignition|webots|isaac\w*|mujoco|airsim|carla|awsim|stage)(?:$|_)"
 )
@@ -324,6 +326,33 @@ class Launch:
         """What is known about a node's program."""
         program = literal_text(node.plugin) or literal_text(node.executable)
         return role_of(literal_text(node.package), program, self._tree_files.target.ros)
+
+    def started_without(self, file: LaunchFile, name: str) -> Iterator[Span]:
+        """Where launch files and scripts of the robot start a file and leave an argument to its default."""
+        yield from self._included_without(file, name)
+        command = re.compile(rf"ros2 launch [^\n;&|]*\b{re.escape(file.source.basename)}(?![\w.])[^\n;&|\"']*")
+        for script in self._tree_files.of_kind("shell-script"):
+            if self._tree_files.purpose(script) is not Purpose.ROBOT:
+                continue
+            yield from (
+                script.span(*match.span()) for match in command.finditer(script.text) if f"{name}:=" not in match[0]
+            )
+
+    def _included_without(self, file: LaunchFile, name: str) -> Iterator[Span]:
+        for expansion in self.leading_to(file):
+            if self.simulated(expansion.entry):
+                continue
+            for include in expansion.includes:
+                if include.target is file and name not in include.arguments and name not in include.known:
+                    yield include.action.span
+
+    def is_plain(self, node: Started) -> bool:
+        """Whether the C++ package of a node, which is in the tree, builds on nothing of the lifecycle."""
+        package = self.workspace.packages.get(literal_text(node.package) or "")
+        if package is None or package.manifest.build_type != "ament_cmake":
+            return False
+        texts = [package.manifest.source.text, *(build.source.text for build in package.builds)]
+        return not any(_LIFECYCLE.search(text) for text in texts)
 
     @memo
     def simulated(self, file: LaunchFile) -> bool:

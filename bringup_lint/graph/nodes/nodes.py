@@ -51,6 +51,12 @@ _STARTERS = (
 _UNJUDGED = (Purpose.TEST, Purpose.CI, Purpose.ARCHIVE)
 """Purposes whose sources are not for a robot."""
 _RUNNERS = ("systemd-unit", "systemd-dropin", "compose", "dockerfile", "supervisord", "cron")
+_TOOL = re.compile(
+    r"(?:^|_)(?:calibrat\w*?|capture|gathering|gui|dummy|evaluat(?:e|or|ion)|visuali[sz](?:e|er|ation)|plot(?:ter)?"
+    r"|debug(?:ger)?|bt_(?:monitor|viewer))(?=[_.]|$)|^check_",
+    re.I,
+)
+"""Names of programs for people: they look at the robot, set it up or stand in for a part of it."""
 
 
 @dataclass(eq=False)
@@ -191,9 +197,16 @@ class Nodes:
         return any(file.source.basename in each.text for each in self.files.of_kind(*_RUNNERS))
 
     def is_stopped(self, file: NodeSource) -> bool:
-        """Whether something of the robot starts a program that is not for tests, examples or a person at its keys, and
-        so stops it as well."""
-        return self.is_deployed(file) and self.is_for_robot(file.source) and not self.ending(file).reads_keys
+        """Whether something of the robot starts a program that is not for tests, examples or a person, and so stops it
+        as well."""
+        if not self.is_deployed(file) or not self.is_for_robot(file.source):
+            return False
+        return not self.is_tool(file) and not self.launch.workspace.is_vendored(file.source)
+
+    def is_tool(self, file: NodeSource) -> bool:
+        """Whether a person runs a program to look at the robot or to set it up, or one for a simulator."""
+        ending = self.ending(file)
+        return ending.reads_keys or ending.drives_simulator or bool(_TOOL.search(file.source.basename))
 
     @cached_property
     def _run_directly(self) -> frozenset[Source]:

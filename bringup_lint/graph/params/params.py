@@ -10,8 +10,10 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.graph.launch.resolve import text_of
+from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.params import values as param_values
 from bringup_lint.graph.params.values import Item
+from bringup_lint.graph.purpose import Purpose
 from bringup_lint.model.params import Parameter
 from bringup_lint.model.params import ParameterFile
 from bringup_lint.model.params import Value
@@ -278,10 +280,28 @@ class Params:
     def _reached_by_block(self) -> dict[tuple[int, str], list[Load]]:
         return {}
 
+    def is_missing(self, node: Started) -> bool:
+        """Whether the package of a node, which is in the tree, surely has no such executable, so that it never runs."""
+        package = self._launch().workspace.packages.get(literal_text(node.package) or "")
+        executable = literal_text(node.executable)
+        if package is None or executable is None:
+            return False
+        return self._launch().workspace.lacks(package, executable)
+
     def proven(self, file: ParameterFile) -> str | None:
         """The severity of what ends the process that loads a file: a rule's own where a node of the tree loads it with
-        rcl, else a warning."""
-        return None if self.reader(file) == "rcl" else "warning"
+        rcl, info where the tree starts nodes and nothing of it names the file, else a warning."""
+        if self.reader(file) == "rcl":
+            return None
+        return "info" if self._is_unused(file) or self._is_for_tests(file) else "warning"
+
+    def _is_unused(self, file: ParameterFile) -> bool:
+        if self.loads(file) or not self._tree_files.of_kind(*LAUNCH):
+            return False
+        return not self.named_elsewhere(file.source.basename, {file.source})
+
+    def _is_for_tests(self, file: ParameterFile) -> bool:
+        return self._tree_files.purpose(file.source) in (Purpose.TEST, Purpose.CI, Purpose.ARCHIVE)
 
     def reader(self, file: ParameterFile) -> str:
         """``rcl`` when at least one node gets the file as it is, ``pyyaml`` when all get it through PyYAML, else

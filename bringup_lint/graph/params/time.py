@@ -43,7 +43,8 @@ def simulated(params: Params) -> Iterator[Simulated]:
         if not told or _SIMULATION.search(file.source.name):
             continue
         for parameter in told:
-            load = next((each for each in params.loads(file) if _waits(each, parameter)), None)
+            loads = (each for each in params.loads(file) if not params.is_missing(each.node))
+            load = next((each for each in loads if _waits(each, parameter)), None)
             if load is not None:
                 yield Simulated(file, parameter, load)
 

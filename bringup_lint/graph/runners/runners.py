@@ -27,6 +27,8 @@ from bringup_lint.source import Span
 if TYPE_CHECKING:
     from bringup_lint.graph.launch.launch import Launch
 
+_SUPERVISING = ("systemd-unit", "systemd-dropin", "compose", "dockerfile", "supervisord", "cron")
+
 
 @dataclass(eq=False)
 class Runners:
@@ -57,6 +59,12 @@ class Runners:
 
     def _launching(self, runner: Runner, start: Start) -> Launching:
         return Launching(runner, start, self.launch().named(start.ros.package, start.ros.target))
+
+    def is_supervised(self, runner: Runner) -> bool:
+        """Whether something other than a person starts it: a script counts where a unit, service or image names it."""
+        if runner.kind is not RunnerKind.SCRIPT:
+            return True
+        return any(runner.source.basename in each.text for each in self.files.of_kind(*_SUPERVISING))
 
     def launching(self, file: LaunchFile) -> list[Launching]:
         """Those that start a launch file."""

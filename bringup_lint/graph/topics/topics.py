@@ -6,6 +6,7 @@ from collections.abc import Callable
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import chain
 from itertools import product
 from typing import TYPE_CHECKING
 
@@ -205,9 +206,11 @@ class Topics:
 
     @cached_property
     def published_anywhere(self) -> frozenset[str]:
-        """The last parts of the names that any source of the tree publishes, started or not."""
-        published = (each.name for each in self.endpoints if each.role == "publisher" and each.name)
-        return frozenset(names.tail(str(name)) for name in published)
+        """The last parts of the names that any source of the tree, or any program that a launch file starts, publishes,
+        running or not."""
+        published = [str(each.name) for each in self.endpoints if each.role == "publisher" and each.name]
+        known = (self.launch.role(started).topics for started in self.launch.nodes)
+        return frozenset(names.tail(name) for name in chain(published, *known))
 
     @cached_property
     def pairs(self) -> list[Pair]:

@@ -20,6 +20,8 @@ from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.python import PlacedNode
 
 DEPTH = 3
+UNTIL_TIMEOUT = "until its timeout"
+"""How long a call with a time-out lasts whose length is not known."""
 SHORT = 0.1
 """Seconds; a shorter sleep delays nothing that matters."""
 _PROGRAMS = frozenset(
@@ -95,9 +97,21 @@ def deadlocks(found: Blocking, threads: str) -> bool:
     return shared if found.nested or threads != "one" else True
 
 
+def only_stores(ending: Ending, cls: NodeClass, callback: Callback) -> bool:
+    """Whether a callback does no more than keep what it got, so that nothing is lost when it runs later."""
+    name, body = code_of(ending, cls, callback)
+    kept = (ast.Assign, ast.AnnAssign, ast.AugAssign, ast.Pass)
+    return bool(name and body) and all(_is_docstring(each) or isinstance(each, kept) for each in body)
+
+
+def _is_docstring(node: ast.AST) -> bool:
+    return isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
+
+
 def blocking(ending: Ending, cls: NodeClass) -> Iterator[Blocking]:
     """The calls that block in the callbacks of a class."""
     seen: set[ast.AST] = set()
+    told: set[tuple[str, str]] = set()
     for callback in cls.callbacks:
         if callback.role == "shutdown":
             continue
@@ -114,6 +128,9 @@ def blocking(ending: Ending, cls: NodeClass) -> Iterator[Blocking]:
                     continue
                 kept = [each for each in clients if found[0] == f"{each.attribute}.call()"]
                 partner = kept[0].callback_group if kept else None
+                if (name, found[0]) in told and not found[1]:
+                    continue
+                told.add((name, found[0]))
                 yield Blocking(callback, name, node, *found, partner, nested)
 
 
@@ -126,7 +143,7 @@ def _blocks(ending: Ending, node: ast.AST, cls: NodeClass) -> tuple[str, str] | 
     if name == "time.sleep":
         return _sleep(ending, node)
     if name in _PROGRAMS and not _has(node, "timeout") and not is_short(ending, node):
-        return name, "as long as the program runs"
+        return None if _ends_behind(ending, node) else (name, "as long as the program runs")
     if name in _OPENS:
         return _open(ending, node, name)
     if name in _SPINS and _is_of(node, cls):
@@ -164,10 +181,19 @@ def _sleep(ending: Ending, call: ast.Call) -> tuple[str, str] | None:
 
 
 def _ends_behind(ending: Ending, call: ast.Call) -> bool:
-    """Whether the node ends in the function that sleeps, so that nothing else of it is to run."""
+    """Whether the node ends in the function that waits, so that nothing else of it is to run."""
     function = ending.syntax.function(call)
+    if any(
+        isinstance(each, ast.Raise) and _is_exit(each) and each.lineno > call.lineno for each in own(body_of(function))
+    ):
+        return True
     last = (each for each in own_calls(body_of(function)) if each.lineno > call.lineno)
     return any(ending.syntax.qualified(each) in ("rclpy.shutdown", "rclpy.try_shutdown", "sys.exit") for each in last)
+
+
+def _is_exit(statement: ast.Raise) -> bool:
+    raised = statement.exc.func if isinstance(statement.exc, ast.Call) else statement.exc
+    return isinstance(raised, ast.Name) and raised.id == "SystemExit"
 
 
 def _turns(ending: Ending, loop: ast.For | ast.While) -> int | None:
@@ -186,7 +212,7 @@ def _timeout(ending: Ending, call: ast.Call, index: int) -> str:
     if given is None:
         return ""
     seconds = ending.file.constant(given, ending.syntax.function(call))
-    return f"for {seconds:g} s" if isinstance(seconds, (int, float)) else "until its timeout"
+    return f"for {seconds:g} s" if isinstance(seconds, (int, float)) else UNTIL_TIMEOUT
 
 
 def _open(ending: Ending, call: ast.Call, name: str) -> tuple[str, str]:
@@ -194,7 +220,7 @@ def _open(ending: Ending, call: ast.Call, name: str) -> tuple[str, str]:
     seconds = ending.file.constant(given, ending.syntax.function(call)) if given is not None else None
     if isinstance(seconds, (int, float)):
         return name, f"for up to {seconds:g} s"
-    return name, "until the other side answers" if given is not None else "forever when the other side is silent"
+    return name, UNTIL_TIMEOUT if given is not None else "forever when the other side is silent"
 
 
 def _has(call: ast.Call, keyword: str) -> bool:

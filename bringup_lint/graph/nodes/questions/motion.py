@@ -38,6 +38,11 @@ _REPORT = re.compile(
 )
 
 
+def is_velocity(endpoint: Endpoint) -> bool:
+    """Whether the messages are velocities by their type, however the topic is called."""
+    return endpoint.type in _VELOCITIES - _NUMBERS
+
+
 def moves(endpoint: Endpoint) -> bool:
     """Whether what is published here makes something move until it is told to stop."""
     if endpoint.name is None or endpoint.type not in (None, *_VELOCITIES):

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from bringup_lint.graph.nodes.questions.motion import is_velocity
 from bringup_lint.graph.nodes.questions.motion import moves
 from bringup_lint.graph.nodes.questions.stopping import is_on_shutdown
 from bringup_lint.graph.nodes.sources.ending import Ending
@@ -34,7 +35,32 @@ def relays(node: NodeClass) -> bool:
     """Whether a node passes commands on that it gets from another one."""
     wanted = {each.type for each in commands(node)}
     heard = [each for each in node.all_endpoints if each.role == "subscription"]
-    return any(each.type in wanted or moves(each) for each in heard)
+    return any(each.type in wanted or moves(each) or is_velocity(each) for each in heard)
+
+
+def stops_itself(syntax: Syntax, node: NodeClass) -> bool:
+    """Whether each method that commands a motion waits and ends it itself, so that none outlasts a callback."""
+    found = [method for method in node.methods.values() if _commands(syntax, body_of(method.node), node)]
+    return bool(found) and all(_ends_motion(syntax, method.node, node) for method in found)
+
+
+def _commands(syntax: Syntax, body: Sequence[ast.AST], node: NodeClass) -> bool:
+    return any(moves(each.endpoint) for each in sendings(syntax, body, node))
+
+
+def _ends_motion(syntax: Syntax, method: ast.FunctionDef | ast.AsyncFunctionDef, node: NodeClass) -> bool:
+    """Whether the last command is a fresh message, all zero, that is sent in any case after a wait."""
+    last = next((each for each in reversed(method.body) if _commands(syntax, [each], node)), None)
+    if not isinstance(last, ast.Expr) or not isinstance(last.value, ast.Call):
+        return False
+    before = method.body[: method.body.index(last)]
+    waits = any(syntax.qualified(call) == "time.sleep" for call in own_calls(before))
+    made = before[-1].value if before and isinstance(before[-1], ast.Assign) else None
+    return waits and any(_is_fresh(each) for each in (made, *last.value.args))
+
+
+def _is_fresh(value: ast.expr | None) -> bool:
+    return isinstance(value, ast.Call) and not value.args and not value.keywords
 
 
 def is_watched_relay(node: NodeClass, command: Endpoint) -> bool:

@@ -24,4 +24,28 @@ def _words(ending: Ending, call: ast.Call) -> list[str]:
         known = [part for part in parts if isinstance(part, str)]
         return known if parts and isinstance(parts[0], str) else []
     text = ending.file.constant(given, ending.syntax.function(call)) if given is not None else None
-    return split(text) if isinstance(text, str) else []
+    if isinstance(text, str):
+        return split(text)
+    return _template(ending, given, call)
+
+
+def _template(ending: Ending, given: ast.expr | None, call: ast.Call) -> list[str]:
+    """The words of an f-string, also of one that a name holds, with ``{}`` for what it fills in."""
+    if isinstance(given, ast.Name):
+        given = _assigned(ending, given.id, call)
+    if not isinstance(given, ast.JoinedStr):
+        return []
+    parts = (each.value if isinstance(each, ast.Constant) else "{}" for each in given.values)
+    return split("".join(map(str, parts)))
+
+
+def _assigned(ending: Ending, name: str, call: ast.Call) -> ast.expr | None:
+    """The one value that the function of a call gives to a name."""
+    function = ending.syntax.function(call)
+    body = ast.walk(function) if function is not None else ()
+    found = [each for each in body if isinstance(each, ast.Assign) and _is_name(each.targets, name)]
+    return found[0].value if len(found) == 1 else None
+
+
+def _is_name(targets: list[ast.expr], name: str) -> bool:
+    return len(targets) == 1 and isinstance(targets[0], ast.Name) and targets[0].id == name

@@ -24,6 +24,8 @@ class Undefined(NamedTuple):
     """What to import it from; empty for a module itself."""
     function: str | None
     """Where it is used; None: when the file is imported."""
+    stub: bool = False
+    """The function says before it that it is not implemented."""
 
 
 def undefined(syntax: Syntax) -> Iterator[Undefined]:
@@ -45,7 +47,22 @@ def undefined(syntax: Syntax) -> Iterator[Undefined]:
                 used.setdefault(node.id, []).append(node)
     for name in sorted(used.keys() - bound):
         first = min(used[name], key=lambda each: (each.lineno, each.col_offset))
-        yield Undefined(first, names[name], _function(syntax, first))
+        yield Undefined(first, names[name], _function(syntax, first), _is_in_stub(syntax, first))
+
+
+def _is_in_stub(syntax: Syntax, name: ast.Name) -> bool:
+    function = syntax.function(name)
+    before = (
+        (each for each in ast.walk(function) if getattr(each, "lineno", name.lineno) < name.lineno) if function else ()
+    )
+    return any(_says_unfinished(each) for each in before)
+
+
+def _says_unfinished(node: ast.AST) -> bool:
+    if isinstance(node, ast.Name):
+        return node.id == "NotImplementedError"
+    text = node.value if isinstance(node, ast.Constant) else None
+    return isinstance(text, str) and "not implemented" in text.lower()
 
 
 def _bound(node: ast.AST) -> Iterator[str]:

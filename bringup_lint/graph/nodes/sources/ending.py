@@ -32,7 +32,21 @@ _OWN_SIGNALS = (
 
 
 _RAW = ("tty.setraw", "curses.raw")
-_KEYS = ("termios", "tty", "curses", "getch", "getkey", "readchar", "sshkeyboard", "msvcrt", "pynput")
+_KEYS = (
+    "termios",
+    "tty",
+    "curses",
+    "getch",
+    "getkey",
+    "readchar",
+    "sshkeyboard",
+    "msvcrt",
+    "pynput",
+    "evdev.events",
+    "evdev.KeyEvent",
+)
+_SIMULATORS = ("coppeliasim_zmqremoteapi_client", "pybullet", "mujoco", "isaacsim", "omni.isaac", "carla", "airsim")
+"""Modules through which a program drives a simulator."""
 
 UNKNOWN = ("foxy", "galactic")
 """Distributions whose rclpy handles signals in another way (before rclpy 3, Humble)."""
@@ -95,8 +109,12 @@ class Ending:
 
     @cached_property
     def reads_keys(self) -> bool:
-        """Whether a person at a terminal runs it, and presses keys."""
+        """Whether a person runs it and presses keys, at a terminal or on a keypad."""
         return self.is_raw_terminal or any((name or "").startswith(_KEYS) for name in self.file.imports.values())
+
+    @cached_property
+    def drives_simulator(self) -> bool:
+        return any((name or "").startswith(_SIMULATORS) for name in self.file.imports.values())
 
     @cached_property
     def handlers(self) -> list[Handler]:

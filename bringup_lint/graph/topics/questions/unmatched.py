@@ -28,6 +28,9 @@ BY_HAND = re.compile(
     r"goal|initial_?pose|clicked|command|cmd|joy|teleop|stop|start|trigger|request|enable|reset|mode|feedback|set_|debug|input"
 )
 """Topics to which a person, a tool or another computer publishes."""
+FIRMWARE = re.compile(r"^/(?:utlidar|lf|rt|fmu/out)/|^/(?:low|sportmode|wirelesscontroller|handstate)\w*$")
+"""Topics that controllers of robots publish by themselves: Unitree's motion computer, PX4."""
+FIRMWARE_TYPES = ("unitree_go/", "unitree_hg/", "unitree_api/", "px4_msgs/")
 COMPARED = 500
 """Unmatched topics of one robot for which another name is sought."""
 SHORTEST = 4
@@ -52,8 +55,14 @@ def unmatched_endpoints(running: Running) -> Iterator[Use]:
 def without_publisher(running: Running) -> Iterator[Use]:
     """The subscriptions of sources in the tree that nobody serves, and that nobody serves by hand."""
     for use in unmatched_endpoints(running):
-        if use.role == "subscription" and not use.of_table and not use.conditional and not BY_HAND.search(use.topic):
+        if use.role != "subscription" or use.of_table or use.conditional or _is_of_firmware(use):
+            continue
+        if not BY_HAND.search(use.topic):
             yield use
+
+
+def _is_of_firmware(use: Use) -> bool:
+    return bool(FIRMWARE.search(use.topic)) or (use.type or "").startswith(FIRMWARE_TYPES)
 
 
 def probable_typos(running: Running) -> Iterator[ProbableTypo]:
