@@ -31,5 +31,5 @@ def returns_at_once(words: Sequence[str]) -> bool:
 
 def _ends_short(words: Sequence[str]) -> bool:
     """Whether the other programs of a pipeline or list return at once, too."""
-    starts = [at + 1 for at, word in enumerate(words[:-1]) if word in ("|", "||", "&&")]
+    starts = [at + 1 for at, word in enumerate(words[:-1]) if word in ("|", "||", "&&", ";")]
     return all(words[at].rpartition("/")[2] in _SHORT for at in starts)

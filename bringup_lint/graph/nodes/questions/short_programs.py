@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import ast
+import re
 
 from bringup_lint.facts.short_programs import returns_at_once
 from bringup_lint.graph.nodes.sources.ending import Ending
-from bringup_lint.parsers.shell import split
+
+_OPERATOR = re.compile(r"(?<![>\d])(\|\|?|&&?|;)")
 
 
 def is_short(ending: Ending, call: ast.Call) -> bool:
@@ -25,8 +27,13 @@ def _words(ending: Ending, call: ast.Call) -> list[str]:
         return known if parts and isinstance(parts[0], str) else []
     text = ending.file.constant(given, ending.syntax.function(call)) if given is not None else None
     if isinstance(text, str):
-        return split(text)
+        return _tokens(text)
     return _template(ending, given, call)
+
+
+def _tokens(text: str) -> list[str]:
+    """The words of a command line, with the operators between its commands."""
+    return _OPERATOR.sub(r" \1 ", text).split()
 
 
 def _template(ending: Ending, given: ast.expr | None, call: ast.Call) -> list[str]:
@@ -36,7 +43,7 @@ def _template(ending: Ending, given: ast.expr | None, call: ast.Call) -> list[st
     if not isinstance(given, ast.JoinedStr):
         return []
     parts = (each.value if isinstance(each, ast.Constant) else "{}" for each in given.values)
-    return split("".join(map(str, parts)))
+    return _tokens("".join(map(str, parts)))
 
 
 def _assigned(ending: Ending, name: str, call: ast.Call) -> ast.expr | None:
