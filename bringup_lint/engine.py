@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import time
-import traceback
 from collections import Counter
 from collections.abc import Iterable
 from collections.abc import Iterator
@@ -12,8 +10,6 @@ from dataclasses import dataclass
 from dataclasses import replace
 
 from bringup_lint import budget
-from bringup_lint.budget import OutOfTime
-from bringup_lint.budget import limited
 from bringup_lint.config import OFF
 from bringup_lint.config import Config
 from bringup_lint.config import ConfigError
@@ -22,19 +18,16 @@ from bringup_lint.finding import Confidence
 from bringup_lint.finding import Finding
 from bringup_lint.finding import Severity
 from bringup_lint.finding.copies import merged
-from bringup_lint.finding.origin import at_origin
-from bringup_lint.graph.purpose import Purpose
+from bringup_lint.isolation import check
+from bringup_lint.isolation import too_slow
+from bringup_lint.isolation import unread
 from bringup_lint.registry import Registry
 from bringup_lint.registry import Rule
 from bringup_lint.robot import Robot
-from bringup_lint.source import Source
 from bringup_lint.spelling import meant
 from bringup_lint.suppress import UNUSED
 from bringup_lint.suppress import ignores_in
 from bringup_lint.suppress.files import file_ignores
-
-INTERNAL_ERROR = "lint/internal-error"
-TIME_BUDGET = "lint/time-budget"
 
 
 @dataclass(frozen=True)
@@ -101,11 +94,10 @@ def run(robot: Robot, registry: Registry, config: Config, *, ignores: bool = Tru
     """Run the selected rules over a robot. Raises ConfigError for names that mean nothing, RuleError for a bad rule."""
     selection = Selection(registry, config)
     rules = {rule_id: registry[rule_id] for rule_id in registry.ids_for(robot) if selection.runs(rule_id)}
-    failures: list[Finding] = []
-    findings = list(_run_rules(rules.values(), robot, registry, failures))
-    findings += [_too_slow(source, "Not judged: to parse it", budget.FILE) for source in robot.unfinished]
-    failures += [_internal(source, f"reading {source.name}", error) for source, error in robot.failures]
-    findings += failures
+    checked = check(rules.values(), robot, registry.purposes)
+    failures = [*checked.failures, *unread(robot)]
+    findings = [*checked.findings, *failures]
+    findings += [too_slow(source, "Not judged: to parse it", budget.FILE) for source in robot.unfinished]
     if ignores:
         findings = _suppressed(findings, robot, rules, selection, config)
     graded = sorted((_graded(found, rules.get(found.rule), selection) for found in findings), key=_order)
@@ -116,66 +108,7 @@ def run(robot: Robot, registry: Registry, config: Config, *, ignores: bool = Tru
             shown.append(found)
         else:
             hidden[found.severity] += 1
-    return Outcome(tuple(shown), rules, tuple(failure.message for failure in failures), hidden)
-
-
-def _run_rules(rules: Iterable[Rule], robot: Robot, registry: Registry, failures: list[Finding]) -> Iterator[Finding]:
-    """What the rules find, as long as there is time."""
-    end = time.process_time() + budget.RUN
-    for rule in rules:
-        left = end - time.process_time()
-        place = Source(rule.path.name)
-        if left <= 0:
-            yield _too_slow(place, f"Not run: the rules before {rule.id}", budget.RUN)
-            continue
-        found: list[Finding] = []
-        try:
-            with limited(min(left, budget.RULE)):
-                found.extend(_run_rule(rule, robot, registry.purposes(rule.id), failures))
-        except OutOfTime:
-            yield _too_slow(place, f"Not judged whole: the rule {rule.id}", min(left, budget.RULE))
-        yield from found
-
-
-def _too_slow(source: Source, what: str, seconds: float) -> Finding:
-    return Finding(
-        f"{what} takes more than {seconds:.0f} seconds of CPU time",
-        source.whole,
-        rule=TIME_BUDGET,
-        advice="exclude what is generated or damaged; for an ordinary tree this is a bug in bringup-lint",
-    )
-
-
-def _run_rule(
-    rule: Rule, robot: Robot, purposes: Mapping[Purpose, Severity | None], failures: list[Finding]
-) -> Iterator[Finding]:
-    try:
-        for found in rule.check(robot) or ():
-            if found.source.judged:
-                yield from _for_purpose(at_origin(replace(found, rule=rule.id)), robot, purposes)
-    except Exception as error:
-        failures.append(_internal(Source(rule.path.name), f"rule {rule.id}", error))
-
-
-def _for_purpose(found: Finding, robot: Robot, purposes: Mapping[Purpose, Severity | None]) -> Iterator[Finding]:
-    """The finding, lowered or left out when its place is not for the robot itself."""
-    purpose = robot.purpose(found.span) if purposes else Purpose.ROBOT
-    if purpose not in purposes:
-        yield found
-        return
-    lowered = purposes[purpose]
-    if lowered is not None:
-        yield replace(found, own_severity=min(found.own_severity or lowered, lowered))
-
-
-def _internal(source: Source, what: str, error: Exception) -> Finding:
-    frame = traceback.extract_tb(error.__traceback__)[-1]
-    return Finding(
-        f"{what} failed: {type(error).__name__} in {frame.filename.rpartition('/')[2]}:{frame.lineno}",
-        source.whole,
-        rule=INTERNAL_ERROR,
-        advice="this is a bug in bringup-lint; everything else was still checked",
-    )
+    return Outcome(tuple(shown), rules, tuple(dict.fromkeys(failure.message for failure in failures)), hidden)
 
 
 def _suppressed(

@@ -18,6 +18,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from collections.abc import Collection
 from collections.abc import Iterable
 from collections.abc import Iterator
 from collections.abc import Mapping
@@ -102,6 +103,19 @@ class Robot:
             join_installed(self.files, self.scripts)
         self.launch_commands: tuple[str, ...] = ()
         """For a comparison with the running graph: what was launched, as after ``ros2 launch``."""
+
+    def without(self, names: Collection[str]) -> Robot:
+        """The same robot, of whose sources of these names nothing is known."""
+        files = self.files
+        robot = Robot(
+            files.tree.without(names),
+            files.configured_ros,
+            files.configured_systemd,
+            files.today,
+            files.configured_purposes,
+        )
+        robot.launch_commands = self.launch_commands
+        return robot
 
     @property
     def tree(self) -> Tree:

@@ -6,10 +6,12 @@ import glob
 import os
 import re
 import stat
+from collections.abc import Collection
 from collections.abc import Iterable
 from collections.abc import Iterator
 from dataclasses import dataclass
 from dataclasses import field
+from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
 
@@ -46,6 +48,8 @@ class Tree:
     """The absolute folders that hold the tree. What lies elsewhere is not looked at."""
     closed: list[str] = field(default_factory=list)
     """What was met on the way through a root file system and another user could read."""
+    unknown: frozenset[str] = frozenset()
+    """The names of sources that are taken for empty, because something failed on them."""
     deploy: dict[str, str] = field(default_factory=dict)
     """Path in the repository -> path on the robot, from the configuration."""
     sources: list[Source] = field(default_factory=list)
@@ -60,6 +64,20 @@ class Tree:
     def remember(self, path: str) -> None:
         """Keep the name of a file that was walked past, so that a reference to it can be resolved."""
         self._paths.setdefault(os.path.basename(path), []).append(path)
+
+    def without(self, names: Collection[str]) -> Tree:
+        """The same tree, whose sources of these names are empty and of no kind; they are still there. What one file
+        writes to another is left out, to be found again."""
+        sources = (source for source in self.sources if source.origin is None)
+        left = [replace(source, kind="", text="") if source.name in names else source for source in sources]
+        return replace(
+            self,
+            sources=left,
+            problems=list(self.problems),
+            unknown=frozenset(names),
+            _on_demand={},
+            _by_reference={},
+        )
 
     def judges(self, path: str) -> bool:
         """Whether the run was asked for a path, or for a folder above it."""
@@ -78,6 +96,8 @@ class Tree:
         unless the caller knows better."""
         judged = self.judges(path) if judged is None else judged
         source = Source(display_name(path), kind=kind, robot_path=self.robot_path(path), judged=judged)
+        if source.name in self.unknown:
+            return replace(source, kind="")
         try:
             source.text, source.template = self._text(path, source)
         except Unreadable as error:

@@ -22,6 +22,7 @@ LAYERS = (
     {"cli"},
     {"finish"},
     {"engine"},
+    {"isolation"},
     {"fix", "baseline", "suppress", "config", "registry"},
     {"report", "live", "writing"},
     {"api"},

@@ -58,7 +58,11 @@ def join_installed(files: Files, scripts: Scripts) -> None:
     placed: dict[str, set[str]] = {}
     provisioning = [source for source in files.of_kind(*PROVISIONING) if _MARKS.search(source.text)][:MOST_SCRIPTS]
     for script in (*installing, *provisioning):
-        made, copies = _read(files, script, scripts) if script.kind in KINDS else _provisioned(files, script)
+        try:
+            made, copies = _read(files, script, scripts) if script.kind in KINDS else _provisioned(files, script)
+        except Exception as error:
+            files.failures.append((script, error))
+            continue
         for source in made:
             if source.robot_path not in known:
                 files.join(source)
