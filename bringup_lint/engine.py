@@ -24,6 +24,7 @@ from bringup_lint.isolation import unread
 from bringup_lint.registry import Registry
 from bringup_lint.registry import Rule
 from bringup_lint.robot import Robot
+from bringup_lint.source import Source
 from bringup_lint.spelling import meant
 from bringup_lint.suppress import UNUSED
 from bringup_lint.suppress import ignores_in
