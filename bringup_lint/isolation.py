@@ -145,7 +145,8 @@ def _validate(found: Finding) -> None:
     """Raises TypeError for a place that is none: whatever follows relies on them."""
     places = [found.span, *found.hidden, *found.secrets]
     places += (each.span for each in (*found.related, *found.chain))
-    places += (edit.span for edit in (found.fix.edits if found.fix else ()))
+    if found.fix:
+        places += (edit.span for edit in found.fix.edits)
     for span in places:
         if not isinstance(span, Span) or not isinstance(span.source, Source):
             raise TypeError("a finding without its place")
