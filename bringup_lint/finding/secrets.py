@@ -1,48 +1,85 @@
-"""Secrets that a file gives away by their names, whether or not a rule has marked them."""
+"""Secrets that a file gives away by their forms, whether or not a rule has marked them."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator
 
+from bringup_lint.finding.secret_forms import FORMS
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 
-_WORDS = ("pass", "psk", "secret", "token", "credential", "key", "://")
 MERE_NAME = re.compile(r"pass(?:word|wd|phrase|wort)|secret|token", re.IGNORECASE)
 """A value that only repeats its name tells nothing, and masking it everywhere would mask prose."""
-_NAME = r"""(?:pass(?:word|wd|phrase|wort)|psk|secret|token
-    |(?:api|access|auth|private|secret|encryption|signing|shared)[_-]?key|wep[_-]?key\d?)"""
-_VALUE = r"""(?:
-    ["'\]]*[ \t]*[:=][ \t]*(?:"(?P<double>[^"\n]+)"|'(?P<single>[^'\n]+)')
-    |["'\]]*[ \t]*:[ \t]+(?P<mapped>[^\s"'\#,}\]][^\n\#,}\]]*)
-    |[ \t]*=[ \t]*(?P<assigned>[^\s"'=][^\s"']*)
-    |["']?(?:>|[ \t]*</name>\s*<value>|[ \t]+(?:value|default)[ \t]*=[ \t]*["'])(?P<element>[^<"'\n]+))"""
-_SECRETS = re.compile(
-    rf"""{_NAME}{_VALUE}
-    |--{_NAME}[ \t]+(?P<option>[^\s"'=-][^\s"']*)
-    |://[^/\s:@"']*:(?P<url>[^@/\s"']+)@
-    |SetCredential=[^:\s]+:(?P<credential>[^\n]+)
-    |-----BEGIN[ ][A-Z ]*PRIVATE[ ]KEY-----(?P<block>[^-]+)""",
-    re.IGNORECASE | re.VERBOSE,
-)
 _NO_SECRET = re.compile(
-    r"\$[({a-z_]|\{\{|@\w+@|%[a-z%]$|/(?:etc|run|var|home|opt|usr|srv|tmp|root|mnt|dev|proc)\b|file:|!\w+$|<\w"
-    r"|\S+\.(?:pem|key|crt|p12)$|(?:true|false|yes|no|on|off|null|none|\d|\*+)$",
+    r"\$[({a-z_]|\$\$?\{|\{\{|\{\w+\}$|@\w+@|%[a-z%]$|/(?:etc|run|var|home|opt|usr|srv|tmp|root|mnt|dev|proc)\b|[.~]{1,2}/"
+    r"|file:|env:|pkcs11:|vault:|secret://|op://|!\w+$|<\w|\(|\["
+    r"|\S+\.(?:pem|key|crt|p12|txt|env|ya?ml|json)$"
+    r"|(?:true|false|yes|no|on|off|null|none|str|string|required|optional|prompt|ask|never|\d|\*+)$",
     re.IGNORECASE,
 )
+_CODE = (".py", ".cpp", ".cc", ".cxx", ".hpp", ".h", ".hh")
+_MAPPED = re.compile(r"[:=][ \t]*[\"']?([^\s\"',]+)")
+_BODY = r"[ \t]*(?:\#[^\n]*)?\n(?P<body>(?:(?P=indent)[ \t]+[^\n]*(?:\n|$))+)"
+_PASSWORDS = re.compile(
+    rf"^(?P<indent>[ \t]*)[\"']?[\w-]*(?:passwords|passphrases|tokens)[\"']?[ \t]*:{_BODY}",
+    re.MULTILINE | re.IGNORECASE,
+)
+_CHPASSWD = re.compile(rf"^(?P<indent>[ \t]*)list:[ \t]*[|>][-+]?{_BODY}", re.MULTILINE)
+_LINE = re.compile(r"^[ \t]*(?:-[ \t]+)?[\w.-]+:(\S+)", re.MULTILINE)
+_ENTRY = re.compile(r"^[ \t]*[\"']?[\w.@-]+[\"']?[ \t]*:[ \t]+[\"']?([^\s\"'#][^\n\"'#]*)", re.MULTILINE)
 
 
 def given_away(source: Source) -> Iterator[Span]:
     """The values of passwords, keys and tokens; not variables, paths and words that merely stand for one."""
-    lowered = source.text.lower()
-    if not any(word in lowered for word in _WORDS):
-        return
-    code = source.name.endswith(".py")
-    for match in _SECRETS.finditer(source.text):
-        name = match.lastgroup or ""
-        bare = name in ("mapped", "assigned")
-        if (code and bare) or _NO_SECRET.match(match[name].strip()):
+    last = 0
+    for start, end in sorted((_stripped(source.text, *place) for place in _stretches(source)), key=_by_start):
+        if end > max(last, start):
+            last = end
+            yield source.span(start, end)
+
+
+def _by_start(place: tuple[int, int]) -> tuple[int, int]:
+    return place[0], -place[1]
+
+
+def _stripped(text: str, start: int, end: int) -> tuple[int, int]:
+    """A stretch without the blanks around it, but for the first line end of a block."""
+    value = text[start:end].rstrip()
+    return start + len(value) - len(value.lstrip(" \t")), start + len(value)
+
+
+def _stretches(source: Source) -> Iterator[tuple[int, int]]:
+    text = source.text
+    lowered = text.lower()
+    code = source.name.endswith(_CODE)
+    for form in FORMS:
+        if (code and not form.in_code) or not any(word in lowered for word in form.words):
             continue
-        start = match.start(name)
-        yield source.span(start, start + len(match[name].rstrip()))
+        for match in form.pattern.finditer(text):
+            value = match["secret"]
+            if form.certain:
+                yield match.span("secret")
+            elif form.words[0] == "passwords":
+                yield from _inner(_MAPPED, text, *match.span("secret"))
+            elif not _NO_SECRET.match(value.strip()):
+                yield match.span("secret")
+    if not code:
+        yield from _blocks(text, lowered)
+
+
+def _blocks(text: str, lowered: str) -> Iterator[tuple[int, int]]:
+    """The values below ``passwords:``, and in the list of cloud-init's ``chpasswd:``."""
+    if any(word in lowered for word in ("passwords", "passphrases", "tokens")):
+        for block in _PASSWORDS.finditer(text):
+            yield from _inner(_ENTRY, text, *block.span("body"))
+    if "chpasswd:" in lowered:
+        for block in _CHPASSWD.finditer(text):
+            yield from _inner(_LINE, text, *block.span("body"))
+
+
+def _inner(pattern: re.Pattern[str], text: str, start: int, end: int) -> Iterator[tuple[int, int]]:
+    """The values of a mapping."""
+    for match in pattern.finditer(text, start, end):
+        if not _NO_SECRET.match(match[1].strip()):
+            yield match.span(1)

@@ -2,10 +2,18 @@
 
 from __future__ import annotations
 
+import time
+
 import pytest
 
+from bringup_lint.finding.redact import mask_of
+from bringup_lint.finding.secret_forms import FORMS
+from bringup_lint.finding.secret_forms import Form
 from bringup_lint.finding.secrets import given_away
 from bringup_lint.source import Source
+from tests.report.planted import READABLE
+from tests.report.planted import Planted
+from tests.report.planted import planted
 
 
 def found(text: str, name: str = "robot.conf") -> list[str]:
@@ -70,3 +78,52 @@ def test_python_names_are_no_secrets() -> None:
 
 def test_long_lines_cost_no_time() -> None:
     assert found("password" * 200_000 + "=x" + "y" * 200_000) == ["x" + "y" * 200_000]
+
+
+PLANTED = tuple(planted())
+
+
+def test_enough_is_planted() -> None:
+    assert len(PLANTED) >= 200
+    assert len({each.secret for each in PLANTED}) == len(PLANTED)
+    assert len(READABLE) >= 60
+
+
+@pytest.mark.parametrize("each", PLANTED, ids=lambda each: f"{each.file}-{each.secret}")
+def test_planted_secret_is_masked(each: Planted) -> None:
+    source = Source(each.file, each.text)
+    mask = mask_of((), [source])
+    assert mask is not None, each.text
+    assert each.secret not in mask.source(source).text, each.text
+
+
+@pytest.mark.parametrize("text", READABLE)
+def test_what_looks_alike_stays_readable(text: str) -> None:
+    assert found(text + "\n") == []
+
+
+@pytest.mark.parametrize("form", FORMS, ids=lambda form: form.pattern.pattern[:60])
+def test_forms_take_linear_time(form: Form) -> None:
+    pieces = (
+        "password",
+        "pass",
+        "--",
+        "-",
+        '"',
+        "name: token ",
+        "value: a,",
+        "<value>",
+        "echo a:",
+        "curl ",
+        "://a",
+        " ",
+        "\n",
+        "a=b ",
+        "Bearer a",
+        "eyJaaaaaaaa.",
+    )
+    for piece in pieces:
+        for text in (piece * 4000, "ENV " + piece * 4000, f"token{piece}" * 2000):
+            started = time.process_time()
+            list(form.pattern.finditer(text))
+            assert time.process_time() - started < 1, piece

@@ -1,0 +1,62 @@
+"""No output shows a planted secret, though findings are on the lines beside it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from bringup_lint.discover.kinds import HEAD_SIZE
+from bringup_lint.discover.kinds import kind_of
+from bringup_lint.source import Source
+from bringup_lint.suppress.forms import form_of
+from tests.lint import lint
+from tests.report.planted import Planted
+from tests.report.planted import planted
+
+OUTPUTS = (
+    *(("--output-format", name) for name in ("text", "concise", "json", "sarif", "html")),
+    *(("graph", "--format", name) for name in ("dot", "mermaid", "json", "html")),
+)
+
+
+def annotated(each: Planted, path: str) -> str:
+    """The text with a comment without effect above the statement that shows the secret."""
+    form = form_of(Source(path, each.text, kind_of(path, lambda: each.text[:HEAD_SIZE])))
+    if form is None:
+        return each.text
+    lines = each.text.split("\n")
+    at = next(number for number, line in enumerate(lines) if each.secret in line)
+    at -= at > 0 and "=" in lines[at - 1] and "<" in lines[at - 1]
+    lines.insert(at, form("bringup-lint: ignore[udev/label-unused]"))
+    return "\n".join(lines)
+
+
+@pytest.fixture(scope="module")
+def tree(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("planted")
+    for number, each in enumerate(planted()):
+        path = folder / f"robot{number}" / each.file
+        path.parent.mkdir(parents=True)
+        path.write_text(annotated(each, each.file))
+    return folder
+
+
+@pytest.mark.parametrize("output", OUTPUTS, ids=" ".join)
+def test_output_shows_no_secret(tree: Path, output: tuple[str, ...]) -> None:
+    run = lint(*output, cwd=tree)
+    assert run.code in (0, 1), run.stderr
+    text = run.stdout + run.stderr
+    assert len(text) > 500
+    assert [each for each in planted() if each.secret in text] == []
+
+
+def test_baseline_holds_no_secret(tree: Path, tmp_path: Path) -> None:
+    lint("--write-baseline", tmp_path / "known.json", cwd=tree)
+    text = (tmp_path / "known.json").read_text()
+    assert [each for each in planted() if each.secret in text] == []
+
+
+def test_findings_are_beside_secrets(tree: Path) -> None:
+    run = lint("--output-format", "concise", "--select", "lint", cwd=tree)
+    assert run.stdout.count("lint/ignore-without-reason") > 150
