@@ -23,7 +23,8 @@ class Form(NamedTuple):
 
 
 _NAMES = ("pass", "psk", "secret", "token", "credential", "key", "pwd")
-NAME = r"""(?:pass(?:word|wd|phrase|wort|code)|(?<![a-z])pass|(?<![a-z])pwd|psk|secret|token|(?<!set)(?<!import)(?<!load)credential
+NAME = r"""(?:pass(?:word|wd|phrase|wort|code)|(?<![a-z])pass|(?<![a-z])pwd|psk|secret|token
+    |(?<!set)(?<!import)(?<!load)credential
     |(?:api|access|auth|private|secret|encryption|signing|shared|account|master|license|wpa|service)[_-]?key
     |wep[_-]?key\d?)"""
 """How a name ends that means a secret."""

@@ -28,7 +28,8 @@ def annotated(each: Planted, path: str) -> str:
     lines = each.text.split("\n")
     at = next(number for number, line in enumerate(lines) if each.secret in line)
     at -= at > 0 and "=" in lines[at - 1] and "<" in lines[at - 1]
-    lines.insert(at, form("bringup-lint: ignore[udev/label-unused]"))
+    indent = lines[at][: len(lines[at]) - len(lines[at].lstrip(" "))]
+    lines.insert(at, indent + form("bringup-lint: ignore[udev/label-unused]"))
     return "\n".join(lines)
 
 
