@@ -22,6 +22,7 @@ from typing import Any
 
 from bringup_lint.api import Check
 from bringup_lint.api import Metadata
+from bringup_lint.api import rule
 from bringup_lint.discover.starters import STARTING
 from bringup_lint.finding import Severity
 from bringup_lint.graph.purpose import Purpose
@@ -171,6 +172,25 @@ def load(path: Path, rule_id: str) -> Rule:
     return Rule(rule_id, path, doc, rules[0])
 
 
+def described(path: Path, rule_id: str) -> Rule:
+    """A rule by what its file says of itself, without what the file imports, which comes with the first check: to list
+    all rules takes a sixth of the time. A file of an unusual form is loaded. Raises RuleError as ``load`` does."""
+    import ast
+
+    text = path.read_text("utf-8")
+    try:
+        decorator = text.index("\n@rule(")
+        expression = ast.parse(text[decorator + 2 : text.index("\ndef ", decorator)], mode="eval").body
+        doc = ast.literal_eval(text[: text.index('\n"""\n') + 4])
+        assert isinstance(expression, ast.Call)
+        arguments = [ast.literal_eval(value) for value in expression.args]
+        options = {str(option.arg): ast.literal_eval(option.value) for option in expression.keywords}
+        meta = rule(*arguments, **options)(lambda robot: load(path, rule_id).check(robot))
+    except (ValueError, TypeError, KeyError, SyntaxError, AssertionError):
+        return load(path, rule_id)
+    return Rule(rule_id, path, doc, meta)
+
+
 @dataclass(frozen=True)
 class Registry:
     """All rule files of the built-in folder and of the user's own ones."""
@@ -210,5 +230,7 @@ class Registry:
         return [family.rule_id(path) for family in self.families for path in family.rules_for(robot)]
 
     def all(self) -> Iterator[Rule]:
+        """All rules, the built-in ones not loaded yet."""
+        builtin = builtin_folder()
         for rule_id, path in self.paths.items():
-            yield load(path, rule_id)
+            yield described(path, rule_id) if builtin in path.parents else load(path, rule_id)

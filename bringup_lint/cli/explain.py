@@ -40,9 +40,7 @@ def command(ctx: click.Context, what: tuple[str, ...], rule_folders: tuple[Path,
     """
     text = " ".join(what)
     registry = Registry.of(rule_folders)
-    rules = list(registry.all())
-    found = [rule for rule in rules if text in (rule.id, rule.id.partition("/")[2], *rule.meta.aliases)]
-    found = found or matching(text, rules)
+    found = [registry[text]] if text in registry.paths else _found(text, list(registry.all()))
     if len(found) > 1:
         _list(text, found)
     elif found:
@@ -51,6 +49,12 @@ def command(ctx: click.Context, what: tuple[str, ...], rule_folders: tuple[Path,
     else:
         click.echo(f"bringup-lint: {_unknown(text, registry)}", err=True)
         ctx.exit(2)
+
+
+def _found(text: str, rules: list[Rule]) -> list[Rule]:
+    """The rules of a name, else those of a log line."""
+    named = [rule for rule in rules if text in (rule.id.partition("/")[2], *rule.meta.aliases)]
+    return named or matching(text, rules)
 
 
 def matching(line: str, rules: Iterable[Rule]) -> list[Rule]:

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import ast
 import re
+from dataclasses import replace
 from functools import cache
 
 import pytest
 
 from bringup_lint.registry import Registry
 from bringup_lint.registry import Rule
+from bringup_lint.registry import described
+from bringup_lint.registry import load
 from bringup_lint.report.docs import HEADINGS
 
 REGISTRY = Registry.of()
@@ -60,3 +63,10 @@ def test_function_is_typed(rule: Rule) -> None:
 
 def test_cwe_tags_are_well_formed(rule: Rule) -> None:
     assert all(re.fullmatch(r"CWE-\d+", tag) for tag in rule.meta.tags if tag.upper().startswith("CWE"))
+
+
+def test_what_a_rule_file_says_of_itself_is_what_it_is_when_it_is_loaded() -> None:
+    for rule_id, path in Registry.of().paths.items():
+        rule, loaded = described(path, rule_id), load(path, rule_id)
+        assert rule.doc == loaded.doc
+        assert replace(rule.meta, check=loaded.check) == loaded.meta, rule_id
