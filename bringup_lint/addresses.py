@@ -22,7 +22,7 @@ PREFIX_LENGTH = {4: 32, 6: 128}
 """The longest prefix of each family."""
 
 _WITH_PORT = re.compile(r"(?P<host>\[[^\]]*\]|[^:\[\]]+)(?::(?P<port>[^:]*))?$")
-_SERVER = re.compile(r"\[?(?P<host>[0-9a-fA-F:]*:[0-9a-fA-F:]*|[^:\[\];]+)\]?(?::\d+)?")
+_SERVER = re.compile(r"\[?(?P<host>(?=[0-9a-fA-F]*:)[0-9a-fA-F:]+|[^:\[\];]+)\]?(?::\d+)?")
 _QUAD = re.compile(r"[0-9]{1,18}(?:\.[0-9]{1,18}){3}")
 
 

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from bringup_lint.model.compose import Service
 
 _ELSEWHERE = re.compile(r"[$<]|://|^git@|\*\*|\[")
-_SUBMODULE = re.compile(r"^\s*path\s*=\s*(\S+)", re.M)
+_SUBMODULE = re.compile(r"^[^\S\n]*path\s*=\s*(\S+)", re.M)
 _MAKERS = re.compile(r"(?:^|/)(?:[Mm]akefile|[Jj]ustfile|[^/]+\.(?:sh|bash|py|mk|md|rst|ya?ml|bat|ps1|repos))$")
 _MOST_MAKERS = 500
 

@@ -21,7 +21,7 @@ AT_MOST = 4
 AGAIN = 2.0
 """How many times as long the second look takes, before anything is called missing."""
 
-_FRILLS = re.compile(r"^\[\w+\] \[[\d.]+\] \[[\w.]+\]: |^\w+Error: |[.,]* at /\S+:\d+$")
+_FRILLS = re.compile(r"^\[\w+\] \[[\d.]+\] \[[\w.]+\]: |^\w+Error: |(?<![.,])[.,]* at /\S+:\d+$")
 """Log prefixes, exception names, and the place in the library's sources."""
 
 

@@ -30,7 +30,7 @@ ROS2_VARIABLE = re.compile(
 )
 WordsOf = Callable[[Located], Iterable[Located]]
 """Splits a command line into words as a shell does."""
-_DURATION = re.compile(r"(\d+(?:\.\d+)?)(us|ms|s|m|h)")
+_DURATION = re.compile(r"(?<!\d)(\d+(?:\.\d+)?)(us|ms|s|m|h)")
 _SECONDS = {"us": 1e-6, "ms": 1e-3, "s": 1.0, "m": 60.0, "h": 3600.0}
 
 

@@ -6,7 +6,7 @@ import re
 from collections.abc import Mapping
 
 _TOKEN = re.compile(r"\s*(?:(\d{1,9})|(\$?\{?[A-Za-z_]\w*\}?)|([-+*/%()]))")
-_NAME = re.compile(r"\$(?:\{(?P<braced>[A-Za-z_]\w*)(?::-(?P<default>[^}]*))?\}|(?P<plain>[A-Za-z_]\w*))\Z")
+_NAME = re.compile(r"\$(?:\{(?P<braced>[A-Za-z_]\w*)(?::-(?P<default>[^}]{0,400}))?\}|(?P<plain>[A-Za-z_]\w*))\Z")
 _LIMIT = 200
 
 

@@ -12,7 +12,7 @@ from bringup_lint.source import Source
 
 _BLOCK = re.compile(r'^[ \t]*(target|variable)[ \t]+"([\w-]+)"[ \t]*\{', re.M)
 _TEXT = re.compile(r'^[ \t]*(context|dockerfile|target|default)[ \t]*=[ \t]*"([^"\n]*)"', re.M)
-_LIST = re.compile(r"^[ \t]*(tags|inherits)[ \t]*=[ \t]*\[([^\]]*)\]", re.M)
+_LIST = re.compile(r"^[ \t]*(tags|inherits)[ \t]*=[ \t]*\[([^][]*)\]", re.M)
 _WORD = re.compile(r'"([^"\n]*)"')
 _VARIABLE = re.compile(r"\$\{(\w+)\}")
 _DEEPEST = 8

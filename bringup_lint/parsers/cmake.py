@@ -17,14 +17,14 @@ from bringup_lint.source import Span
 
 _COMMAND = re.compile(r"([A-Za-z_]\w*)[ \t]*\(")
 _TOKEN = re.compile(
-    r"(?P<skip>\s+|\#\[(?P<hash>=*)\[.*?\](?P=hash)\]|\#[^\n]*)"
+    r"(?P<skip>\s+|\#\[(?P<hash>=*)\[.*?(?:\](?P=hash)\]|\Z)|\#[^\n]*)"
     r"|\[(?P<eq>=*)\[(?P<bracket>.*?)\](?P=eq)\]"
     r'|"(?P<quoted>(?:[^"\\]|\\.)*)"'
     r"|(?P<paren>[()])"
     r'|(?P<plain>(?:[^\s()\#"\\]|\\.)+)',
     re.S,
 )
-_SKIP = re.compile(r"(?:\s+|\#\[(?P<hash>=*)\[.*?\](?P=hash)\]|\#[^\n]*)+", re.S)
+_SKIP = re.compile(r"(?:\s+|\#\[(?P<hash>=*)\[.*?(?:\](?P=hash)\]|\Z)|\#[^\n]*)+", re.S)
 _VARIABLE = re.compile(r"\$\{(\w+)\}")
 _CPP = re.compile(r"\.(?:cpp|cc|cxx|c\+\+|C)$")
 

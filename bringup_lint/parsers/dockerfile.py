@@ -38,7 +38,7 @@ NAMES = frozenset(
         "WORKDIR",
     }
 )
-_DIRECTIVE = re.compile(r"#\s*(\w+)\s*=\s*(.+?)\s*$")
+_DIRECTIVE = re.compile(r"#\s*(\w+)\s*=\s*(\S(?:.*\S)?)\s*$")
 _KEYWORD = re.compile(r"\s*([A-Za-z]+)(?:\s+|$)")
 _FLAG = re.compile(r"--[a-z][\w-]*(?:=(?:\"[^\"]*\"|\S*))?(?:\s+|$)")
 _HEREDOC = re.compile(r"(?<![<\w$(])<<(?P<dash>-?)(?P<quote>[\"']?)(?P<word>\w+)(?P=quote)")

@@ -35,7 +35,7 @@ from bringup_lint.source import Span
 
 _SETUP = ("setuptools.setup", "distutils.core.setup", "setup")
 _GLOB = ("glob.glob", "glob.iglob", "glob")
-_SCRIPT = re.compile(r"^\s*([\w.-]+)[ \t]*=[ \t]*([\w.]*(?::[\w.]*)?)", re.M)
+_SCRIPT = re.compile(r"^[^\S\n]*([\w.-]+)[ \t]*=[ \t]*([\w.]*(?::[\w.]*)?)", re.M)
 
 
 def parse(source: Source) -> Build:

@@ -11,7 +11,7 @@ from bringup_lint import facts
 from bringup_lint.addresses import is_port
 from bringup_lint.source import Located
 
-_TIME = re.compile(r"(?:\d+[smhdwSMHDW]?)+")
+_TIME = re.compile(r"\d+(?:[smhdwSMHDW]\d+)*[smhdwSMHDW]?")
 _INTEGER = re.compile(r"\+?\d{1,10}")
 _REKEY = re.compile(r"\d+(?:\.\d+)?[kKmMgGtTbB]?")
 _STARTUPS = re.compile(r"([+-]?\d+)(?::([+-]?\d+):([+-]?\d+))?")

@@ -39,10 +39,10 @@ from bringup_lint.api import rule
 
 BLOCK = re.compile(
     r"^[ \t]*Unattended-Upgrade::(?:Allowed-Origins|Origins-Pattern)[ \t]*"
-    r'\{((?:"[^"]*"|[^}"])*)\}',
+    r'\{((?:"[^"\n]*"|[^{}"])*)\}',
     re.M,
 )
-COMMENT = re.compile(r"(?://|#)[^\n]*|/\*.*?\*/", re.S)
+COMMENT = re.compile(r"(?://|#)[^\n]*|/\*.*?(?:\*/|\Z)", re.S)
 
 
 @rule("info")

@@ -32,7 +32,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
 
-NUMBERED = re.compile(r"(?:vlan[._-]?|.+\.)0*(\d+)", re.IGNORECASE)
+NUMBERED = re.compile(r"(?:vlan[._-]?|.+\.)0*([1-9]\d*|0)", re.IGNORECASE)
 
 
 @rule("info")

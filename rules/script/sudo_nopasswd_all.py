@@ -34,7 +34,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 RULE = re.compile(
-    r"^[ \t]*(?P<who>[%+\w.{} -]+?)[ \t]+\S+[ \t]*=[ \t]*(?:\((?:ALL|root)[^)\n]*\)[ \t]*)?"
+    r"^[ \t]*(?P<who>[%+\w.{}-]+(?: +[%+\w.{}-]+)*?)[ \t]+\S+[ \t]*=[ \t]*(?:\((?:ALL|root)[^)\n]*\)[ \t]*)?"
     r"(?P<what>NOPASSWD:[ \t]*ALL)[ \t]*$",
     re.M,
 )

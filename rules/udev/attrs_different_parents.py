@@ -49,7 +49,7 @@ _PLACE = {
     "usb_interface": "a USB interface",
     "usb-serial": "the port below the interface",
 }
-_INTERFACE = re.compile(r"(\d+-[\d.]+):\d+\.\d+")
+_INTERFACE = re.compile(r"(?<!\d)(\d+-[\d.]+):\d+\.\d+")
 
 
 @rule("error", fix="safe")

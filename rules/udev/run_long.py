@@ -47,7 +47,7 @@ _LASTING = (
     (re.compile(r"\bsystemd-run\b(?=.*--scope)"), "a systemd-run --scope command"),
 )
 _HANDED_OVER = re.compile(
-    r"\bsystemd-run\b(?!.*--scope)|\bsystemctl\b.*--no-block|--no-block\b.*\bsystemctl\b|\bat\s+now\b"
+    r"\bsystemd-run\b(?!.*--scope)|\bsystemctl\b.{0,400}--no-block|--no-block\b.{0,400}\bsystemctl\b|\bat\s+now\b"
 )
 
 

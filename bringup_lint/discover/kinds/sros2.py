@@ -10,7 +10,7 @@ from bringup_lint.discover.kinds import Kind
 _XML = re.compile(r"\.xml$", re.I)
 _SIGNED = re.compile(r"\.(?:p7s|smime)$", re.I)
 _NOISE = re.compile(r"<!--.*?(?:-->|$)|<\?.*?(?:\?>|$)|<!DOCTYPE[^>\[]*(?:\[.*?\]\s*)?>", re.S)
-_TAGS = re.compile(r"<(?:\w+:)?([A-Za-z_][\w.-]*)(?:[^>\w.-][^>]*)?>\s*<(?:\w+:)?([A-Za-z_][\w.-]*)")
+_TAGS = re.compile(r"<(?:\w+:)?([A-Za-z_][\w.-]*)(?:[^<>\w.-][^<>]*)?>\s*<(?:\w+:)?([A-Za-z_][\w.-]*)")
 _GOVERNANCE = re.compile(r"(?:^|/)enclaves/governance\.xml$")
 _PERMISSIONS = re.compile(r"(?:^|/)enclaves/(?:[^/]+/)+permissions\.xml$")
 """Where sros2 puts the documents of a keystore: they are that, whatever they hold."""

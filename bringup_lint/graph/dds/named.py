@@ -22,7 +22,7 @@ _VARIABLES = {
     "fastdds": tuple(name for names in PROFILES.values() for name in names),
 }
 """Kind of file -> the variables that name one."""
-_UNKNOWN_FOLDER = re.compile(r".*(?:\)|\}|\$[A-Za-z_]\w*|^\.{0,2})(?=/)")
+_UNKNOWN_FOLDER = re.compile(r"^.*(?:\)|\}|\$[A-Za-z_]\w*|^\.{0,2})(?=/)")
 """The folders of a path that only the running system knows."""
 LIMIT = 200
 """Values that are followed at most."""

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
     from bringup_lint.graph.systemd.units import Units
 
-_LOOKS_LIKE_ENTRY = re.compile(r"^\s*(?:export\s+)?[A-Za-z_][A-Za-z0-9_]*=", re.M)
+_LOOKS_LIKE_ENTRY = re.compile(r"^[^\S\n]*(?:export\s+)?[A-Za-z_][A-Za-z0-9_]*=", re.M)
 
 
 class Reader(NamedTuple):

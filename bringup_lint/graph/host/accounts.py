@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.systemd.user_database import UserDatabase
 
 _CREATES = re.compile(r"\b(?:groupadd|addgroup|useradd|adduser|newusers|dscl|ansible\.builtin\.(?:group|user))\b[^\n]*")
-_MODULE = re.compile(r"^[ \t]*(?:group|user):[ \t]*(?:name=(\S+))?[ \t]*$(?:\n[ \t]+name:[ \t]*[\"']?([\w-]+))?", re.M)
+_MODULE = re.compile(r"^[ \t]*(?:group|user):[ \t]*(?:name=(\S+)[ \t]*)?$(?:\n[ \t]+name:[ \t]*[\"']?([\w-]+))?", re.M)
 _SCRIPT = re.compile(
     r"\.(?:sh|bash|mk|ya?ml|md|rst|txt|cmake|service|conf|in)$|^(?:pre|post)(?:inst|rm)|^(?:Docker|Make|Contain)file"
     r"|^[^.]+$"

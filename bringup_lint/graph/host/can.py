@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 _CAN = re.compile(r"(?<![\w/.-])can\d+(?![\w/.-])")
 _USE = re.compile(
-    r"(?:socket)?can_?(?:interface|device|port|channel|bus|name)\w*[\"']?[ \t]*"
+    r"(?:socket)?can_?(?:interface|device|port|channel|bus|name)\w{0,64}[\"']?[ \t]*"
     r"(?::=|[:=])[ \t]*[\"']?(?P<name>can\d+)\b",
     re.I,
 )

@@ -37,8 +37,8 @@ _CPP_TYPES = {
     "std::string": "string",
 }
 _CPP_CALL = re.compile(
-    r"\bdeclare_parameter\s*(?:<\s*(?P<type>[\w:]+(?:\s*<\s*[\w:]+\s*>)?)\s*>)?\s*\(\s*\"(?P<name>[\w./-]+)\"\s*"
-    r"(?P<more>,\s*(?P<default>[^,;(){}]*(?:\([^(){};]*\))?)\s*)?[,)]"
+    r"\bdeclare_parameter\s*(?:<\s*(?P<type>[\w:]+(?:\s*<\s*[\w:]+\s*>)?)\s*>\s*)?\(\s*\"(?P<name>[\w./-]+)\"\s*"
+    r"(?P<more>,\s*(?:(?P<call>(?=\S)[^,;(){}]*\([^(){};]*\))\s*|(?P<default>(?=\S)[^,;(){}]*))?)?[,)]"
     r"|\bdeclare_parameter_if_not_declared\s*\(\s*[\w.>-]+(?:\(\))?\s*,\s*\"(?P<other>[\w./-]+)\"\s*,\s*"
     r"(?P<value>rclcpp::ParameterValue\([^(){};]*\)|rclcpp::[\w:]+)\s*[,)]"
 )
@@ -49,7 +49,7 @@ _CPP_DEFAULT = (
     (re.compile(r"(?:std::string\()?\"[^\"]*\"\)?\Z"), "string"),
     (re.compile(r"rclcpp::(?:ParameterType::)?PARAMETER_(BOOL|INTEGER|DOUBLE|STRING)\Z"), ""),
 )
-_COMMENT = re.compile(r"\"(?:\\.|[^\"\\\n])*\"|//[^\n]*|/\*.*?\*/", re.S)
+_COMMENT = re.compile(r"\"(?:\\.|[^\"\\\n])*\"|//[^\n]*|/\*.*?(?:\*/|\Z)", re.S)
 
 
 class Declared(NamedTuple):
@@ -211,7 +211,7 @@ def _of_cpp(source: Source) -> Iterator[Declared]:
         elif found["type"]:
             yield Declared(_cpp_type(found["type"]), name)
         else:
-            yield Declared(_cpp_default(found["default"] or found["value"] or ""), name)
+            yield Declared(_cpp_default(found["call"] or found["default"] or found["value"] or ""), name)
 
 
 def _cpp_type(text: str) -> str:

@@ -24,7 +24,7 @@ from bringup_lint.parsers.supervisord import parse
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
-_PAIR = re.compile(r"(?P<name>[A-Za-z_]\w*)\s*=\s*(?:\"(?P<double>[^\"]*)\"|'(?P<single>[^']*)'|(?P<bare>[^\s,;]*))")
+_PAIR = re.compile(r"\b(?P<name>[A-Za-z_]\w*)\s*=\s*(?:\"(?P<double>[^\"]*)\"|'(?P<single>[^']*)'|(?P<bare>[^\s,;]*))")
 _NO = ("false", "no", "off", "0")
 
 

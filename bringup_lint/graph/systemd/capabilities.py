@@ -8,7 +8,7 @@ from bringup_lint.graph.files import Files
 from bringup_lint.source import Span
 
 _SETCAP = re.compile(
-    r"\bsetcap\b[ \t]+(?:-\w+[ \t]+)*[\"']?((?:cap_\w+,?)+)[=+][epi+]+[\"']?[ \t]+[\"']?([^\s\"';&|]+)", re.I
+    r"\bsetcap\b[ \t]+(?:-\w+[ \t]+)*[\"']?(cap_\w+(?:,cap_\w+)*,?)[=+][epi+]+[\"']?[ \t]+[\"']?([^\s\"';&|]+)", re.I
 )
 _SCRIPTS = re.compile(
     r"\.(?:sh|bash|cmake|mk|ya?ml)$|(?:^|/)(?:CMakeLists\.txt|Makefile|Dockerfile[^/]*|postinst|[^/.]+)$"

@@ -32,7 +32,7 @@ Value = TypeVar("Value")
 
 DIRECTORIES = ("/etc/systemd", "/run/systemd", "/usr/local/lib/systemd", "/usr/lib/systemd", "/lib/systemd")
 """In the order in which they win."""
-_COMMENTED = re.compile(r"^[ \t]*[#;][ \t]*(\w+)[ \t]*=[ \t]*(.*?)[ \t]*$", re.M)
+_COMMENTED = re.compile(r"^[ \t]*[#;][ \t]*(\w+)[ \t]*=[ \t]*((?:.*[^ \t\n])?)[ \t]*$", re.M)
 
 
 class DaemonLine(NamedTuple):

@@ -10,7 +10,7 @@ from dataclasses import field
 
 from bringup_lint.model.shell import Block
 
-_SPAN = re.compile(r"([0-9]*\.?[0-9]+)([smhd]?)$")
+_SPAN = re.compile(r"([0-9]+(?:\.[0-9]+)?|\.[0-9]+)([smhd]?)$")
 _UNITS = {"": 1.0, "s": 1.0, "m": 60.0, "h": 3600.0, "d": 86400.0}
 _VARIABLE = re.compile(r"\$(?:(\w+)|\{(\w+)(?::?-([^{}]*))?\})$")
 _ARRAY = re.compile(r"\$\{(\w+)\[[@*]\]\}$")
@@ -20,8 +20,8 @@ _SEQUENCE = re.compile(
 _BRACES = re.compile(r"\{(\d+)\.\.(\d+)\}$")
 _C_LOOP = re.compile(r"\(\(\s*(\w+)\s*=\s*(\d+)\s*;\s*\w+\s*(<=?)\s*(\$?\{?\w+\}?)\s*;")
 _COMPARED = {"-ge": 0, "-gt": 1, "-lt": 0, "-le": 1, "-eq": 0, ">=": 0, ">": 1, "<": 0, "<=": 1, "==": 0}
-_ARITHMETIC = re.compile(r"\$?\{?(\w+)\}?\s*(>=|<=|==|>|<)\s*(\$?\{?\w+\}?)")
-_GROWS = re.compile(r"(\w+)\s*(?:\+\+|\+=\s*(\$?\{?\w+\}?)|=\s*\$?\{?\1\}?\s*\+\s*(\$?\{?\w+\}?))|\+\+\s*(\w+)")
+_ARITHMETIC = re.compile(r"(?<!\w)\$?\{?(\w+)\}?\s*(>=|<=|==|>|<)\s*(\$?\{?\w+\}?)")
+_GROWS = re.compile(r"(?<!\w)(\w+)\s*(?:\+\+|\+=\s*(\$?\{?\w+\}?)|=\s*\$?\{?\1\}?\s*\+\s*(\$?\{?\w+\}?))|\+\+\s*(\w+)")
 _ASSIGNED_SUM = re.compile(r"(\w+)=\$\(\(\s*\$?\{?(\w+)\}?\s*\+\s*(\$?\{?\w+\}?)\s*\)\)$")
 _EXPR_SUM = re.compile(r"(\w+)=(?:\$\(|`)\s*expr\s+\$\{?(\w+)\}?\s*\+\s*(\S+?)\s*[)`]$")
 

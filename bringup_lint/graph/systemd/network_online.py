@@ -18,7 +18,7 @@ _EARLY = ("network.target", "network-pre.target", "NetworkManager.service", "sys
 """Units that are up before any interface has an address."""
 _WAITS = re.compile(
     r"wait-online|nm-online|\bping\b|wait[-_ ]?for[-_ ]?(?:the[-_ ])?(?:net|ip\b|interface)"
-    r"|\bip (?:-\S+ )*(?:a|addr|route)\b"
+    r"|\bip (?:-\S+ ){0,8}(?:a|addr|route)\b"
 )
 """What a script does that waits for the network itself."""
 

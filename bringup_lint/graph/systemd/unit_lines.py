@@ -23,7 +23,7 @@ from bringup_lint.parsers.systemd_values import split_environment
 from bringup_lint.parsers.systemd_values.words import extract
 from bringup_lint.source import Located
 
-_VARIABLE = re.compile(r"\$(?:\{[A-Za-z_][^}]*\}|[A-Za-z_][A-Za-z0-9_]*)")
+_VARIABLE = re.compile(r"\$(?:\{[A-Za-z_][^}]{0,400}\}|[A-Za-z_][A-Za-z0-9_]*)")
 _FREE_TEXT = frozenset(
     {"command", "any", "ignored", "base64", "credential-value", "string", "label", "condition-string"}
 )

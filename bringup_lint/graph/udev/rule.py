@@ -28,8 +28,8 @@ from bringup_lint.source import Source
 from bringup_lint.source import Span
 
 ACTIONS = ("add", "change", "bind", "unbind", "move", "online", "offline", "remove")
-_SUBSTITUTION = re.compile(r"%%|\$\$|[%$](?:[a-z]+|[A-Z])?(?:\{[^}]*\})?")
-_PLACEHOLDER = re.compile(r"\{\{.*?\}\}|@\w+@")
+_SUBSTITUTION = re.compile(r"%%|\$\$|[%$](?:[a-z]+|[A-Z])?(?:\{[^}]{0,400}\})?")
+_PLACEHOLDER = re.compile(r"\{\{(?:(?!\{\{|\}\}).)*\}\}|@\w+@")
 _ID = re.compile(r"[0-9a-f]{4}\Z")
 
 

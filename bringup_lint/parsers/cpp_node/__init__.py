@@ -29,7 +29,7 @@ NESTED = 1_000
 CALLBACKS = 200
 """Callbacks of one file that are looked into."""
 _OF_NODES = re.compile(
-    r"\bcreate_(?:publisher|subscription|service|client|server|wall_timer|timer)\b|\w*_parameters?\w*\s*[<(]"
+    r"\bcreate_(?:publisher|subscription|service|client|server|wall_timer|timer)\b|_parameters?\w{0,64}\s*[<(]"
     r"|\bNode\b|\bLifecycleNode\b|/dev/|RCLCPP_COMPONENTS_REGISTER_NODE"
 )
 _BRACKET = re.compile(r"[()\[\]{}]")

@@ -22,13 +22,13 @@ if TYPE_CHECKING:
 
 TEXT = 400_000
 """Code points of a file."""
-_READ = r"\b(?:get_parameter(?:_or|_value)?|has_parameter|undeclare_parameter)\s*(?:<[^;(){}]{0,80}>)?\s*\(\s*"
+_READ = r"\b(?:get_parameter(?:_or|_value)?|has_parameter|undeclare_parameter)\s*(?:<[^;(){}]{0,80}>\s*)?\(\s*"
 _TOKEN = re.compile(
     rf'(?P<read>{_READ})?(?P<before>\+\s*)?"(?P<text>(?:\\.|[^"\\\n])*)"(?P<after>\s*\+)?'
-    r"|'(?:\\.|[^'\\\n])'|//[^\n]*|/\*.*?\*/",
+    r"|'(?:\\.|[^'\\\n])'|//[^\n]*|/\*.*?(?:\*/|\Z)",
     re.S,
 )
-_MACRO = re.compile(r"^[ \t]*#[ \t]*define\b(?:\\\n|[^\n])*parameter", re.M)
+_MACRO = re.compile(r"^(?<!\\\n)[ \t]*#[ \t]*define\b(?:\\\n|[^\n])*parameter", re.M)
 _OWN = re.compile(r"(?:(?:this|self|\w*node\w*)(?:->|\.))?get_parameter\w*\Z", re.I)
 _OWN_DECLARING = re.compile(r"(?:(?:this|self|\w*node\w*)(?:->|\.))?declare_parameter\Z", re.I)
 _TYPE = re.compile(r"(?:rclcpp::)?(?:ParameterType::)?PARAMETER_[A-Z_]+\Z")

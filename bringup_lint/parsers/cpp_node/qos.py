@@ -11,7 +11,7 @@ from bringup_lint.model.node_source import QosChange
 from bringup_lint.source import Span
 
 _NUMBER = re.compile(r"\d+[uUlL]*\Z")
-_PROFILE = re.compile(r"(?:rclcpp::)?(?P<name>\w*QoS)\s*[({](?P<inner>[^(){}]*(?:[({][^(){}]*[)}])?[^(){}]*)[)}]")
+_PROFILE = re.compile(r"(?:rclcpp::)?(?P<name>\w*QoS)\s*[({](?P<inner>[^(){}]*(?:[({][^(){}]*[)}][^(){}]*)?)[)}]")
 _CALL = re.compile(r"\.\s*(?P<name>\w+)\s*\((?P<inner>[^()]*)\)\s*")
 _DEPTH = re.compile(r"(?:(?:rclcpp::)?KeepLast\s*[({]\s*)?(?P<depth>\d+)[uUlL]*\s*[)}]?\Z")
 _PRESETS = {

@@ -24,7 +24,7 @@ GATE = re.compile(r"mux|gate|arbit|smooth|collision|limit|safe|guard|filter|supe
 BY_HAND = re.compile(r"tele|joy|keyboard|key_?op|remote|steering")
 HARDWARE = re.compile(
     r"\b(?:RPi\.GPIO|gpiod?|gpiozero|pigpio\w*|Jetson\.GPIO|wiringpi)\b|safety_?(?:plc|relay|controller)|sick_?saf\w+|pilz"
-    r"|hardware\w*?[/_]?(?:e_?stop|emergency)|(?:e_?stop|emergency)_?(?:button|pin|relay|input|gpio)",
+    r"|hardware\w{0,64}?[/_]?(?:e_?stop|emergency)|(?:e_?stop|emergency)_?(?:button|pin|relay|input|gpio)",
     re.I,
 )
 """Words that speak of a stop in hardware."""

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.params.params import Params
 
 LIST = re.compile(
-    r"(?:\w+[._])?(?:monitor|watch|expect|requir|critical|supervis|heartbeat|essential|mandatory)\w*?_?nodes?(?:_names|_list)?"
+    r"(?:\w+[._])?(?:monitor|watch|expect|requir|critical|supervis|heartbeat|essential|mandatory)\w{0,64}?_?nodes?(?:_names|_list)?"
     r"|nodes?_(?:names_)?to_(?:monitor|watch|check|supervise|wait_for)",
     re.I,
 )

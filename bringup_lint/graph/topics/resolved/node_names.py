@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 PUBLIC = re.compile(
     r"nav2_\w+|slam_toolbox|teleop_twist_\w+|joy|robot_localization|foxglove_bridge|rosbridge_server|ros2_socketcan"
-    r"|realsense2_camera|\w+lidar_ros2?\w*|usb_cam|twist_mux|rosbag2_\w+|micro_ros_agent|tf2_ros|robot_state_publisher"
+    r"|realsense2_camera|\w{1,64}lidar_ros2?\w*|usb_cam|twist_mux|rosbag2_\w+|micro_ros_agent|tf2_ros|robot_state_publisher"
 )
 """Packages of ROS whose programs and launch files start nodes named after what they are."""
 _WORD = re.compile(r"[a-z]{4,}")
