@@ -17,7 +17,8 @@ _OF_INVENTORY = re.compile(r"\bansible_(?:host|user|connection|port|python_inter
 _OF_OTHERS = re.compile(
     r"^[ \t]*-[ \t]+(?:name|hosts|become|ansible\.builtin\.\w+)[ \t]*:|\bros__parameters\b|^services:", re.M
 )
-_CODE_SERVER = re.compile(r"^bind-addr:[\s\S]*^auth:|^auth:[\s\S]*^bind-addr:", re.M)
+_CODE_SERVER = (re.compile(r"^bind-addr:", re.M), re.compile(r"^auth:", re.M))
+"""Keys that only the configuration of code-server has both of."""
 
 
 def _is_variables(path: str, head: Head) -> bool:
@@ -27,8 +28,12 @@ def _is_variables(path: str, head: Head) -> bool:
     return bool(_INVENTORY.search(path)) and bool(_OF_INVENTORY.search(head())) and not _OF_OTHERS.search(head())
 
 
+def _has_both(text: str) -> bool:
+    return all(pattern.search(text) for pattern in _CODE_SERVER)
+
+
 def _is_code_server(path: str, head: Head) -> bool:
-    return path.endswith((".yaml", ".yml")) and "config" in path and bool(_CODE_SERVER.search(head()))
+    return path.endswith((".yaml", ".yml")) and "config" in path and _has_both(head())
 
 
 KINDS = (

@@ -29,8 +29,8 @@ _TOKEN = re.compile(
     re.S,
 )
 _MACRO = re.compile(r"^(?<!\\\n)[ \t]*#[ \t]*define\b(?:\\\n|[^\n])*parameter", re.M)
-_OWN = re.compile(r"(?:(?:this|self|\w*node\w*)(?:->|\.))?get_parameter\w*\Z", re.I)
-_OWN_DECLARING = re.compile(r"(?:(?:this|self|\w*node\w*)(?:->|\.))?declare_parameter\Z", re.I)
+_OWN = re.compile(r"(?:(?:this|self|\w{0,64}node\w{0,64})(?:->|\.))?get_parameter\w*\Z", re.I)
+_OWN_DECLARING = re.compile(r"(?:(?:this|self|\w{0,64}node\w{0,64})(?:->|\.))?declare_parameter\Z", re.I)
 _TYPE = re.compile(r"(?:rclcpp::)?(?:ParameterType::)?PARAMETER_[A-Z_]+\Z")
 _LOOPS = frozenset({"for_range_loop", "for_statement", "while_statement"})
 
