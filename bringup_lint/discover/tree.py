@@ -30,6 +30,7 @@ from bringup_lint.source import Source
 from bringup_lint.templates import template_language
 
 _MOST_NAMES = 50_000
+_SUBMODULE = re.compile(r"^[^\S\n]*path[^\S\n]*=[^\S\n]*(\S+)", re.M)
 _ANY_ENCODING = frozenset({"cpp-node"})
 """Kinds that compilers read in whatever encoding their comments have."""
 
@@ -238,6 +239,16 @@ class Tree:
         except OSError:
             return False
         return self.holds(os.path.realpath(path)) and not os.path.exists(path)
+
+    @cached_property
+    def submodules(self) -> list[str]:
+        """The absolute paths of the submodules, which may be empty here."""
+        modules = [(path, self.read(path, judged=False)) for path in self.named(".gitmodules")]
+        return [
+            os.path.join(os.path.dirname(path), name)
+            for path, source in modules
+            for name in _SUBMODULE.findall(source.text if source is not None else "")
+        ]
 
     def head(self, path: str, size: int) -> str:
         """The first bytes of a regular file as text; empty when there is nothing to read, and for a link."""

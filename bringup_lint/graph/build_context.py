@@ -19,7 +19,6 @@ if TYPE_CHECKING:
     from bringup_lint.model.compose import Service
 
 _ELSEWHERE = re.compile(r"[$<]|://|^git@|\*\*|\[")
-_SUBMODULE = re.compile(r"^[^\S\n]*path\s*=\s*(\S+)", re.M)
 _MAKERS = re.compile(r"(?:^|/)(?:[Mm]akefile|[Jj]ustfile|[^/]+\.(?:sh|bash|py|mk|md|rst|ya?ml|bat|ps1|repos))$")
 _MOST_MAKERS = 500
 
@@ -108,18 +107,11 @@ def _is_in(files: Files, folder: str, word: str) -> bool:
 
 def _is_made(files: Files, word: str) -> bool:
     """Whether something of the tree may put it there: a submodule, or a script or build file that names it."""
-    path = _at("", word).lstrip("/")
-    if any(path.startswith(each) or each.startswith(path) for each in _submodules(files)):
-        return True
+    path = f"/{_at('', word)}"
+    for each in files.tree.submodules:
+        if f"{path}/" in f"{each}/" or os.path.basename(each) in path.split("/"):
+            return True
     name = os.path.basename(path).partition("*")[0]
     makers = [each for each in files.tree.paths if _MAKERS.search(each)][:_MOST_MAKERS]
     read = (files.tree.read(each, judged=False) for each in makers)
     return any(name in source.text for source in read if source is not None)
-
-
-def _submodules(files: Files) -> Iterator[str]:
-    """The paths of the submodules, relative to the folder of ``.gitmodules``."""
-    for each in files.tree.named(".gitmodules"):
-        source = files.tree.read(each, judged=False)
-        if source is not None:
-            yield from _SUBMODULE.findall(source.text)

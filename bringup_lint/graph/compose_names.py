@@ -124,7 +124,7 @@ def _elsewhere(files: Files, service: Service, relative: str) -> bool:
 def _is_made(files: Files, path: str) -> bool:
     """Whether something of the tree may put it there: a template beside it, a submodule or a script."""
     folder, name = os.path.split(path)
-    if any(files.tree.named(".gitmodules")):
+    if any(path.startswith(each) for each in files.tree.submodules):
         return True
     if any(os.path.basename(each).startswith(name) for each in files.tree.paths if os.path.dirname(each) == folder):
         return True

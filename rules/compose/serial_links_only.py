@@ -1,0 +1,68 @@
+"""A container gets the stable names of devices and not the devices.
+
+## What it finds
+A bind mount of `/dev/serial`, `/dev/v4l` or a folder below, such as `/dev/serial/by-id`, in a service that is not
+privileged and maps neither `/dev` nor a device of that kind.
+
+## Why it matters on a robot
+The folder holds links to `../../ttyUSB0`. In the container there is no `/dev/ttyUSB0`, so every link leads nowhere and
+the driver ends with "No such file or directory".
+
+## Bad
+```yaml
+volumes:
+  - /dev/serial/by-id:/dev/serial/by-id
+```
+
+## Good
+```yaml
+devices:
+  - /dev/serial/by-id/usb-heron_imu-if00:/dev/imu
+```
+
+## When to ignore it
+When the container only lists the names.
+
+## References
+- https://docs.docker.com/reference/compose-file/services/#devices
+- udev(7), "SYMLINK"
+"""
+
+import re
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Located
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+from bringup_lint.api.compose import Service
+
+LINKS = {
+    re.compile(r"/dev/serial(?:/by-(?:id|path))?/?"): re.compile(r"/dev/?$|/dev/(?:tty|serial)|.*\$"),
+    re.compile(r"/dev/v4l(?:/by-(?:id|path))?/?"): re.compile(r"/dev/?$|/dev/(?:video|v4l|media)|.*\$"),
+}
+"""Folders of links -> what brings a device that they may lead to."""
+
+
+@rule("error", symptoms=["could not open port /dev/serial/by-id", "No such file or directory: '/dev/serial/by-id"])
+def serial_links_only(robot: Robot) -> Iterator[Finding]:
+    for service in robot.compose.whole_services:
+        if service.source.judged and not service.is_privileged:
+            for folder in _without_devices(service):
+                yield finding(
+                    folder,
+                    f"{folder} holds links only: the devices that they lead to are not in the container",
+                    advice="map the device itself below devices:, by its link",
+                )
+
+
+def _without_devices(service: Service) -> Iterator[Located]:
+    """The mounted folders of links for which the service has no device."""
+    volumes = [volume.source for volume in service.volumes if volume.source is not None]
+    given = [*map(str, volumes), *(str(device.host) for device in service.devices)]
+    for pattern, brings in LINKS.items():
+        mounted = [source for source in volumes if pattern.fullmatch(source)]
+        others = [path for path in given if not pattern.fullmatch(path)]
+        if mounted and not any(brings.match(path) for path in others):
+            yield mounted[0]
