@@ -2,8 +2,8 @@
 
 ## What it finds
 A literal password of an access point or of 802.1X in a repository:
-- **warning**: a passphrase.
-- **info**: a key of 64 digits, which opens the network just as well, or a file in a folder of examples.
+- **warning**: a passphrase, or a key of 64 digits, which opens the network just as well.
+- **info**: a file in a folder of examples.
 
 Placeholders and templates are not reported. On the robot, netplan/file-mode checks who can read the file.
 
@@ -54,6 +54,6 @@ def wifi_password_plaintext(robot: Robot) -> Iterator[Finding]:
                 password,
                 f"The {'key' if key else 'password'} of {interface.name} is in the file in clear text",
                 advice="keep it out of version control: write it on the robot, into a file with mode 0600",
-                severity="info" if key or is_example(source.name) else None,
+                severity="info" if is_example(source.name) else None,
                 secrets=[password],
             )

@@ -20,7 +20,6 @@ _WIFI = {
         r"^[ \t]*(?P<name>psk|password|sae_password)=(?!ext:|hash:)\"?(?P<value>[^\n\r\"]+)", re.M
     ),
     "networkmanager": re.compile(r"^(?P<name>psk|password|wep-key\d|private-key-password)=(?P<value>[^\n\r]+)", re.M),
-    "netplan": re.compile(r"^[ \t]*(?P<name>password):[ \t]*[\"']?(?P<value>[^\s\"'#]{8,64})[\"']?[ \t\r]*$", re.M),
     "code-server": re.compile(r"^(?P<name>password):[ \t]*[\"']?(?P<value>[^\s\"'#]+)[\"']?[ \t\r]*$", re.M),
 }
 """Kind of file -> where it holds a password."""
