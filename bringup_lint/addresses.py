@@ -61,7 +61,7 @@ def is_plain_address(text: str, family: int) -> bool:
 
 
 def is_prefix_length(text: str, family: int) -> bool:
-    return text.isascii() and text.isdigit() and int(text[:9]) <= PREFIX_LENGTH[family]
+    return text.isascii() and text.isdecimal() and int(text[:9]) <= PREFIX_LENGTH[family]
 
 
 def quad(text: str) -> tuple[int, ...] | None:
@@ -71,7 +71,7 @@ def quad(text: str) -> tuple[int, ...] | None:
 
 def is_port(text: str) -> bool:
     """A decimal number from 1 to 65535."""
-    return text.isascii() and text.isdigit() and 0 < int(text[:9]) <= HIGHEST_PORT
+    return text.isascii() and text.isdecimal() and 0 < int(text[:9]) <= HIGHEST_PORT
 
 
 def split_port(text: str) -> tuple[str, str | None]:

@@ -65,7 +65,7 @@ def save_baseline(report: Report, path: Path) -> None:
 def terminal_width() -> int:
     """Columns to set text in: COLUMNS, else the terminal's, at most 100; 80 where there is no terminal."""
     given = os.environ.get("COLUMNS", "")
-    if given.isdigit() and int(given):
+    if given.isdecimal() and int(given):
         return min(int(given), 100)
     try:
         return min(os.get_terminal_size(sys.__stdout__.fileno() if sys.__stdout__ else -1).columns or 80, 100)

@@ -16,7 +16,7 @@ Matches = Callable[[str], bool]
 _CLASSES: dict[str, Matches] = {
     "alnum": str.isalnum,
     "alpha": str.isalpha,
-    "digit": str.isdigit,
+    "digit": str.isdecimal,
     "lower": str.islower,
     "space": str.isspace,
     "upper": str.isupper,

@@ -9,6 +9,10 @@ SIZE_LIMIT = 8 * 1024 * 1024
 """Bytes. No configuration file of a robot comes near; a larger one is reported and not read."""
 
 
+_STRIDE = 2000
+_DIGITS = b"0123456789"
+
+
 class Unreadable(Exception):
     """The file cannot be read; the text says why, for the user."""
 
@@ -80,6 +84,16 @@ def describe(mode: int) -> str:
     return "a special file"
 
 
+def _has_endless_number(data: bytes) -> bool:
+    """Whether so many digits follow each other that Python refuses to make a number of them (4,300). Linear: such a run
+    covers two neighbours of the bytes that are looked at."""
+    marks = data[::_STRIDE]
+    return any(
+        first in _DIGITS and second in _DIGITS and data[at * _STRIDE : (at + 1) * _STRIDE].isdigit()
+        for at, (first, second) in enumerate(zip(marks, marks[1:]))
+    )
+
+
 def decode(data: bytes) -> tuple[str, str]:
     """The text and what was wrong with its encoding (empty when nothing). Undecodable bytes become U+FFFD."""
     if data.startswith((b"\xff\xfe", b"\xfe\xff")):
@@ -88,6 +102,8 @@ def decode(data: bytes) -> tuple[str, str]:
         ), "is UTF-16, which none of its readers understands; save it as UTF-8"
     if b"\0" in data:
         return "", "contains NUL bytes: it is binary or damaged"
+    if _has_endless_number(data):
+        return "", "holds a number of thousands of digits, which no program reads: it is damaged"
     try:
         return data.decode("utf-8"), ""
     except UnicodeDecodeError as error:

@@ -99,7 +99,7 @@ class Profile:
         text = self.get("ipv4", "route-metric")
         if text is None or text == "-1":
             return METRICS.get(self.type)
-        return int(text) if text.isascii() and text.isdigit() else None
+        return int(text) if text.isascii() and text.isdecimal() else None
 
     @property
     def secrets(self) -> Iterator[Located]:

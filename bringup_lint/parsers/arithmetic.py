@@ -16,12 +16,12 @@ def evaluate(text: str, variables: Mapping[str, str]) -> int | None:
     None when it is no number, or when a name has no value.
     """
     text = text.strip().strip("\"'")
-    if text.isdigit() and len(text) < 10:
+    if text.isdecimal() and len(text) < 10:
         return int(text)
     name = _NAME.match(text)
     if name:
         value = variables.get(name["braced"] or name["plain"], name["default"])
-        return int(value) if value is not None and value.isdigit() and len(value) < 10 else None
+        return int(value) if value is not None and value.isdecimal() and len(value) < 10 else None
     if text.startswith("$((") and text.endswith("))") and len(text) < _LIMIT:
         tokens = _tokens(text[3:-2], variables)
         return _Sum(tokens).value() if tokens is not None else None
@@ -39,7 +39,7 @@ def _tokens(text: str, variables: Mapping[str, str]) -> list[str] | None:
         word = match[1] or match[3]
         if word is None:
             word = variables.get(match[2].strip("${}"), "")
-            if not word.isdigit() or len(word) > 9:
+            if not word.isdecimal() or len(word) > 9:
                 return None
         found.append(word)
         at = match.end()

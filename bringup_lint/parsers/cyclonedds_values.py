@@ -193,7 +193,7 @@ def _within(number: _Number | Fault, low: int, high: int, bare: str, version: st
 def _string(item: Item, text: str, version: str) -> Fault | None:
     if item.path == "CycloneDDS/Domain@Id":
         good = re.fullmatch(r"(?i:any)|[ \t\n\v\f\r]*\+?[0-9]+", text)
-        return None if good and (not text[-1:].isdigit() or int(text) < (1 << 32) - 1) else Fault(Code.VALUE, text)
+        return None if good and (not text[-1:].isdecimal() or int(text) < (1 << 32) - 1) else Fault(Code.VALUE, text)
     if item.path == "CycloneDDS/Domain/Threads/Thread@Name":
         return None if text in THREADS else Fault(Code.VALUE, text)
     return None

@@ -255,7 +255,7 @@ class _Reader:
                 return
             self.at += 1
             number = ""
-            if before and before[-1].isdigit() and before[-1].span.end == token.text.span.start:
+            if before and before[-1].isdecimal() and before[-1].span.end == token.text.span.start:
                 number = str(before.pop())
             target = None
             after = self.peek()

@@ -131,7 +131,7 @@ def _domains(element: Element | None, remarks: list[Remark]) -> Domains | None:
         else:
             domains.known = False
             continue
-        first, last = (int(end) if end and end.isascii() and end.isdigit() else None for end in ends)
+        first, last = (int(end) if end and end.isascii() and end.isdecimal() else None for end in ends)
         if child.local == "id_range" and first is None and ends[0] is None:
             remarks.append(Remark(Code.RANGE, child.span, "no minimum", element=child))
         if first is None or (last is None and ends[1] is not None):

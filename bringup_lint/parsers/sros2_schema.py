@@ -54,7 +54,7 @@ def fault_of(item: Item, text: str) -> Fault | None:
     if item.type == "enum":
         return None if text in item.words else Fault(Code.ENUM)
     if item.type == "int":
-        return None if text.isascii() and text.isdigit() else Fault(Code.NUMBER)
+        return None if text.isascii() and text.isdecimal() else Fault(Code.NUMBER)
     if item.type == "dateTime":
         return None if moment(text) is not None else Fault(Code.DATE)
     return None if text or item.name not in NEVER_EMPTY else Fault(Code.EMPTY)

@@ -136,7 +136,7 @@ def _listen(words: Words) -> Verdict:
 def _rekey(words: Words) -> Verdict:
     if not words or not (words[0] == "default" or _REKEY.fullmatch(words[0])):
         return 1, "an amount such as 1G, optionally followed by a time"
-    if words[0].isdigit() and 0 < int(words[0]) < 16:
+    if words[0].isdecimal() and 0 < int(words[0]) < 16:
         return 1, "an amount of at least 16 bytes"
     if len(words) > 1:
         return 2, "" if words[1] == "none" or _time(words[1]) else "a time such as 1h"

@@ -62,7 +62,7 @@ def max_auto_participant_index(robot: Robot) -> Iterator[Finding]:
         if index is None or not robot.dds.in_use(configuration):
             continue
         readers = robot.dds.largest_coexisting_group(configuration)
-        if text.isdigit():
+        if text.isdecimal():
             yield _fixed(index, _in_one_domain(readers))
         elif text == "auto" and readers:
             yield from _too_few(robot, domain, index, readers)
@@ -72,7 +72,7 @@ def _in_the_next_domain(domain: Domain) -> Iterator[Finding]:
     for path in ("Discovery/MaxAutoParticipantIndex", "Discovery/ParticipantIndex"):
         setting = domain.get(path)
         text = setting.effective if setting else None
-        if text and text.isdigit() and 119 < int(text) < 100000 and not domain.found("Discovery/Ports"):
+        if text and text.isdecimal() and 119 < int(text) < 100000 and not domain.found("Discovery/Ports"):
             port = 7400 + 10 + 2 * int(text)
             yield finding(
                 setting.value,
@@ -104,7 +104,7 @@ def _fixed(index: Setting, readers: list[Selection]) -> Finding:
 def _too_few(robot: Robot, domain: Domain, index: Setting, readers: list[Selection]) -> Iterator[Finding]:
     count = sum(each.processes for each in readers)
     limit = domain.get("Discovery/MaxAutoParticipantIndex")
-    highest = int(limit.effective) if limit and (limit.effective or "").isdigit() else 9 if not limit else None
+    highest = int(limit.effective) if limit and (limit.effective or "").isdecimal() else 9 if not limit else None
     if highest is None or (limit is None and not robot.dds.old_discovery) or count <= highest + 1:
         return
     yield finding(

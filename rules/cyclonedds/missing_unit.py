@@ -44,7 +44,7 @@ def missing_unit(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.dds.remarks(Code.BARE_NUMBER):
         unit = remark.detail
         value = remark.word
-        plain = value.strip().isdigit()
+        plain = value.strip().isdecimal()
         if unit == "B":
             message = f"{remark.item.name} {value} is read as {value} bytes, with a warning at every start"
         else:

@@ -52,7 +52,7 @@ def ports_custom_firewall(robot: Robot) -> Iterator[Finding]:
         given = {name: setting for name, setting in settings.items() if setting is not None}
         texts = {name: (setting.effective or "").strip() for name, setting in given.items()}
         numbers = {reader.domain for reader in robot.dds.readers(configuration)}
-        if not given or not all(text.isdigit() for text in texts.values()) or len(numbers) != 1 or None in numbers:
+        if not given or not all(text.isdecimal() for text in texts.values()) or len(numbers) != 1 or None in numbers:
             continue
         values = DEFAULTS | {name: int(text) for name, text in texts.items()}
         if values == DEFAULTS:

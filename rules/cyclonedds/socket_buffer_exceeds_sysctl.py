@@ -59,7 +59,7 @@ def socket_buffer_exceeds_sysctl(robot: Robot) -> Iterator[Finding]:
         for setting, limit_name in least_buffers(domain):
             wanted = size_of(setting)
             limit = robot.sysctl.get(limit_name)
-            if wanted is None or not robot.sysctl.certain or (limit is not None and not limit.value.isdigit()):
+            if wanted is None or not robot.sysctl.certain or (limit is not None and not limit.value.isdecimal()):
                 continue
             granted = int(limit.value) if limit else 212992
             if wanted <= 2 * granted or (limit is not None and not robot.same_robot(limit.value, configuration.source)):

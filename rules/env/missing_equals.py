@@ -41,7 +41,7 @@ def missing_equals(robot: Robot) -> Iterator[Finding]:
         for problem in file.model.problems:
             if problem.code != "missing-equals" or file.source.template:
                 continue
-            word = problem.word.split()[0]
+            word = problem.word.split(maxsplit=1)[0] if problem.word.strip() else ""
             what = (
                 "and systemd is not a shell"
                 if word in ("source", ".", "set", "export", "if", "fi", "unset")

@@ -41,7 +41,7 @@ from bringup_lint.api.schema import Code
 def lease_duration_text(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.dds.fastdds_remarks(Code.DURATION):
         text = remark.word
-        change = fix("write sec", (text, f"<sec>{text}</sec>")) if text.isdigit() else None
+        change = fix("write sec", (text, f"<sec>{text}</sec>")) if text.isdecimal() else None
         yield finding(
             text,
             f"{remark.detail} needs sec and nanosec elements: the whole file is ignored, the robot runs with defaults",

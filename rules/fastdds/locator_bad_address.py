@@ -50,6 +50,6 @@ def locator_bad_address(robot: Robot) -> Iterator[Finding]:
             advice="write one plain address, with the port in its own element",
         )
     for port in robot.dds.locator_ports():
-        if port.isdigit() and int(port[:9]) > HIGHEST_PORT:
+        if port.isdecimal() and int(port[:9]) > HIGHEST_PORT:
             message = f"Port {port} does not exist: the library accepts the locator, but nothing ever arrives there"
             yield finding(port, message, advice="write a port from 1 to 65535", severity="warning")

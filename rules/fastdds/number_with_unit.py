@@ -56,7 +56,7 @@ def number_with_unit(robot: Robot) -> Iterator[Finding]:
             continue
         digits = text[: len(text) - len(remark.detail)].strip()
         factor = sizes.get(remark.detail.lower())
-        value = str(int(digits) * factor) if factor and digits.isdigit() else None
+        value = str(int(digits) * factor) if factor and digits.isdecimal() else None
         yield finding(
             text,
             f"{name} '{text}' is read as {digits}: the library ignores the rest",

@@ -49,7 +49,7 @@ def socket_buffer_exceeds_sysctl(robot: Robot) -> Iterator[Finding]:
         for element in profiles.document.elements:
             name = limits.get(str(element.name))
             limit = robot.sysctl.number(name) if name and robot.sysctl.certain else None
-            if limit is not None and element.text.isdigit() and int(element.text[:12]) > limit:
+            if limit is not None and element.text.isdecimal() and int(element.text[:12]) > limit:
                 yield finding(
                     element.text,
                     f"The kernel grants {limit} bytes ({name}), not {element.text}: large messages are still dropped",

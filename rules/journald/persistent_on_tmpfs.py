@@ -79,4 +79,4 @@ def persistent_on_tmpfs(robot: Robot) -> Iterator[Finding]:
 
 def bytes_of(text: str) -> int | None:
     number, unit = text[:-1] if text[-1:] in "KMGT" else text, text[-1:]
-    return int(number) * 1024 ** ("KMGT".find(unit) + 1 if unit in "KMGT" else 0) if number.isdigit() else None
+    return int(number) * 1024 ** ("KMGT".find(unit) + 1 if unit in "KMGT" else 0) if number.isdecimal() else None

@@ -69,7 +69,7 @@ def unknown(robot: Robot, names: list[Located], target: launch.LaunchFile) -> It
             name,
             f"'{name}' is not an argument of {target.source.basename}: the value is silently ignored",
             advice=f"pass '{near[0]}'" if near else "remove it, or declare it there",
-            related=[note(target.entry, "the launched file")],
+            related=[note(target.entry or target.source, "the launched file")],
             chain=robot.provenance.chain_to(name, f"'{name}' is passed"),
             fix=fix(f"pass '{near[0]}'", (name, near[0]), safe=False)
             if len(near) == 1 and name.span.text == name

@@ -44,7 +44,7 @@ def node_name_invalid(robot: Robot) -> Iterator[Finding]:
         if name is None or VALID.match(name) or not node.is_node:
             continue
         better = re.sub(r"[^A-Za-z0-9_]", "_", name.strip("/ "))
-        better = f"_{better}" if better[:1].isdigit() else better
+        better = f"_{better}" if better[:1].isdecimal() else better
         yield finding(
             name,
             f"'{name}' is not a valid node name: the node does not start",

@@ -74,7 +74,7 @@ def larger_than_tmpfs(robot: Robot) -> Iterator[Finding]:
 def kept(stanza: Stanza) -> int:
     """How many rotated files stay as large as they were."""
     rotate, compressed = stanza.get("rotate"), stanza.get("compress", "nocompress")
-    if rotate is None or not rotate.value.isdigit():
+    if rotate is None or not rotate.value.isdecimal():
         return 0
     number = int(rotate.value)
     if compressed is not None and compressed.name == "compress":

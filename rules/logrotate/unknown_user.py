@@ -47,7 +47,7 @@ def unknown_user(robot: Robot) -> Iterator[Finding]:
                 (user, "user", accounts.has_user),
                 (group, "group", accounts.has_group),
             ):
-                if name is not None and not name.isdigit() and known(name) is False:
+                if name is not None and not name.isdecimal() and known(name) is False:
                     yield finding(
                         name,
                         f"There is no {kind} '{name}': logrotate skips the whole stanza",

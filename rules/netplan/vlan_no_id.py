@@ -35,7 +35,7 @@ from bringup_lint.api.netplan import PlanCode
 @rule("error", symptoms=["missing 'id' property"])
 def vlan_no_id(robot: Robot) -> Iterator[Finding]:
     for problem in robot.netplan.problems(PlanCode.VLAN_NO_ID):
-        number = "".join(char for char in problem.word if char.isdigit())
+        number = "".join(char for char in problem.word if char.isdecimal())
         yield finding(
             problem.where,
             f"{problem.where} has no id: netplan generates nothing",

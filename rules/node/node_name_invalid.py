@@ -42,7 +42,7 @@ def node_name_invalid(robot: Robot) -> Iterator[Finding]:
         if nodes.valid_node_name(name):
             continue
         better = re.sub(r"[^A-Za-z0-9_]", "_", name.strip("/ "))
-        better = f"_{better}" if better[:1].isdigit() else better
+        better = f"_{better}" if better[:1].isdecimal() else better
         valid = nodes.valid_node_name(better)
         change = fix(f"write '{better}'", (name, better), safe=False)
         yield finding(

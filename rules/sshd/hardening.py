@@ -80,7 +80,7 @@ def hardening(robot: Robot) -> Iterator[Finding]:
             if sshd.says(name, default) in open_values and not (off and name != "ClientAliveInterval"):
                 yield from found(sshd, name, what, better)
         tries = sshd.says("MaxAuthTries", "6")
-        if tries is not None and tries.isdigit() and int(tries) > MOST_TRIES:
+        if tries is not None and tries.isdecimal() and int(tries) > MOST_TRIES:
             yield from found(sshd, "MaxAuthTries", f"A connection may try {tries} passwords or keys", "3")
         if sshd.is_whole and not sshd.all("AllowUsers") and not sshd.all("AllowGroups"):
             yield finding(sshd.where, "Every account may log in", advice="add AllowUsers with those that need it")

@@ -45,7 +45,7 @@ DEFAULT_TIMEOUT = 60
 def watchdog_timeout_vs_interval(robot: Robot) -> Iterator[Finding]:
     for settings in robot.watchdog.files:
         interval, timeout = settings.get("interval"), settings.get("watchdog-timeout")
-        if interval is None or not interval.isdigit() or (timeout is not None and not timeout.isdigit()):
+        if interval is None or not interval.isdecimal() or (timeout is not None and not timeout.isdecimal()):
             continue
         if "watchdog-device" not in settings or not interval.span.source.judged:
             continue

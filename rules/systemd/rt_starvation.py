@@ -60,7 +60,7 @@ def rt_starvation(robot: Robot) -> Iterator[Finding]:
         if (
             policy in ("fifo", "rr")
             and inherited
-            and (priority is None or (priority.isdigit() and int(priority) >= HIGH))
+            and (priority is None or (priority.isdecimal() and int(priority) >= HIGH))
         ):
             level = f"priority {priority}" if priority else "no explicit priority"
             yield finding(

@@ -43,7 +43,7 @@ def user_missing(robot: Robot) -> Iterator[Finding]:
         if unit.manager != "system" or identity.dynamic or identity.dynamic.unknown or unit.is_template:
             continue
         user, name = identity.user, identity.name
-        if user and name and not name.isdigit() and robot.accounts.has_user(name) is False:
+        if user and name and not name.isdecimal() and robot.accounts.has_user(name) is False:
             yield finding(
                 user,
                 f"The user {name} does not exist: {unit.name} fails with 217/USER",

@@ -47,7 +47,7 @@ def group_unknown(robot: Robot) -> Iterator[Finding]:
 
 
 def _is_name(token: Token) -> bool:
-    return bool(token.value) and not token.value.isdigit() and not token.has_substitution
+    return bool(token.value) and not token.value.isdecimal() and not token.has_substitution
 
 
 def _finding(token: Token, what: str, instead: str) -> Finding:

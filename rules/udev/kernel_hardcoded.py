@@ -57,6 +57,6 @@ def _numbered(token: Token) -> str:
     """What is numbered in the order of discovery; empty for everything else."""
     if token.key in ("KERNEL", "KERNELS") and _NUMBERED.fullmatch(token.value):
         return f"The number in {token.value}"
-    if token.key in ("ATTR", "ATTRS") and token.attribute in _OF_BUS and token.value.isdigit():
+    if token.key in ("ATTR", "ATTRS") and token.attribute in _OF_BUS and token.value.isdecimal():
         return f"The {_OF_BUS[token.attribute]} {token.value}"
     return ""

@@ -50,7 +50,7 @@ def symlink_space(robot: Robot) -> Iterator[Finding]:
 
 def _is_torn(first: str, second: str) -> bool:
     """Whether the second word can hardly be a link of its own."""
-    if second.isdigit() or len(second) == 1:
+    if second.isdecimal() or len(second) == 1:
         return True
     folder, _, last = first.rpartition("/")
     return bool(folder) and "/" not in second and last not in second and second not in last

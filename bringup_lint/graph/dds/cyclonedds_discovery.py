@@ -134,4 +134,4 @@ def size_of(setting: Setting) -> int | None:
 
 def domain_number(text: str) -> int | None:
     """The number of a Domain's Id; None for ``any``, a variable, or what is not a number."""
-    return int(text) if text.isascii() and text.isdigit() else None
+    return int(text) if text.isascii() and text.isdecimal() else None

@@ -131,16 +131,16 @@ def seconds(element: Element | None, default: float) -> float | None:
     if element is None:
         return default
     parts = {str(child.name): str(child.text) for child in element.children}
-    if not parts or not all(text.isdigit() for text in parts.values()):
+    if not parts or not all(text.isdecimal() for text in parts.values()):
         return None
-    return int(parts.get("sec", "0")) + int(parts.get("nanosec", "0")) / 1e9
+    return int(parts.get("sec", "0")[:18]) + int(parts.get("nanosec", "0")[:18]) / 1e9
 
 
 def number(element: Element | None, default: int) -> int | None:
     """A plain number; None when it is something else."""
     if element is None:
         return default
-    return int(element.text) if element.text.isdigit() else None
+    return int(element.text) if element.text.isdecimal() else None
 
 
 def used_transports(profiles: Profiles) -> set[str]:

@@ -103,4 +103,4 @@ def _group(link: Link) -> str | None:
 
 def _is_closed(mode: str) -> bool:
     """Whether a mode keeps others out and lets the group read and write."""
-    return mode.isdigit() and set(mode) <= set("01234567") and not int(mode, 8) & 0o006 and bool(int(mode, 8) & 0o060)
+    return mode.isdecimal() and set(mode) <= set("01234567") and not int(mode, 8) & 0o006 and bool(int(mode, 8) & 0o060)

@@ -37,7 +37,7 @@ class Sysctl:
 
     def number(self, name: str) -> int | None:
         setting = self.get(name)
-        return int(setting.value) if setting and setting.value.isdigit() else None
+        return int(setting.value) if setting and setting.value.isdecimal() else None
 
     def mentions(self, name: str) -> bool:
         return any(each.name == name for each in self.settings)

@@ -78,7 +78,7 @@ class Identity:
     @property
     def is_number(self) -> bool:
         """Whether the user is known by number alone."""
-        return self.name is not None and self.name.isdigit() and self.name not in ROOT
+        return self.name is not None and self.name.isdecimal() and self.name not in ROOT
 
     def groups(self, database: UserDatabase) -> frozenset[str]:
         """The groups of the processes: those of the unit and those that /etc/group gives to the user."""

@@ -51,7 +51,7 @@ class Names:
         if match is None:
             return None if "$" in word or "`" in word else word
         name = match[1] or match[2]
-        if name.isdigit():
+        if name.isdecimal():
             at = int(name) - 1
             return self.arguments[at] if 0 <= at < len(self.arguments) else match[3]
         if name in self.values:

@@ -24,7 +24,7 @@ class Account(NamedTuple):
     @property
     def can_log_in(self) -> bool:
         """Whether it is a regular user with a shell, by the numbers of Debian and Ubuntu."""
-        regular = self.uid.isdigit() and 1000 <= int(self.uid) < 60000
+        regular = self.uid.isdecimal() and 1000 <= int(self.uid) < 60000
         return regular and not self.shell.endswith(("nologin", "false"))
 
 

@@ -105,7 +105,7 @@ def _call(code: Code, call: Call) -> tuple[str, str] | None:
     if call.qualified in ("sleep", "::sleep", "usleep", "::usleep") and call.arguments:
         number = code.text(call.arguments[0]).rstrip("uUlL")
         unit = 1e-6 if "usleep" in call.name else 1.0
-        return _sleep(call.name, float(number) * unit if number.isdigit() else None)
+        return _sleep(call.name, float(number) * unit if number.isdecimal() else None)
     if call.qualified in ("system", "std::system", "::system"):
         text = code.literal(call.arguments[0]) if call.arguments else None
         return None if text is not None and _is_short(text) else (call.name, "as long as the program runs")

@@ -79,7 +79,8 @@ def _name(state: State, node: ast.Name) -> Any:
     while frame is not None:
         if name in frame.names:
             return frame.names[name]
-        frame = frame.outer.get(name) or frame.parent
+        outer = frame.outer.get(name)
+        frame = frame.parent if outer is None or outer is frame else outer
     span = state.positions.span(node)
     if name in BUILTINS:
         return Symbol(f"builtins.{name}", span)

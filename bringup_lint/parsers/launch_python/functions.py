@@ -173,7 +173,7 @@ def _range(state: State, args: Arguments) -> Any:
     if len(bounds) != len(args.positional) or not bounds or (len(bounds) == 3 and bounds[2] == 0):
         return Unknown("range", args.span)
     numbers = range(*bounds[:3])
-    if len(numbers) > budget.ITEMS:
+    if numbers[budget.ITEMS : budget.ITEMS + 1]:
         return Unknown("range", args.span)
     state.tick(len(numbers))
     return Sequence([((), Literal(number, args.span)) for number in numbers], args.span, state.guards)

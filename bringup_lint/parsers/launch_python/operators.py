@@ -121,7 +121,7 @@ def _literals(kind: type, left: Literal, right: Literal, span: Span) -> Any:
 
 
 def _formatted(pattern: str, value: Any, span: Span) -> Any:
-    if pattern.count("%") != 1 or "*" in pattern or any(char.isdigit() for char in pattern.partition("%")[2][:4]):
+    if pattern.count("%") != 1 or "*" in pattern or any(char.isdecimal() for char in pattern.partition("%")[2][:4]):
         return Unknown("number format", span)
     try:
         return Literal(Located(pattern % (value,), span), span)

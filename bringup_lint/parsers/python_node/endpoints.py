@@ -189,6 +189,15 @@ def _group(values: Values, node: ast.expr | None, scope: Scope) -> Group | None:
     return Group(ast.unparse(node), None)
 
 
+def _seconds(period: object) -> float | None:
+    if isinstance(period, bool) or not isinstance(period, (int, float)):
+        return None
+    try:
+        return float(period)
+    except OverflowError:
+        return None
+
+
 def _timer(values: Values, call: Call, owner: ast.expr) -> Made:
     node, scope = call.node, call.scope
     given = argument(node, 0, "timer_period_sec")
@@ -199,7 +208,7 @@ def _timer(values: Values, call: Call, owner: ast.expr) -> Made:
     callback = argument(node, 1, "callback")
     callbacks = _callbacks(values, call, callback, "timer", group) if callback is not None else ()
     timer = Timer(
-        float(period) if isinstance(period, (int, float)) and not isinstance(period, bool) else None,
+        _seconds(period),
         callbacks[0].name if callbacks else None,
         _attribute(call.kept),
         group,

@@ -232,7 +232,7 @@ def keyword(call: ast.Call, name: str) -> ast.expr | None:
 
 def argument(call: ast.Call, index: int, *names: str) -> ast.expr | None:
     """A positional argument, or the keyword of one of the names; None behind a ``*sequence``."""
-    if index < len(call.args):
+    if 0 <= index < len(call.args):
         if any(isinstance(each, ast.Starred) for each in call.args[: index + 1]):
             return None
         return call.args[index]

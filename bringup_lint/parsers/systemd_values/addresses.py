@@ -25,7 +25,7 @@ _LOCALHOST = re.compile(r"(?:.+\.)?localhost(?:\.localdomain)?\.?", re.IGNORECAS
 
 
 def is_port(text: str) -> bool:
-    number = parse_integer(text) if text[:1].isdigit() else None
+    number = parse_integer(text) if text[:1].isdecimal() else None
     return number is not None and 0 < number <= HIGHEST_PORT
 
 

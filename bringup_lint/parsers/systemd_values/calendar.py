@@ -71,7 +71,7 @@ def _is_timezone(word: str) -> bool:
 def _parse(text: str) -> bool:
     rest = _weekdays(text)
     if rest.startswith("@"):
-        return rest[1:].isdigit() and int(rest[1:]) <= _LAST_SECOND
+        return rest[1:].isdecimal() and int(rest[1:]) <= _LAST_SECOND
     rest = _date(rest)
     return not rest or _time(rest)
 

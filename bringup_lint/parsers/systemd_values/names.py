@@ -75,11 +75,11 @@ def check_user_name(name: Located, version: int) -> Iterator[ValueProblem]:
     text = literal(name)
     if bad or text is None:
         return
-    if text.isdigit():
+    if text.isdecimal():
         if int(text) >= 2**32 - 1 or int(text) == 65535 or (len(text) > 1 and text[0] == "0"):
             yield ValueProblem("out-of-range", name, "a name, or a number up to 4294967294", UNIT)
     elif (
-        (":" in text or "/" in text or text in (".", "..") or (text[0] == "-" and text[1:].isdigit()) or text == "-")
+        (":" in text or "/" in text or text in (".", "..") or (text[0] == "-" and text[1:].isdecimal()) or text == "-")
         or any(ord(char) < 32 or ord(char) == 127 for char in text)
         or text != text.strip(" ")
     ):
@@ -95,7 +95,7 @@ def check_users(value: Located, version: int) -> Iterator[ValueProblem]:
 
 def is_interface_name(text: str) -> bool:
     """What the kernel and systemd take as the name of a network interface."""
-    if not 0 < len(text) < 16 or text in (".", "..", "all", "default") or text.isdigit():
+    if not 0 < len(text) < 16 or text in (".", "..", "all", "default") or text.isdecimal():
         return False
     return all(32 < ord(char) < 127 and char not in ":/%" for char in text)
 

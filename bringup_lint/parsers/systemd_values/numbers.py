@@ -67,7 +67,7 @@ def parse_share(text: str) -> float | None:
     for sign, places, scale in (("‱", 0, 100.0), ("‰", 1, 10.0), ("%", 2, 1.0)):
         if text.endswith(sign):
             whole, dot, fraction = text[: -len(sign)].partition(".")
-            if dot and not (fraction.isdigit() and 0 < len(fraction) <= places):
+            if dot and not (fraction.isdecimal() and 0 < len(fraction) <= places):
                 return None
             value = parse_integer(whole)
             if value is None or value < 0:

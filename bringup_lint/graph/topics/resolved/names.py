@@ -24,7 +24,7 @@ def complaint(name: str) -> str | None:
     bare = _SUBSTITUTION.sub("", name)
     if "{" in bare or "}" in bare:
         return "its braces are not a substitution"
-    if any(word[:1].isdigit() for word in _SUBSTITUTION.findall(name)):
+    if any(word[:1].isdecimal() for word in _SUBSTITUTION.findall(name)):
         return "the name in its braces begins with a digit"
     if _LEADING_DIGIT.search(name):
         return "one of its parts begins with a digit"

@@ -128,5 +128,5 @@ def names(given: GivenParameters, pattern: str) -> Iterator[str]:
     for name in given.values:
         if name.startswith(head) and name.endswith(rest) and len(name) > len(head) + len(rest):
             middle = name[len(head) : len(name) - len(rest)]
-            if middle.isdigit() if not rest else "." not in middle:
+            if middle.isdecimal() if not rest else "." not in middle:
                 yield name
