@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import stat
+from itertools import pairwise
 
 SIZE_LIMIT = 8 * 1024 * 1024
 """Bytes. No configuration file of a robot comes near; a larger one is reported and not read."""
@@ -90,7 +91,7 @@ def _has_endless_number(data: bytes) -> bool:
     marks = data[::_STRIDE]
     return any(
         first in _DIGITS and second in _DIGITS and data[at * _STRIDE : (at + 1) * _STRIDE].isdigit()
-        for at, (first, second) in enumerate(zip(marks, marks[1:]))
+        for at, (first, second) in enumerate(pairwise(marks))
     )
 
 
