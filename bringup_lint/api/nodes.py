@@ -15,6 +15,8 @@ from bringup_lint.graph.nodes.questions.blocking import only_stores
 from bringup_lint.graph.nodes.questions.blocking import waits
 from bringup_lint.graph.nodes.questions.motion import moves
 from bringup_lint.graph.nodes.questions.rates import endless_rates
+from bringup_lint.graph.nodes.questions.repeating import held
+from bringup_lint.graph.nodes.questions.repeating import repeated
 from bringup_lint.graph.nodes.questions.safe_state import commands
 from bringup_lint.graph.nodes.questions.safe_state import fed_without_condition
 from bringup_lint.graph.nodes.questions.safe_state import has_safe_state
@@ -53,6 +55,7 @@ __all__ = [
     "fed_without_condition",
     "handler_never_runs",
     "has_safe_state",
+    "held",
     "import_edits",
     "is_watched_relay",
     "lowered",
@@ -61,6 +64,7 @@ __all__ = [
     "publish_after_deactivate",
     "range_text",
     "relays",
+    "repeated",
     "stop_after_shutdown",
     "stops_itself",
     "swap",

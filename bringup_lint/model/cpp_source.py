@@ -55,6 +55,10 @@ class CppNode:
     declares_others: bool = False
     """It may declare parameters under names that are not literal, or all that it is given."""
     waits: list[Waiting] = field(default_factory=list)
+    kept: dict[str, frozenset[str]] = field(default_factory=dict)
+    """Callback of a subscription -> the members that it alone fills, from its message."""
+    sent: dict[str, frozenset[str]] = field(default_factory=dict)
+    """Callback of a timer that publishes or writes something -> the words of what it runs."""
     executors: bool = False
     """It makes an executor of several threads, or callback groups."""
     devices: list[Located] = field(default_factory=list)

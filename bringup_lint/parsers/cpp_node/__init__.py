@@ -11,6 +11,8 @@ from bringup_lint.parsers.cpp_node.classes import node_classes
 from bringup_lint.parsers.cpp_node.classes import node_names
 from bringup_lint.parsers.cpp_node.endpoints import endpoint
 from bringup_lint.parsers.cpp_node.endpoints import timer
+from bringup_lint.parsers.cpp_node.kept import kept
+from bringup_lint.parsers.cpp_node.kept import sent
 from bringup_lint.parsers.cpp_node.parameters import LOOSE
 from bringup_lint.parsers.cpp_node.parameters import declarations
 from bringup_lint.parsers.cpp_node.parameters import is_open
@@ -59,6 +61,9 @@ def parse(source: Source) -> CppNode:
     node.declares_others |= bool(LOOSE.search(source.text))
     node.executors = bool(_EXECUTORS.search(source.text))
     node.devices = list(_devices(code))
+    if "Twist" in source.text or "Ackermann" in source.text:
+        node.kept = kept(code, node.callbacks[:CALLBACKS])
+        node.sent = sent(code, node.callbacks[:CALLBACKS])
     node.waits = list(waits(code, node.callbacks[:CALLBACKS]))
     return node
 

@@ -1,0 +1,210 @@
+"""Velocity commands that a node goes on with although no new one comes."""
+
+from __future__ import annotations
+
+import ast
+import os
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+from typing import NamedTuple
+
+from bringup_lint.graph.nodes.questions.blocking import reached
+from bringup_lint.graph.nodes.questions.motion import moves
+from bringup_lint.graph.nodes.sources.syntax import body_of
+from bringup_lint.model.node_source import Endpoint
+from bringup_lint.model.node_source import NodeClass
+from bringup_lint.source import Span
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.nodes.nodes import Nodes
+    from bringup_lint.model.cpp_source import CppNode
+    from bringup_lint.model.node_source import NodeSource
+    from bringup_lint.source import Source
+
+_TYPES = frozenset({"Twist", "TwistStamped", "AckermannDrive", "AckermannDriveStamped"})
+_SENDS = re.compile(r"(?i)(?:publish|write|send|set_?(?:motor|speed|velocity|pwm|wheel)\w*|drive)\Z")
+_TIMED = re.compile(
+    r"time_?out|watch_?dog|dead_?man|stale|expir|elapsed|heart_?beat|fail_?safe|deadline|lease|since_?last"
+    r"|last_?\w*(?:time|stamp|recv|received|call)|(?:time|stamp)\w*_?last|no_?(?:cmd|command)|\bstamp\b|\bage\b"
+    r"|(?:now|time|monotonic|clock)\(\)[\w.()]*\s*-|-\s*(?:self\.|this->)?(?:last|prev)\w*",
+    re.I,
+)
+"""What code that ends a motion by time has in it somewhere."""
+_DRIVES = re.compile(r"(?i)motor|wheel|vtarget|throttle|thrust|pwm")
+_REPORTS = re.compile(r"(?i)odom|state|status|feedback|metric|debug|diagnos|monitor")
+_COMMENT = re.compile(r"//[^\n]*|#[^\n]*|/\*.*?\*/", re.S)
+_OTHER_TIMEOUTS = re.compile(
+    r"\b(?:read_|write_|write|socket_)?timeout(?:_sec)?\s*=\s*[^,)\n]+"
+    r"|SerialTimeout\w*|serial::Timeout|setTimeout|TimeoutError"
+)
+"""Time-outs of reading and writing, which end no motion."""
+
+
+_PYTHON_BUS = re.compile(
+    r"^[ \t]*(?:import|from)[ \t]+(?P<bus>smbus2?|RPi\.GPIO|gpiozero|pigpio|lgpio|Jetson\.GPIO|adafruit_\w+|board)\b",
+    re.M,
+)
+_CPP_BUS = re.compile(r"(?P<bus>/dev/i2c-\d+|linux/i2c-dev\.h|wiringPi\.h|pigpio\w*\.h|lgpio\.h|wiringPiI2C\.h)")
+"""Pins, and buses whose chips keep what was written last."""
+
+
+class Repeated(NamedTuple):
+    """A timer that sends what a subscription kept, however old that is."""
+
+    source: Source
+    subscription: Endpoint
+    kept: str
+    """The member that holds the command."""
+    timer: str
+    """The callback of the timer."""
+    where: Span
+
+
+def repeated(nodes: Nodes) -> Iterator[Repeated]:
+    """The commands that are sent again and again, in sources that look at no time."""
+    for file in nodes.programs:
+        if _ignores_time(nodes, file):
+            for node in file.classes:
+                if node.is_node is True:
+                    yield from _in_class(nodes, file, node)
+    for source in nodes.cpp:
+        yield from _in_cpp(nodes, source)
+
+
+def _is_command(endpoint: Endpoint) -> bool:
+    kind = (endpoint.type or "").rpartition("/")[2]
+    return endpoint.role == "subscription" and kind in _TYPES and (moves(endpoint) or "vel" in str(endpoint.name or ""))
+
+
+def _ignores_time(nodes: Nodes, file: NodeSource) -> bool:
+    files = nodes.imported(file)
+    return files is not None and not any(looks_at_time(each.source.text) for each in files)
+
+
+def looks_at_time(text: str) -> bool:
+    """Whether code compares times, or speaks of a time-out that is not one of reading or writing."""
+    return bool(_TIMED.search(_OTHER_TIMEOUTS.sub("", _COMMENT.sub("", text))))
+
+
+def _in_class(nodes: Nodes, file: NodeSource, node: NodeClass) -> Iterator[Repeated]:
+    for endpoint in filter(_is_command, node.endpoints):
+        held = _held(node, endpoint.callback)
+        for timer in node.timers:
+            method = node.methods.get(timer.callback or "")
+            if method is None or not held:
+                continue
+            run = list(reached(nodes.syntax(file), body_of(method.node), node))
+            if not any(isinstance(each, ast.Call) and _sends(each, node) for each in run):
+                continue
+            used = {each.attr for each in run if isinstance(each, ast.Attribute)}
+            for name in sorted(held & used)[:1]:
+                yield Repeated(file.source, endpoint, f"self.{name}", f"{timer.callback}()", timer.span)
+
+
+def _sends(call: ast.Call, node: NodeClass) -> bool:
+    """Whether a call writes to hardware, or publishes what moves something."""
+    if not isinstance(call.func, ast.Attribute) or not _SENDS.match(call.func.attr):
+        return False
+    if call.func.attr != "publish":
+        return call.func.attr not in node.methods
+    kept = ast.unparse(call.func.value)
+    return any(each.attribute == kept and _is_motion(each) for each in node.all_endpoints)
+
+
+def _is_motion(endpoint: Endpoint) -> bool:
+    if endpoint.role != "publisher" or _REPORTS.search(str(endpoint.name or "")):
+        return False
+    kind = (endpoint.type or "").rpartition("/")[2]
+    return moves(endpoint) or kind in _TYPES or bool(_DRIVES.search(str(endpoint.name or "")))
+
+
+def _held(node: NodeClass, callback: str | None) -> set[str]:
+    """The attributes that a callback, and beside the constructor nothing else, fills; from its message."""
+    method = node.methods.get(callback or "")
+    if method is None or len(method.node.args.args) < 2:
+        return set()
+    message = method.node.args.args[1].arg
+    inside: set[str] = set()
+    outside: set[str] = set()
+    for name, each in node.methods.items():
+        for assigned, value in _assignments(each.node):
+            if each is method and any(isinstance(part, ast.Name) and part.id == message for part in ast.walk(value)):
+                inside.add(assigned)
+            elif each is not method and name != "__init__":
+                outside.add(assigned)
+    return inside - outside
+
+
+def _assignments(function: ast.AST) -> Iterator[tuple[str, ast.expr]]:
+    for node in ast.walk(function):
+        if isinstance(node, (ast.Assign, ast.AugAssign)):
+            for target in node.targets if isinstance(node, ast.Assign) else [node.target]:
+                for each in ast.walk(target):
+                    if isinstance(each, ast.Attribute) and isinstance(each.value, ast.Name) and each.value.id == "self":
+                        yield each.attr, node.value
+
+
+def _in_cpp(nodes: Nodes, source: CppNode) -> Iterator[Repeated]:
+    if (
+        not source.kept
+        or not source.sent
+        or not _moves_something(source)
+        or looks_at_time(_with_header(nodes, source.source))
+    ):
+        return
+    for endpoint in filter(_is_command, source.endpoints):
+        held = source.kept.get(endpoint.callback or "", frozenset())
+        for timer, words in source.sent.items():
+            place = next((each.span for each in source.timers if each.callback == timer), None)
+            for name in sorted(held & words)[:1]:
+                yield Repeated(source.source, endpoint, name, f"{timer}()", place or endpoint.span)
+
+
+def _moves_something(source: CppNode) -> bool:
+    """Whether a file publishes what moves something, or publishes nothing and so writes to hardware."""
+    publishers = [each for each in source.endpoints if each.role == "publisher"]
+    return not publishers or any(map(_is_motion, publishers))
+
+
+def _with_header(nodes: Nodes, source: Source) -> str:
+    """The text of a file and of those beside it and in the package that are called the same."""
+    stem = os.path.basename(source.name).partition(".")[0]
+    owner = nodes.launch.workspace.owner(source)
+    texts = [source.text]
+    for each in nodes.files.of_kind("cpp-node"):
+        if each is not source and os.path.basename(each.name).partition(".")[0] == stem:
+            if nodes.launch.workspace.owner(each) is owner:
+                texts.append(each.text)
+    return "\n".join(texts)
+
+
+class Held(NamedTuple):
+    """A subscription that drives motors over a bus which keeps the last value."""
+
+    source: Source
+    subscription: Endpoint
+    bus: str
+    """What shows the bus: ``smbus``, ``/dev/i2c-1``."""
+
+
+def held(nodes: Nodes) -> Iterator[Held]:
+    """Nodes that take velocities to pins or to a bus without a controller of its own, and look at no time."""
+    for file in nodes.programs:
+        texts = [each.source.text for each in nodes.imported(file) or ()]
+        bus = next(filter(None, (_bus(text, _PYTHON_BUS) for text in texts)), None)
+        if bus is None or any(map(looks_at_time, texts)):
+            continue
+        for node in file.classes:
+            if node.is_node is True and not node.all_timers:
+                yield from (Held(file.source, each, bus) for each in node.endpoints if _is_command(each))
+    for source in nodes.cpp:
+        text = _with_header(nodes, source.source)
+        bus = _bus(text, _CPP_BUS)
+        if bus is not None and not source.sent and not looks_at_time(text):
+            yield from (Held(source.source, each, bus) for each in source.endpoints if _is_command(each))
+
+
+def _bus(text: str, pattern: re.Pattern[str]) -> str | None:
+    found = pattern.search(_COMMENT.sub("", text) if pattern is _PYTHON_BUS else text)
+    return found["bus"] if found is not None else None

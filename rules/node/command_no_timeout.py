@@ -1,0 +1,70 @@
+"""A velocity that goes on when no command comes any more.
+
+## What it finds
+A node that keeps the last velocity it was sent, and whose timer sends it on again and again; and a node that writes
+velocities to pins or to an I2C bus, which keep what was written last. In both cases when nothing in the source looks
+at a time: no time-out, no stamp, no difference of two times.
+
+## Why it matters on a robot
+When the planner ends, the teleoperation loses its WiFi or the message queue runs dry, the robot drives on at its last
+speed. A repeated command also defeats the time-out of the motor controller that it is sent to.
+
+## Bad
+```python
+def on_twist(self, msg):
+    self.command = msg
+
+def tick(self):
+    self.publisher.publish(self.command)
+```
+
+## Good
+```python
+def on_twist(self, msg):
+    self.command, self.received_at = msg, self.get_clock().now()
+
+def tick(self):
+    late = self.get_clock().now() - self.received_at > Duration(seconds=0.5)
+    self.publisher.publish(Twist() if late else self.command)
+```
+
+## When to ignore it
+When the firmware of the motors stops them by itself, and the node does not repeat commands.
+
+## References
+- ros2_controllers, diff_drive_controller: cmd_vel_timeout
+- Nav2, velocity smoother: velocity_timeout
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import nodes
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+ADVICE = "keep the time of the last command, and stop when it is older than half a second"
+
+
+@rule("warning", confidence="medium", tags=["CWE-672"])
+def command_no_timeout(robot: Robot) -> Iterator[Finding]:
+    seen = set()
+    for found in nodes.repeated(robot.nodes):
+        if found.where not in seen:
+            seen.add(found.where)
+            yield finding(
+                found.where,
+                f"{found.timer} sends {found.kept} however old it is: without new commands the robot drives on",
+                advice=ADVICE,
+                severity=nodes.lowered(robot.nodes.purpose(found.source), "warning"),
+                related=[note(found.subscription.span, f"fills {found.kept}")],
+            )
+    for held in nodes.held(robot.nodes):
+        yield finding(
+            held.subscription.span,
+            f"Velocities are written to {held.bus}, which keeps the last: without new commands the robot drives on",
+            advice=ADVICE,
+            severity=nodes.lowered(robot.nodes.purpose(held.source), "warning"),
+        )
