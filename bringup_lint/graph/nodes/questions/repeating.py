@@ -26,14 +26,14 @@ _TYPES = frozenset({"Twist", "TwistStamped", "AckermannDrive", "AckermannDriveSt
 _SENDS = re.compile(r"(?i)(?:publish|write|send|set_?(?:motor|speed|velocity|pwm|wheel)\w*|drive)\Z")
 _TIMED = re.compile(
     r"time_?out|watch_?dog|dead_?man|stale|expir|elapsed|heart_?beat|fail_?safe|deadline|lease|since_?last"
-    r"|last_?\w*(?:time|stamp|recv|received|call)|(?:time|stamp)\w*_?last|no_?(?:cmd|command)|\bstamp\b|\bage\b"
-    r"|(?:now|time|monotonic|clock)\(\)[\w.()]*\s*-|-\s*(?:self\.|this->)?(?:last|prev)\w*",
+    r"|last_?\w{0,20}(?:time|stamp|recv|received|call)|(?:time|stamp)\w{0,20}last|no_?(?:cmd|command)|\bstamp\b|\bage\b"
+    r"|(?:now|time|monotonic|clock)\(\)[\w.()]{0,40}\s{0,3}-|-\s{0,3}(?:self\.|this->)?(?:last|prev)",
     re.I,
 )
 """What code that ends a motion by time has in it somewhere."""
 _DRIVES = re.compile(r"(?i)motor|wheel|vtarget|throttle|thrust|pwm")
 _REPORTS = re.compile(r"(?i)odom|state|status|feedback|metric|debug|diagnos|monitor")
-_COMMENT = re.compile(r"//[^\n]*|#[^\n]*|/\*.*?\*/", re.S)
+_COMMENT = re.compile(r"//[^\n]*|#[^\n]*|/\*(?:[^*]|\*(?!/))*(?:\*/|\Z)")
 _OTHER_TIMEOUTS = re.compile(
     r"\b(?:read_|write_|write|socket_)?timeout(?:_sec)?\s*=\s*[^,)\n]+"
     r"|SerialTimeout\w*|serial::Timeout|setTimeout|TimeoutError"
