@@ -58,6 +58,7 @@ from bringup_lint.graph.systemd.unit_edits import move_lines
 from bringup_lint.graph.systemd.unit_lines import Line
 from bringup_lint.graph.systemd.units import Units
 from bringup_lint.model.unit import Assignment
+from bringup_lint.parsers.systemd_values import is_unit_name
 from bringup_lint.parsers.systemd_values.commands import Command
 from bringup_lint.parsers.systemd_values.problems import ValueProblem
 
@@ -105,6 +106,7 @@ __all__ = [
     "has_trigger",
     "hidden_home",
     "is_own_program",
+    "is_unit_name",
     "lift_comment",
     "limit_line",
     "log_directory",

@@ -91,6 +91,8 @@ def _unsourced(robot: Robot, unit: Unit, process: Process, lost: list[Process]) 
     if process.profiles or unit.unsure_of() or any(environment.get(name) for name in ENOUGH):
         return
     found = [(step, ros) for step, ros in process.ros if not process.sourced_before(step)]
+    if found and is_bare(process, found[0][1]):
+        return
     if found and not hidden(process, *found[0]):
         step, ros = found[0]
         name = ros.program.rpartition("/")[2]
@@ -115,6 +117,11 @@ def sources_only(process: Process) -> bool:
     """Whether the line sources setup files and does nothing with them."""
     last = process.steps[-1].command.name
     return bool(process.setup_files) and last in ("source", ".")
+
+
+def is_bare(process: Process, ros: Ros) -> bool:
+    """Whether systemd itself looks for ``ros2``, which systemd/exec-bare-ros2 finds."""
+    return ros.program == "ros2" and ros.program.span == process.program.span
 
 
 def hidden(process: Process, step: Step, ros: Ros) -> bool:

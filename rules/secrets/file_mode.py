@@ -38,7 +38,7 @@ from bringup_lint.api import rule
 @rule("error", tags=["CWE-732"], symptoms=["Permissions 0644 for", "UNPROTECTED PRIVATE KEY FILE"])
 def file_mode(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("ssh-private-key", "sros2-key"):
-        if source.mode is not None and source.judged and source.mode & 0o077 and not is_group_of_keys(source):
+        if source.mode is not None and source.judged and source.mode & 0o077 and not is_told(robot, source):
             yield finding(
                 source,
                 f"{source.basename} is a private key, and others can read it (mode {source.mode:04o})",
@@ -56,6 +56,14 @@ def file_mode(robot: Robot) -> Iterator[Finding]:
                 f"{source.basename} contains secrets, and others can read or change it (mode {source.mode:04o})",
                 advice=f"chmod 640 {source.robot_path or source.name}, owned by root",
             )
+
+
+def is_told(robot: Robot, source: Source) -> bool:
+    """Whether the mode of a key is right, or sros2/key-permissions says what it lets others do."""
+    if source.kind != "sros2-key" or source.mode is None:
+        return False
+    authority = "/private/" in f"/{source.name}"
+    return is_group_of_keys(source) or (robot.tree.complete and bool(source.mode & (0o077 if authority else 0o007)))
 
 
 def is_group_of_keys(source: Source) -> bool:

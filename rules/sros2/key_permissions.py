@@ -49,5 +49,5 @@ def key_permissions(robot: Robot) -> Iterator[Finding]:
                 source,
                 f"{source.basename} has mode {source.mode:04o}: others on the robot can {power}",
                 advice=f"chmod {'600' if authority else '640'}, with the service's group",
-                severity="error" if authority else None,
+                severity="error" if authority or source.mode & 0o004 else None,
             )

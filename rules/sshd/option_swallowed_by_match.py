@@ -42,9 +42,10 @@ def option_swallowed_by_match(robot: Robot) -> Iterator[Finding]:
     for sshd in robot.sshd:
         for file in sshd.files:
             indented = set()
+            refused = {problem.span for problem in file.problems if problem.code == "not-in-match"}
             for option in file.options:
                 match = option.match
-                if match is None or match.always or option.name == "Match":
+                if match is None or match.always or option.name == "Match" or option.keyword.span in refused:
                     continue
                 if option.keyword.span.column > match.keyword.span.column:
                     indented.add(match.keyword.span)

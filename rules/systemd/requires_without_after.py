@@ -38,6 +38,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api import systemd
 
 ORDERED = (".mount", ".automount", ".swap", ".slice", ".scope")
 EARLY = ("sysinit.target", "basic.target", "network-online.target", "local-fs.target")
@@ -54,7 +55,13 @@ def requires_without_after(robot: Robot) -> Iterator[Finding]:
                 if line.opaque or not line.span.source.judged:
                     continue
                 for word in line.value.words():
-                    if "%" in word or word.endswith(ORDERED) or word in EARLY or word == unit.name:
+                    if (
+                        "%" in word
+                        or word.endswith(ORDERED)
+                        or word in EARLY
+                        or word == unit.name
+                        or not systemd.is_unit_name(word)
+                    ):
                         continue
                     other = units.find(word, unit)
                     if other is None and (word.endswith(".socket") or len(units.candidates(word, unit.manager)) > 1):

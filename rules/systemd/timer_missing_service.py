@@ -35,6 +35,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api import systemd
 
 
 @rule("error", symptoms=["to trigger not loaded", "Refusing to start"])
@@ -46,6 +47,8 @@ def timer_missing_service(robot: Robot) -> Iterator[Finding]:
             continue
         named = unit.get("Unit", "Timer")
         target = str(named or f"{unit.stem}.service")
+        if not systemd.is_unit_name(target):
+            continue
         if (named is not None and unit.is_opaque(named)) or robot.units.exists(target, unit) is not False:
             continue
         yield finding(

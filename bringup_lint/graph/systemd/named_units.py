@@ -100,6 +100,8 @@ class NamedUnits:
     def is_missing(self, name: str, near: Unit) -> bool:
         """Whether a unit that ``near`` names is provably, or in a repository most likely, not there: nothing
         provides it, no script makes it, and it looks like one of the robot's own."""
+        if not is_unit_name(name):
+            return False
         if self.exists(name, near) is not False or self.is_distribution_unit(name):
             return False
         return self.files.tree.complete or (self.is_own(name, near) and not self.is_made_by_script(name))
