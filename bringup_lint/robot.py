@@ -566,13 +566,16 @@ class Robot:
         return sources.expected(self.launch_commands)
 
     @cached_property
-    def observed(self) -> Observed | None:
-        """The running graph, compared with the files; None in a run that looks at files only."""
+    def observed(self) -> Observed:
+        """The running graph, compared with the files. Only the rules of ``live`` may ask: raises LookupError in a run
+        that looks at files only."""
         from bringup_lint.parsers.observed import KIND
         from bringup_lint.parsers.observed import parse
 
         graphs = self.parsed(parse, self.of_kind(KIND))
-        return self.compared(graphs[0]) if graphs else None
+        if not graphs:
+            raise LookupError("no running graph was read")
+        return self.compared(graphs[0])
 
     def compared(self, graph: ObservedGraph) -> Observed:
         """A running graph, compared with the files."""

@@ -101,7 +101,6 @@ def _compare(outputs: list[Output], paths: tuple[str, ...], options: dict[str, A
     _known(robot)
     robot.join(loaded(options["load"]) if options["load"] else seen(robot, options))
     observed = robot.observed
-    assert observed is not None, "the graph has joined the robot"
     if observed.graph.problems:
         raise ConfigError(f"{options['load']}: not a graph that bringup-lint live --save wrote")
     _tell(robot, observed)

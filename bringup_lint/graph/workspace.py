@@ -77,6 +77,11 @@ class Package:
         return str(self.manifest.name)
 
     @property
+    def place(self) -> Located | Source:
+        """Where the package has its name."""
+        return self.manifest.name or self.manifest.source
+
+    @property
     def installs_known(self) -> bool:
         return self.complete and all(build.installs_known for build in self.builds)
 

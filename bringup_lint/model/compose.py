@@ -86,6 +86,10 @@ class Service:
         entry = self.body.entry(key)
         return entry[0].value if entry else self.base.key(key) if self.base else None
 
+    def place_of(self, key: str) -> Located:
+        """Where the key is written; the name of the service without it."""
+        return self.key(key) or self.name
+
     def scalar(self, key: str) -> Located | None:
         node = self.get(key)
         return node.value if isinstance(node, Scalar) and not node.is_null else None

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from dataclasses import field
+from typing import NamedTuple
 
 from bringup_lint.source import Located
 from bringup_lint.source import Source
@@ -24,6 +25,14 @@ class Opening:
     """False when a port holds a variable that nothing sets."""
 
 
+class Ports(NamedTuple):
+    """Ports that a rule opens, from the lowest to the highest."""
+
+    where: Located | Span
+    first: int
+    last: int
+
+
 @dataclass(eq=False, slots=True)
 class Firewall:
     source: Source
@@ -38,5 +47,10 @@ class Firewall:
     """A whole subnet or interface is let in, or everything."""
 
     @property
-    def udp(self) -> list[Opening]:
-        return [each for each in self.openings if each.protocol in ("udp", "") and each.first is not None]
+    def udp(self) -> list[Ports]:
+        """The ports that are open to UDP, where they are known."""
+        return [
+            Ports(each.where, each.first, each.last)
+            for each in self.openings
+            if each.protocol in ("udp", "") and each.first is not None and each.last is not None
+        ]

@@ -8,6 +8,7 @@ from dataclasses import field
 
 from bringup_lint.source import Located
 from bringup_lint.source import Source
+from bringup_lint.source import Span
 
 BLOCK_DEVICE = re.compile(r"/dev/|(?:UUID|LABEL|PARTUUID|PARTLABEL|ID)=")
 VIRTUAL = frozenset(("tmpfs", "ramfs", "proc", "sysfs", "devpts", "overlay", "none", "debugfs", "tracefs", "cgroup2"))
@@ -35,6 +36,11 @@ class Mount:
         return found[-1].part(len(name) + 1, len(found[-1])) if found else None
 
     @property
+    def place(self) -> Located:
+        """The mount point, where the line has one, else the device."""
+        return self.target or self.device
+
+    @property
     def is_block(self) -> bool:
         return bool(BLOCK_DEVICE.match(self.device)) and self.type not in VIRTUAL and not self.has("bind", "rbind")
 
@@ -49,8 +55,12 @@ class Mount:
         return bool(found) and found[-1] == "ro"
 
     @property
-    def last_option(self) -> Located | None:
-        return self.fields[3] if len(self.fields) > 3 else None
+    def end_of_options(self) -> Span | None:
+        """Where another option is written."""
+        if len(self.fields) < 4:
+            return None
+        span = self.fields[3].span
+        return Span(span.source, span.end, span.end)
 
 
 @dataclass(eq=False, slots=True)

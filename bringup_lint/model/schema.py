@@ -163,6 +163,18 @@ class Remark(Problem):
         return self.item.path if self.item else ""
 
     @property
+    def known(self) -> Item:
+        """The item of a remark that has one."""
+        assert self.item is not None, f"{self.code} names no item"
+        return self.item
+
+    @property
+    def inside(self) -> Element:
+        """The element of a remark that has one."""
+        assert self.element is not None, f"{self.code} names no element"
+        return self.element
+
+    @property
     def xml_problem(self) -> str:
         """What the XML reader says: ``duplicate attribute, name``."""
         words = self.xml.replace("-", " ")

@@ -97,6 +97,11 @@ class Grant:
     default: Located | None = None
 
     @property
+    def place(self) -> Located:
+        """The subject, where the grant has one."""
+        return self.subject or self.element.name
+
+    @property
     def enclave(self) -> Located | None:
         """The enclave of the subject, when sros2 made it: ``CN=/path``."""
         if self.subject is None or not self.subject.startswith("CN=/") or "," in self.subject:

@@ -50,10 +50,10 @@ def bridge_network_ros(robot: Robot) -> Iterator[Finding]:
         for service in file.services:
             if service.is_on_host_network and service.key("ports") is not None:
                 yield finding(
-                    service.key("ports"),
+                    service.place_of("ports"),
                     f"'{service.name}' is on the host network: its ports are ignored",
                     advice="remove ports:",
-                    related=[note(service.key("network_mode"), "the host network")],
+                    related=[note(service.place_of("network_mode"), "the host network")],
                     severity=None if any(_is_changed(port) for port in service.items("ports")) else "info",
                 )
 
@@ -74,7 +74,7 @@ def _apart(robot: Robot, services: list[Service]) -> Iterator[Finding]:
             service.name,
             f"'{service.name}' is on a bridge network, '{beside[0].name}' on the host's: they never find each other",
             advice="use network_mode: host in both, or a discovery server",
-            related=[note(beside[0].key("network_mode"), f"'{beside[0].name}' is on the host network")],
+            related=[note(beside[0].place_of("network_mode"), f"'{beside[0].name}' is on the host network")],
         )
 
 

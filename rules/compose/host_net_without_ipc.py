@@ -59,11 +59,11 @@ def host_net_without_ipc(robot: Robot) -> Iterator[Finding]:
             service = apart[0]
             other = next(each for each in services if each is not service)
             yield finding(
-                service.key("network_mode"),
+                service.place_of("network_mode"),
                 f"'{service.name}' shares the network with '{other.name}' but not its memory: no data arrives",
                 advice="give all of them ipc: host and the same user, or use a profile without shared memory",
                 related=[
-                    note(each.key("network_mode"), f"'{each.name}' is on the host network too")
+                    note(each.place_of("network_mode"), f"'{each.name}' is on the host network too")
                     for each in services
                     if each is not service
                 ],

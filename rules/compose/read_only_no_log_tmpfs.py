@@ -62,7 +62,7 @@ def read_only_no_log_tmpfs(robot: Robot) -> Iterator[Finding]:
             where = str(place[1])
         if lost:
             yield finding(
-                service.key("read_only"),
+                service.place_of("read_only"),
                 f"ROS cannot write {where} in '{service.name}': every node fails at start",
                 advice="set ROS_LOG_DIR to a directory that tmpfs: or volumes: makes writable",
                 related=[note(place[1], "the log directory")] if place else [],

@@ -34,6 +34,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.yaml import Mapping
 
 
 @rule("warning", symptoms=["Could not enable FIFO RT scheduling policy"])
@@ -41,7 +42,7 @@ def rt_limits_missing(robot: Robot) -> Iterator[Finding]:
     for service in robot.compose.whole_services:
         word = next((word for word in service.scripts if "ros2_control_node" in word), None)
         limits = service.get("ulimits")
-        limited = hasattr(limits, "get") and limits.get("rtprio") is not None
+        limited = isinstance(limits, Mapping) and limits.get("rtprio") is not None
         may = {"SYS_NICE", "CAP_SYS_NICE", "ALL"} & {item.upper() for item in service.items("cap_add")}
         if word is not None and not service.is_privileged and not limited and not may:
             yield finding(

@@ -52,7 +52,7 @@ def bad_unit(robot: Robot) -> Iterator[Finding]:
         "d": "day",
     }
     for _, remark in robot.dds.remarks(Code.UNIT):
-        units = sizes if remark.item.type == "memsize" else durations
+        units = sizes if remark.known.type == "memsize" else durations
         value, unit = remark.word, remark.detail
         right = next((known for known in units if known.lower() == unit.lower()), None)
         guess = right or (spelled.get(unit.lower()) if spelled.get(unit.lower()) in units else None)
@@ -60,7 +60,7 @@ def bad_unit(robot: Robot) -> Iterator[Finding]:
         change = None
         if guess and unit and value[:end].endswith(unit):
             change = fix(f"write {guess}", (value.part(end - len(unit), end), guess), safe=bool(right))
-        message = f"'{value}': unrecognised unit '{unit}'" if unit else f"{remark.item.name} '{value}' needs a unit"
+        message = f"'{value}': unrecognised unit '{unit}'" if unit else f"{remark.known.name} '{value}' needs a unit"
         yield finding(
             value,
             f"{message}: no participant can be created, no node starts",

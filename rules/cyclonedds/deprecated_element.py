@@ -66,7 +66,7 @@ def deprecated_element(robot: Robot) -> Iterator[Finding]:
                 f"{remark.word} is deprecated in {library}",
                 "remove it, or use its replacement",
             )
-            if remark.item.name == "NetworkInterfaceAddress":
+            if remark.known.name == "NetworkInterfaceAddress":
                 advice = 'write <Interfaces><NetworkInterface name="..."/></Interfaces>'
                 change = interfaces_instead(configuration, remark)
         yield finding(remark.word, message, advice=advice, fix=change)

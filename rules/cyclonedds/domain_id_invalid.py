@@ -36,7 +36,7 @@ from bringup_lint.api.schema import Code
 @rule("error", fix="unsafe", symptoms=["neither 'any' nor a less than 2**32-1"])
 def domain_id_invalid(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.dds.remarks(Code.VALUE):
-        if remark.item.path == "CycloneDDS/Domain@Id":
+        if remark.known.path == "CycloneDDS/Domain@Id":
             yield finding(
                 remark.where,
                 f"The domain Id '{remark.where}' is neither 'any' nor a number: no participant can be "

@@ -41,9 +41,9 @@ from bringup_lint.api.dds import domain_number
 @rule("error", fix="safe")
 def domain_id_mismatch(robot: Robot) -> Iterator[Finding]:
     for configuration in robot.dds.configurations:
-        ids = [domain.id for domain in configuration.domains]
-        numbers = [domain_number(each) for each in ids if each is not None]
-        if not ids or None in ids or None in numbers:
+        ids = [domain.id for domain in configuration.domains if domain.id is not None]
+        numbers = [domain_number(each) for each in ids]
+        if not ids or len(ids) < len(configuration.domains) or None in numbers:
             continue
         for selection in robot.dds.readers(configuration):
             if selection.domain is None or selection.domain in numbers:

@@ -39,7 +39,7 @@ def external_domain_id(robot: Robot) -> Iterator[Finding]:
     for configuration, domain in robot.dds.domains:
         setting = domain.get("Discovery/ExternalDomainId")
         text = (setting.effective or "").strip() if setting else ""
-        if not text.isdecimal():
+        if setting is None or not text.isdecimal():
             continue
         for reader in robot.dds.readers(configuration):
             if reader.domain is not None and reader.domain != int(text):

@@ -49,6 +49,6 @@ def interface_contradiction(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.dds.remarks(Code.AUTODETERMINED):
         yield finding(
             remark.where,
-            f"An interface with autodetermine must not have the {remark.item.name} '{remark.where}': no node starts",
-            advice=f"delete autodetermine, or the {remark.item.name}",
+            f"An interface with autodetermine must not have the {remark.known.name} '{remark.where}': no node starts",
+            advice=f"delete autodetermine, or the {remark.known.name}",
         )

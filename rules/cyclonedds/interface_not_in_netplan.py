@@ -54,12 +54,12 @@ def interface_not_in_netplan(robot: Robot) -> Iterator[Finding]:
         known = [interface for interface in plan.interfaces.values() if interface.device]
         names = list(named_interfaces(domain))
         for setting in names:
-            name = setting.effective
+            name = str(setting.effective)
             required = domain.of(setting.owner, "presence_required")
             optional = required is not None and (required.effective or "false").lower() == "false" and len(names) > 1
             if not known or optional or interface_of_device(plan, name) or may_exist(plan, name):
                 continue
-            if robot.networkmanager.configures(str(name)):
+            if robot.networkmanager.configures(name):
                 continue
             predictable = name.startswith(("en", "wl", "eth0")) and any(each.is_physical for each in known)
             yield finding(

@@ -50,14 +50,17 @@ from bringup_lint.api.dds import named_interfaces
 def interface_not_waited_for(robot: Robot) -> Iterator[Finding]:
     for configuration, domain in robot.dds.domains:
         plan = robot.dds.plan_of(configuration)
-        names = list(named_interfaces(domain)) if plan else []
+        if plan is None:
+            continue
+        names = list(named_interfaces(domain))
         for setting in names:
-            interface = interface_of_device(plan, setting.effective)
+            name = str(setting.effective)
+            interface = interface_of_device(plan, name)
             required = domain.of(setting.owner, "presence_required")
             if required is not None and (required.effective or "false").lower() == "false" and len(names) > 1:
                 continue
             optional = interface.optional if interface is not None else None
-            if optional is not None and optional.value and not robot.dds.waits_for(configuration, setting.effective):
+            if optional is not None and optional.value and not robot.dds.waits_for(configuration, name):
                 yield finding(
                     setting.value,
                     f"The boot does not wait for {setting.effective}: if ROS starts first, no node starts",

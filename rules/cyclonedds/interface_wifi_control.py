@@ -43,7 +43,7 @@ def interface_wifi_control(robot: Robot) -> Iterator[Finding]:
         if plan is None:
             continue
         for setting in named_interfaces(domain):
-            interface = interface_of_device(plan, setting.effective)
+            interface = interface_of_device(plan, str(setting.effective))
             if interface is not None and interface.is_wifi:
                 yield finding(
                     setting.value,

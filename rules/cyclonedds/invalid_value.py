@@ -51,11 +51,11 @@ from bringup_lint.api.schema import Code
 def invalid_value(robot: Robot) -> Iterator[Finding]:
     booleans = {"no": "false", "off": "false", "0": "false", "yes": "true", "on": "true", "1": "true"}
     for configuration, remark in robot.dds.remarks(Code.VALUE, Code.RANGE, Code.EXPANSION, Code.PRIORITY, Code.ADDRESS):
-        name = remark.item.name
+        name = remark.known.name
         if name == "Id" or accepted_by(configuration, remark):
             continue
-        taken = taken_by(remark.item)
-        word = booleans.get(remark.word.lower()) if "true" in words_of(remark.item) else None
+        taken = taken_by(remark.known)
+        word = booleans.get(remark.word.lower()) if "true" in words_of(remark.known) else None
         if remark.code == Code.EXPANSION:
             message = f"Cyclone DDS cannot expand '{remark.word}' ({remark.detail}): no node starts"
         elif remark.code == Code.PRIORITY:

@@ -72,7 +72,9 @@ def _in_the_next_domain(domain: Domain) -> Iterator[Finding]:
     for path in ("Discovery/MaxAutoParticipantIndex", "Discovery/ParticipantIndex"):
         setting = domain.get(path)
         text = setting.effective if setting else None
-        if text and text.isdecimal() and 119 < int(text) < 100000 and not domain.found("Discovery/Ports"):
+        if setting is None or not text or not text.isdecimal() or domain.found("Discovery/Ports"):
+            continue
+        if 119 < int(text) < 100000:
             port = 7400 + 10 + 2 * int(text)
             yield finding(
                 setting.value,
@@ -104,7 +106,8 @@ def _fixed(index: Setting, readers: list[Selection]) -> Finding:
 def _too_few(robot: Robot, domain: Domain, index: Setting, readers: list[Selection]) -> Iterator[Finding]:
     count = sum(each.processes for each in readers)
     limit = domain.get("Discovery/MaxAutoParticipantIndex")
-    highest = int(limit.effective) if limit and (limit.effective or "").isdecimal() else 9 if not limit else None
+    text = "9" if limit is None else limit.effective or ""
+    highest = int(text) if text.isdecimal() else None
     if highest is None or (limit is None and not robot.dds.old_discovery) or count <= highest + 1:
         return
     yield finding(

@@ -46,9 +46,9 @@ def missing_unit(robot: Robot) -> Iterator[Finding]:
         value = remark.word
         plain = value.strip().isdecimal()
         if unit == "B":
-            message = f"{remark.item.name} {value} is read as {value} bytes, with a warning at every start"
+            message = f"{remark.known.name} {value} is read as {value} bytes, with a warning at every start"
         else:
-            message = f"{remark.item.name} {value} is read as {value} {unit}, not seconds"
+            message = f"{remark.known.name} {value} is read as {value} {unit}, not seconds"
         yield finding(
             value,
             message,

@@ -41,7 +41,7 @@ from bringup_lint.api.schema import Code
 @rule("error", symptoms=["element missing in configuration"])
 def missing_value(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.dds.remarks(Code.MISSING):
-        if remark.item.path.endswith("/Peer@Address"):
+        if remark.known.path.endswith("/Peer@Address"):
             continue
         yield finding(
             remark.where,

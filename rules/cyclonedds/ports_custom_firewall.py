@@ -51,8 +51,9 @@ def ports_custom_firewall(robot: Robot) -> Iterator[Finding]:
         settings = {name: domain.get(f"Discovery/Ports/{name}") for name in DEFAULTS}
         given = {name: setting for name, setting in settings.items() if setting is not None}
         texts = {name: (setting.effective or "").strip() for name, setting in given.items()}
-        numbers = {reader.domain for reader in robot.dds.readers(configuration)}
-        if not given or not all(text.isdecimal() for text in texts.values()) or len(numbers) != 1 or None in numbers:
+        domains = [reader.domain for reader in robot.dds.readers(configuration)]
+        numbers = {number for number in domains if number is not None}
+        if not given or not all(text.isdecimal() for text in texts.values()) or len(numbers) != 1 or None in domains:
             continue
         values = DEFAULTS | {name: int(text) for name, text in texts.items()}
         if values == DEFAULTS:

@@ -48,7 +48,8 @@ def tracing_left_on(robot: Robot) -> Iterator[Finding]:
         category = domain.get("Tracing/Category")
         level = (verbosity.effective or "").lower() if verbosity else ""
         traced = level not in ("", "none") or bool(category and category.effective)
-        if level in ("fine", "finer", "finest") and "debug" not in configuration.source.name.lower():
+        meant = "debug" in configuration.source.name.lower()
+        if verbosity is not None and level in ("fine", "finer", "finest") and not meant:
             yield finding(
                 verbosity.value,
                 f"Tracing at '{level}' slows every node and fills the disk",
@@ -57,7 +58,7 @@ def tracing_left_on(robot: Robot) -> Iterator[Finding]:
             )
         file = domain.get("Tracing/OutputFile")
         folder = (file.effective or "").rpartition("/")[0] if file else ""
-        if traced and folder.startswith("/") and robot.tree.has(folder) is False:
+        if file is not None and traced and folder.startswith("/") and robot.tree.has(folder) is False:
             yield finding(
                 file.value,
                 f"{folder} does not exist: the trace file cannot be opened for writing, no node starts",

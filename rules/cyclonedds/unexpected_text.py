@@ -36,15 +36,15 @@ from bringup_lint.api.schema import Code
 @rule("error", symptoms=["no data expected"])
 def unexpected_text(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.dds.remarks(Code.TEXT):
-        if remark.item.name == "Peer":
+        if remark.known.name == "Peer":
             continue
-        attributes = [item.name for item in remark.item.attributes.values()]
+        attributes = [item.name for item in remark.known.attributes.values()]
         takes = f"attributes ({', '.join(attributes)})" if attributes else "other elements"
         what = f"accepts {takes}, but no text"
-        if remark.item.type != "group":
+        if remark.known.type != "group":
             what = "cannot have both text and other elements"
         yield finding(
             remark.where,
-            f"{remark.item.name} {what}: no participant can be created, no node starts",
+            f"{remark.known.name} {what}: no participant can be created, no node starts",
             advice=f'write the value as {attributes[0]}="..."' if len(attributes) in (1, 2) else "remove the text",
         )

@@ -45,7 +45,8 @@ LAUNCH = re.compile(r"\bros2[\s\",\[\]]+launch\b")
 def stopsignal(robot: Robot) -> Iterator[Finding]:
     for file in robot.dockerfiles:
         stage = file.final
-        if stage is None or (stage.last("STOPSIGNAL") and stage.last("STOPSIGNAL").value in ("SIGINT", "2")):
+        signal = stage.last("STOPSIGNAL") if stage is not None else None
+        if stage is None or (signal is not None and signal.value in ("SIGINT", "2")):
             continue
         runs = next((i for i in (stage.last("CMD"), stage.last("ENTRYPOINT")) if i and LAUNCH.search(i.value)), None)
         services = [service for service in robot.compose.services if robot.compose.stage(service) is stage]
@@ -59,6 +60,6 @@ def stopsignal(robot: Robot) -> Iterator[Finding]:
             runs.value,
             "docker stop sends SIGTERM: ros2 launch exits before its nodes, and Docker kills them",
             advice="add STOPSIGNAL SIGINT",
-            fix=fix("add STOPSIGNAL SIGINT", here) if stage.last("STOPSIGNAL") is None else None,
+            fix=fix("add STOPSIGNAL SIGINT", here) if signal is None else None,
             severity=None if is_deployed(robot.compose, file) else "info",
         )

@@ -60,7 +60,7 @@ def conflict_between_sources(robot: Robot) -> Iterator[Finding]:
     for name in ("ROS_DOMAIN_ID", "RMW_IMPLEMENTATION"):
         for group in _together(robot):
             found = [(process, variable) for process in group if (variable := _known(process, name))]
-            values: dict[str, list] = {}
+            values: dict[str | None, list] = {}
             for process, variable in found:
                 values.setdefault(variable.text, []).append((process, variable))
             yield from _overruled_by_script(name, found)

@@ -92,4 +92,4 @@ def _across(robot: Robot, unit: Unit) -> Iterator[Finding]:
 
 
 def _shown(name: Located | str, value: str | None) -> str:
-    return "" if _SECRET.search(name) or len(value) > 40 else f" ({value})"
+    return "" if value is None or _SECRET.search(name) or len(value) > 40 else f" ({value})"

@@ -46,8 +46,10 @@ def ros_domain_id_default_zero(robot: Robot) -> Iterator[Finding]:
         if not free or robot.dds.keeps_to_itself(process) or robot.ros.is_development(process.where):
             continue
         machine = next(iter(robot.dds.machines_of(process)), None)
+        if machine is None:
+            continue
         where = domain.value if domain else machine
-        if machine is None or where.span in said:
+        if where.span in said:
             continue
         said.add(where.span)
         yield finding(

@@ -43,7 +43,7 @@ def ros_domain_id_ephemeral(robot: Robot) -> Iterator[Finding]:
         return
     for setting in robot.ros.of("ROS_DOMAIN_ID"):
         number = domain_id(setting.text).number
-        if number in EPHEMERAL_DOMAINS:
+        if number is not None and number in EPHEMERAL_DOMAINS:
             yield finding(
                 setting.value,
                 f"Domain {number} uses ports from {7400 + 250 * number} on, which outgoing connections may take first:"

@@ -35,6 +35,7 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
+from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
@@ -62,7 +63,7 @@ def ros_log_dir_unset_service(robot: Robot) -> Iterator[Finding]:
             )
 
 
-def _homeless(robot: Robot, unit: Unit) -> tuple[Located | None, str] | tuple[Located, str] | None:
+def _homeless(robot: Robot, unit: Unit) -> tuple[Located | Span, str] | None:
     """The place that says that the service has no home, and why."""
     if unit.unsure_of("User", "DynamicUser", section="Service"):
         return None
@@ -71,6 +72,6 @@ def _homeless(robot: Robot, unit: Unit) -> tuple[Located | None, str] | tuple[Lo
         return identity.dynamic.at, "A dynamic user has no home"
     user = identity.user
     home = robot.accounts.home_of(str(identity.name)) if user and robot.tree.complete else None
-    if home and (home == "/nonexistent" or robot.tree.has(home) is False):
+    if user is not None and home and (home == "/nonexistent" or robot.tree.has(home) is False):
         return user, f"The home of {user}, {home}, does not exist"
     return None

@@ -60,8 +60,9 @@ def zenoh_config_invalid(robot: Robot) -> Iterator[Finding]:
 
 
 def _file(robot: Robot, variable: Variable, process: RosProcess) -> Iterator[Finding]:
-    source = robot.tree.find(variable.text)
-    if source is None and robot.tree.has(variable.text) is False:
+    path = variable.text or ""
+    source = robot.tree.find(path)
+    if source is None and robot.tree.has(path) is False:
         yield finding(
             variable.value,
             f"{variable.text} does not exist: zenoh opens no session, and {process.name} starts no node",

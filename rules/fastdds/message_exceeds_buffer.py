@@ -54,7 +54,8 @@ def message_exceeds_buffer(robot: Robot) -> Iterator[Finding]:
             name, kind = transport.find("transport_id"), transport.find("type")
             if name is None or kind is None or name.text not in used:
                 continue
-            size = number(transport.find("maxMessageSize"), 65500)
+            largest = transport.find("maxMessageSize")
+            size = number(largest, 65500)
             limits = (
                 [("segment_size", 524288)] if kind.text == "SHM" else [("sendBufferSize", 0), ("receiveBufferSize", 0)]
             )
@@ -63,17 +64,16 @@ def message_exceeds_buffer(robot: Robot) -> Iterator[Finding]:
                 limit = number(element, default)
                 if size is None or not limit or size <= limit:
                     continue
-                where = element if element is not None else transport.find("maxMessageSize")
+                where = next(each for each in (element, largest, transport) if each is not None)
                 yield finding(
                     where.text,
                     f"Messages of {size} bytes do not fit {limit_name} {limit}: no participant can be "
                     "created, no node starts",
                     advice=f"raise {limit_name}, or lower maxMessageSize",
                 )
-            if kind.text.startswith("UDP") and size is not None and size > 65500:
-                text = transport.find("maxMessageSize").text
+            if largest is not None and kind.text.startswith("UDP") and size is not None and size > 65500:
                 message = (
                     f"{size} bytes are more than a UDP message can carry (65500): no participant can be "
                     "created, no node starts"
                 )
-                yield finding(text, message, advice="write 65500 or less")
+                yield finding(largest.text, message, advice="write 65500 or less")

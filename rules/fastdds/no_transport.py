@@ -41,7 +41,9 @@ def no_transport(robot: Robot) -> Iterator[Finding]:
         for profile in profiles.of_kind("participant"):
             rtps = profile.element.find("rtps")
             switch = rtps.find("useBuiltinTransports") if rtps is not None else None
-            if switch is None or switch.text not in ("false", "0") or profiles.dropped or not profile.is_default:
+            if rtps is None or switch is None or switch.text not in ("false", "0"):
+                continue
+            if profiles.dropped or not profile.is_default:
                 continue
             if rtps.find("userTransports") is None and rtps.find("builtinTransports") is None:
                 yield finding(

@@ -75,7 +75,7 @@ def shm_docker(robot: Robot) -> Iterator[Finding]:
 def _shares_by_default(process: RosProcess) -> bool:
     """Whether it surely runs Fast DDS on the host's network, as far as its environment shows."""
     environment, service = process.environment, process.service
-    if not service.is_on_host_network or any(name in environment for name in OTHERWISE):
+    if service is None or not service.is_on_host_network or any(name in environment for name in OTHERWISE):
         return False
     if any(str(volume.target).rstrip("/") in ("/dev/shm", "/dev") for volume in service.volumes):
         return False

@@ -48,12 +48,15 @@ def socket_buffer_exceeds_sysctl(robot: Robot) -> Iterator[Finding]:
             continue
         for element in profiles.document.elements:
             name = limits.get(str(element.name))
+            parameter = robot.sysctl.get(name) if name else None
             limit = robot.sysctl.number(name) if name and robot.sysctl.certain else None
-            if limit is not None and element.text.isdecimal() and int(element.text[:12]) > limit:
+            if parameter is None or limit is None:
+                continue
+            if element.text.isdecimal() and int(element.text[:12]) > limit:
                 yield finding(
                     element.text,
                     f"The kernel grants {limit} bytes ({name}), not {element.text}: large messages are still dropped",
                     advice=f"set {name} = {element.text} in /etc/sysctl.d",
-                    related=[note(robot.sysctl.get(name).value, "the limit")],
+                    related=[note(parameter.value, "the limit")],
                     chain=robot.provenance.chain_to(element.text, f"DDS requests {element.text} bytes"),
                 )

@@ -38,11 +38,11 @@ from bringup_lint.api import rule
 def two_default_profiles(robot: Robot) -> Iterator[Finding]:
     for profiles in robot.dds.profile_files:
         for kind in ("participant", "data_writer", "data_reader", "topic"):
-            first, *others = [profile for profile in profiles.of_kind(kind) if profile.is_default] or [None]
-            for profile in others:
+            marks = [each.default for each in profiles.of_kind(kind) if each.is_default and each.default is not None]
+            for mark in marks[1:]:
                 yield finding(
-                    profile.default,
+                    mark,
                     f"Two {kind} profiles are the default: only one is used, and no message says which",
                     advice="keep one",
-                    related=[note(first.default, "the first one")],
+                    related=[note(marks[0], "the first one")],
                 )

@@ -70,6 +70,6 @@ def unknown_element(robot: Robot) -> Iterator[Finding]:
             advice = f"write {near}"
         elif places:
             advice = f"move it into {places[0]}"
-        safe = bool(near) and near.lower() == name.lower()
+        safe = near is not None and near.lower() == name.lower()
         change = fix(f"rename to {near}", *renamed(name, near), safe=safe) if near and not others else None
         yield finding(name, message, advice=advice, severity=severity, fix=change)

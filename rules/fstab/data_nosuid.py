@@ -38,12 +38,12 @@ def data_nosuid(robot: Robot) -> Iterator[Finding]:
     for fstab in robot.fstabs:
         for mount in fstab.mounts:
             target = mount.target
-            if target is None or not mount.options or target in ("/run", "/dev/shm"):
+            end = mount.end_of_options
+            if target is None or end is None or target in ("/run", "/dev/shm"):
                 continue
             data = mount.is_block and target.startswith(("/data", "/mnt", "/media", "/srv"))
             missing = [name for name in ("nosuid", "nodev") if not mount.has(name, "user", "users")]
             if missing and (data or mount.is_tmpfs):
-                end = mount.last_option.span.source.span(mount.last_option.span.end, mount.last_option.span.end)
                 yield finding(
                     target,
                     f"{target} allows setuid files and device nodes",

@@ -50,5 +50,5 @@ def duplicate_mount(robot: Robot) -> Iterator[Finding]:
                     target,
                     f"{target} is mounted twice: only the first line applies at boot",
                     advice="delete one of the lines",
-                    related=[note(other.target, "the first line")],
+                    related=[note(other.place, "the first line")],
                 )

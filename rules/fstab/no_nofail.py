@@ -42,12 +42,12 @@ def no_nofail(robot: Robot) -> Iterator[Finding]:
     for fstab in robot.fstabs:
         for mount in fstab.mounts:
             target = mount.target
-            if target is None or not mount.is_block or not target.startswith("/") or len(mount.fields) < 4:
+            end = mount.end_of_options
+            if target is None or end is None or not mount.is_block or not target.startswith("/"):
                 continue
             system = target.rstrip("/") == "" or any(f"{target}/".startswith(f"{folder}/") for folder in SYSTEM)
             if system or mount.has("nofail", "noauto", "x-systemd.automount", "_netdev"):
                 continue
-            end = mount.last_option.span.source.span(mount.last_option.span.end, mount.last_option.span.end)
             yield finding(
                 target,
                 f"Without {mount.device} the boot ends in the emergency shell after 90 s",

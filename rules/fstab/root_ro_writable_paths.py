@@ -39,5 +39,5 @@ def root_ro_writable_paths(robot: Robot) -> Iterator[Finding]:
             where,
             f"{unit.name} writes to {path}, but / is read-only",
             advice="move it to a data partition or a tmpfs",
-            related=[note(mount.target, "mounted read-only")],
+            related=[note(mount.place, "mounted read-only")],
         )

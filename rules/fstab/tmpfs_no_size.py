@@ -35,9 +35,9 @@ from bringup_lint.api import rule
 def tmpfs_no_size(robot: Robot) -> Iterator[Finding]:
     for fstab in robot.fstabs:
         for mount in fstab.mounts:
-            if mount.is_tmpfs and not mount.has("size", "nr_blocks") and mount.target not in ("/dev/shm", "/run"):
+            if mount.is_tmpfs and not mount.has("size", "nr_blocks") and mount.place not in ("/dev/shm", "/run"):
                 yield finding(
-                    mount.target,
-                    f"The tmpfs on {mount.target} can use half of the memory",
+                    mount.place,
+                    f"The tmpfs on {mount.place} can use half of the memory",
                     advice="add size=128M, or the size that you need",
                 )

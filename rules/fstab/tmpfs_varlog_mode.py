@@ -39,10 +39,10 @@ from bringup_lint.api import rule
 def tmpfs_varlog_mode(robot: Robot) -> Iterator[Finding]:
     for fstab in robot.fstabs:
         for mount in fstab.mounts:
-            if mount.is_tmpfs and mount.target.rstrip("/") == "/var/log" and not mount.has("mode") and mount.options:
-                end = mount.last_option.span.source.span(mount.last_option.span.end, mount.last_option.span.end)
+            end = mount.end_of_options
+            if mount.is_tmpfs and mount.place.rstrip("/") == "/var/log" and not mount.has("mode") and end is not None:
                 yield finding(
-                    mount.target,
+                    mount.place,
                     "/var/log has mode 1777: everyone can write there, and logrotate refuses to rotate",
                     advice="add mode=0755",
                     fix=fix("add mode=0755", (end, ",mode=0755")),

@@ -41,7 +41,7 @@ def varlog_tmpfs_dirs(robot: Robot) -> Iterator[Finding]:
     for mount, path, where, unit in robot.mounts.missing_directories:
         yield finding(
             where,
-            f"{path} is gone after every boot: {mount.target} is a tmpfs, and nothing creates the directory",
+            f"{path} is gone after every boot: {mount.place} is a tmpfs, and nothing creates the directory",
             advice=f"add LogsDirectory= to {unit.name}, or a tmpfiles.d line: d {path} 0755 robot robot -",
-            related=[note(mount.target, "the tmpfs")],
+            related=[note(mount.place, "the tmpfs")],
         )

@@ -51,7 +51,7 @@ def fail2ban_auth_log_missing(robot: Robot) -> Iterator[Finding]:
         if mount is not None and mount.is_tmpfs:
             yield finding(
                 path,
-                f"{path} does not exist when fail2ban starts: {mount.target} is a tmpfs",
+                f"{path} does not exist when fail2ban starts: {mount.place} is a tmpfs",
                 advice="write backend = systemd",
-                related=[note(mount.target, "the tmpfs")],
+                related=[note(mount.place, "the tmpfs")],
             )

@@ -58,19 +58,19 @@ def persistent_on_tmpfs(robot: Robot) -> Iterator[Finding]:
     storage = daemon.get("Storage", read=str)
     use, size = daemon.get("SystemMaxUse", read=bytes_of), mount.option("size")
     room = bytes_of(size.upper()) if size else None
-    too_large = use is not None and room is not None and use[1] >= room
+    excess = use[0] if use is not None and room is not None and use[1] >= room else None
     if storage is not None and storage[1] == "persistent":
         yield finding(
             storage[0],
             "The journal is on a tmpfs: it is lost at power-off"
-            + (f", and {use[0]} does not fit in {size}" if too_large else ""),
+            + (f", and {excess} does not fit in {size}" if excess else ""),
             advice="mount a data partition on /var/log/journal, or set Storage=volatile",
-            related=[note(mount.target, f"a tmpfs is mounted on {mount.target}")],
+            related=[note(mount.place, f"a tmpfs is mounted on {mount.place}")],
         )
-    elif too_large:
+    elif excess is not None and size is not None:
         yield finding(
-            use[0],
-            f"The journal may grow to {use[0]}, but the tmpfs that holds it has only {size}",
+            excess,
+            f"The journal may grow to {excess}, but the tmpfs that holds it has only {size}",
             advice="set SystemMaxUse= to at most half of the tmpfs",
             related=[note(size, "the size of the tmpfs")],
             severity="warning",

@@ -50,9 +50,9 @@ def arg_empty_default_path(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         expansion = robot.launch.expansion(file)
         empty = {
-            each.name: each.action
+            each.name: each.action.default.span
             for each in expansion.declared
-            if each.file is file and launch.literal(each.action.default) == ""
+            if each.file is file and each.action.default is not None and launch.literal(each.action.default) == ""
         }
         if not empty:
             continue
@@ -67,7 +67,7 @@ def arg_empty_default_path(robot: Robot) -> Iterator[Finding]:
                 if any(name in names(each.predicate) for each in guards.get(id(action), action.conditions)):
                     continue
                 yield finding(
-                    empty[name].default.span,
+                    empty[name],
                     f"The path '{name}' is empty unless it is passed: {what}",
                     advice="give the argument a real default, or remove the default, so that launch requires a value",
                     related=[note(value.span, "used as a path here")],

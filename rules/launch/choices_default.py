@@ -38,8 +38,9 @@ from bringup_lint.api.spelling import nearest
 def choices_default(robot: Robot) -> Iterator[Finding]:
     for _, action in robot.launch.actions(launch.DeclareArgument):
         default = launch.literal(action.default)
-        choices = [launch.literal(choice) for choice in action.choices or ()]
-        if default is None or not choices or None in choices or default in choices:
+        known = [launch.literal(choice) for choice in action.choices or ()]
+        choices = [choice for choice in known if choice is not None]
+        if default is None or not choices or len(choices) < len(known) or default in choices:
             continue
         near = nearest(default, choices)
         yield finding(

@@ -48,12 +48,12 @@ def condition_literal(robot: Robot) -> Iterator[Finding]:
         for condition in robot.launch.conditions(file):
             if condition.kind not in ("if", "unless"):
                 continue
-            value = condition.predicate
+            value: launch.Value | None = condition.predicate
             argument = value.name if isinstance(value, launch.Argument) else None
             if argument is not None:
                 value = defaults.get(str(argument))
             word = launch.literal(value)
-            if word is None or launch.truth(value) is not None:
+            if value is None or word is None or launch.truth(value) is not None:
                 continue
             meant = MEANT.get(word.strip().lower())
             start = f"The default '{word}' of '{argument}'" if argument is not None else f"'{word}'"

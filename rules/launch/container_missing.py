@@ -41,20 +41,21 @@ def container_missing(robot: Robot) -> Iterator[Finding]:
     for expansion in robot.launch.entries:
         if expansion.open:
             continue
-        containers = {}
+        containers: dict[str | None, launch.Started] = {}
         for node in expansion.nodes:
             name = launch.literal_text(node.name)
             if isinstance(node.action, launch.Node) and (
                 node.action.container or "container" in str(launch.literal_text(node.executable))
             ):
                 containers[name] = node
-        if not containers or None in containers:
+        names = sorted(name for name in containers if name is not None)
+        if not names or len(names) < len(containers):
             continue
         for load in expansion.loads:
             text = launch.literal_text(load.target)
-            if text is None or load.by_default is False or text.rpartition("/")[2] in containers:
+            if text is None or load.by_default is False or text.rpartition("/")[2] in names:
                 continue
-            near = nearest(text.rpartition("/")[2], containers, 3) or sorted(containers)[:1]
+            near = nearest(text.rpartition("/")[2], names, 3) or names[:1]
             yield finding(
                 text,
                 f"Nothing starts the container '{text}': launch waits forever and the components never load",

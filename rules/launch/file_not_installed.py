@@ -36,27 +36,33 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.launch import Package
 from bringup_lint.api.launch import Reference
+
+Missing = tuple[Reference, Package, str]
+"""A use of a file, the package that does not install it, and its path in the package."""
 
 
 @rule("error", symptoms=["FileNotFoundError", "Parameter file path is not a file"])
 def file_not_installed(robot: Robot) -> Iterator[Finding]:
-    missing: dict[tuple[str, str], list[Reference]] = {}
+    missing: dict[tuple[str, str], list[Missing]] = {}
     for file in robot.launch.judged:
         for reference in robot.launch.references(file):
             found = reference.found
-            if found.file is None or found.installed is not False or not robot.tree.is_file(found.file):
+            package = found.package
+            if package is None or found.file is None or found.installed is not False:
                 continue
-            path = os.path.relpath(found.file, found.package.folder)
-            missing.setdefault((found.package.name, os.path.dirname(path) or path), []).append(reference)
-    for reference, *others in missing.values():
-        yield not_installed(robot, reference, others)
+            if not robot.tree.is_file(found.file):
+                continue
+            path = os.path.relpath(found.file, package.folder)
+            missing.setdefault((package.name, os.path.dirname(path) or path), []).append((reference, package, path))
+    for first, *others in missing.values():
+        yield not_installed(robot, first, others)
 
 
-def not_installed(robot: Robot, reference: Reference, others: list[Reference]) -> Finding:
+def not_installed(robot: Robot, first: Missing, others: list[Missing]) -> Finding:
     """One finding for a folder without an install rule, with the other places that use it."""
-    package = reference.found.package
-    path = os.path.relpath(reference.found.file, package.folder)
+    reference, package, path = first
     build = package.builds[0].source
     return finding(
         reference.span,
@@ -66,5 +72,5 @@ def not_installed(robot: Robot, reference: Reference, others: list[Reference]) -
         else f"install it in {build.basename}",
         chain=robot.provenance.chain_to(reference.span, f"{path} is opened"),
         related=[note(build, "what the package installs")]
-        + [note(other.span, f"{os.path.basename(other.found.file)} is not installed either") for other in others],
+        + [note(other.span, f"{os.path.basename(each)} is not installed either") for other, _, each in others],
     )

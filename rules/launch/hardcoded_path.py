@@ -49,7 +49,7 @@ def hardcoded_path(robot: Robot) -> Iterator[Finding]:
                 for each in launch.walk(value):
                     text = launch.literal(each)
                     match = PATH.search(text) if text else None
-                    if match is not None and match[0] not in PLACEHOLDERS:
+                    if text is not None and match is not None and match[0] not in PLACEHOLDERS:
                         yield finding(
                             text.part(*match.span()),
                             f"{match[0]} exists only on one machine or distribution",

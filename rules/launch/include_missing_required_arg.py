@@ -59,8 +59,7 @@ def include_missing_required_arg(robot: Robot) -> Iterator[Finding]:
                 )
     for command in robot.runners.launches:
         passed = {str(name) for name, _ in command.arguments}
-        known = command.file is not None and command.runner.certain
-        if not known:
+        if command.file is None or not command.runner.certain:
             continue
         for declared in robot.launch.expansion(command.file).declared:
             own = declared.file is command.file and not declared.conditions and declared.before is None

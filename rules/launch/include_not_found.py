@@ -43,13 +43,15 @@ def include_not_found(robot: Robot) -> Iterator[Finding]:
             if reference.kind != "include" or reference.found.file is not None or not reference.name:
                 continue
             package = reference.found.package
+            if package is None:
+                continue
             known = [os.path.basename(each.source.name) for each in robot.launch.files_of(package)]
             near = nearest(reference.name, known, 3)
             yield finding(
                 reference.span,
                 f"{reference.name} does not exist in {package.name}: launch aborts",
                 advice=f"include {near[0]}" if near else "correct the path",
-                related=[note(package.manifest.name, f"the package {package.name}")],
+                related=[note(package.place, f"the package {package.name}")],
                 severity="warning" if reference.optional else None,
             )
     yield from commands(robot)
@@ -70,6 +72,6 @@ def commands(robot: Robot) -> Iterator[Finding]:
             command.target,
             f"{command.target} does not exist in {package.name}: {command.runner.name} fails at every start",
             advice=f"launch {near[0]}" if near else "correct the name",
-            related=[note(package.manifest.name, f"the package {package.name}")],
+            related=[note(package.place, f"the package {package.name}")],
             chain=robot.provenance.chain_to(command.target, f"{command.target} is launched"),
         )

@@ -49,15 +49,14 @@ def lc_default_shadowed(robot: Robot) -> Iterator[Finding]:
         }
         for read in file.reads:
             action = declared.get(str(read.name))
-            if action is None or read.default is None or launch.same(read.default, action.default):
+            default = action.default if action is not None else None
+            if action is None or default is None or read.default is None or launch.same(read.default, default):
                 continue
-            if any(
-                isinstance(each, launch.Argument) and each.name == read.name for each in launch.walk(action.default)
-            ):
+            if any(isinstance(each, launch.Argument) and each.name == read.name for each in launch.walk(default)):
                 continue
-            if not (launch.understood(read.default) and launch.understood(action.default)):
+            if not (launch.understood(read.default) and launch.understood(default)):
                 continue
-            if means_the_same(robot.launch.text(action.default, file), robot.launch.text(read.default, file)):
+            if means_the_same(robot.launch.text(default, file), robot.launch.text(read.default, file)):
                 continue
             empty = launch.literal(action.default) == ""
             declaration = "The declared default ''" if empty else "The default of the declaration"

@@ -50,7 +50,7 @@ def lifecycle_bond(robot: Robot) -> Iterator[Finding]:
         for manager in launch.managers(expansion):
             name = manager.bond_timeout.name
             comment = name.span.source.line_text(max(name.line - 1, 1)).strip() if name is not None else ""
-            if comment.startswith("#") and "transition" in comment.lower():
+            if name is not None and comment.startswith("#") and "transition" in comment.lower():
                 yield finding(
                     name,
                     "bond_timeout does not limit a transition: a node without a heartbeat for this long counts as dead",
@@ -62,9 +62,9 @@ def lifecycle_bond(robot: Robot) -> Iterator[Finding]:
                 for managed, node in nodes
                 if robot.launch.role(node).managed and not str(launch.literal_text(node.package)).startswith(BONDED)
             ]
-            if manager.watches is False and not foreign:
+            if name is not None and manager.watches is False and not foreign:
                 yield finding(
-                    manager.bond_timeout.name,
+                    name,
                     "bond_timeout is 0: the manager does not notice when a managed node dies",
                     advice="set bond_timeout to 4.0",
                 )

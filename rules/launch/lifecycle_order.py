@@ -42,8 +42,8 @@ CALLED = {"bt_navigator": ("planner_server", "controller_server", "behavior_serv
 def lifecycle_order(robot: Robot) -> Iterator[Finding]:
     for expansion in robot.launch.expansions:
         for manager in launch.managers(expansion):
-            managed = manager.managed if manager.node.file is expansion.entry else None
-            for index, (name, fqn) in enumerate(managed or ()):
+            managed = (manager.managed if manager.node.file is expansion.entry else None) or []
+            for index, (name, fqn) in enumerate(managed):
                 called = CALLED.get(fqn.rpartition("/")[2], ())
                 late = [later.name for later in managed[index + 1 :] if later.fqn.rpartition("/")[2] in called]
                 if late:

@@ -51,7 +51,7 @@ def node_duplicate_name(robot: Robot) -> Iterator[Finding]:
                 continue
             places = [note(span, "included here") for span in (*other.chain, *node.chain)]
             yield finding(
-                launch.literal_text(node.name),
+                launch.literal_text(node.name) or node.span,
                 f"Two nodes are called {name}: parameter and service calls reach either of them by chance",
                 advice="give each node its own name or namespace",
                 related=[note(other.span, "the other node"), *places],

@@ -53,9 +53,9 @@ def output_missing(robot: Robot) -> Iterator[Finding]:
             end = action.executable.span if action.executable is not None else None
             plain = end is not None and end.source is file.source and action.span.start < end.start <= action.span.end
             repair = None
-            if plain and file.format == "python" and end.text[:1] in "'\"":
+            if end is not None and plain and file.format == "python" and end.text[:1] in "'\"":
                 repair = fix("print to the screen", (end.source.span(end.end, end.end), ", output='screen'"))
-            elif plain and file.format == "xml":
+            elif end is not None and plain and file.format == "xml":
                 repair = fix("print to the screen", (end.source.span(end.end + 1, end.end + 1), ' output="screen"'))
             yield finding(
                 action.span,

@@ -62,7 +62,7 @@ def package_missing(robot: Robot) -> Iterator[Finding]:
                 f"Package '{package}' not found: launch aborts",
                 advice=f"start it from '{near[0]}'",
                 chain=robot.provenance.chain_to_node(node),
-                related=[note(workspace.packages[near[0]].manifest.name, "the package of the workspace")],
+                related=[note(workspace.packages[near[0]].place, "the package of the workspace")],
                 fix=fix(f"write {near[0]}", (package, near[0]), safe=False) if package.span.text == package else None,
             )
         elif not robot.launch.comes_with(owner, package) and (owner.name, package) not in seen:
@@ -74,7 +74,7 @@ def package_missing(robot: Robot) -> Iterator[Finding]:
                 package,
                 f"{package} is not an exec_depend of {owner.name}: {effect}",
                 advice=f"add <exec_depend>{package}</exec_depend> to the package.xml",
-                related=[note(owner.manifest.name, "the package that starts it")],
+                related=[note(owner.place, "the package that starts it")],
                 fix=dependency(owner, package),
                 severity="info",
             )

@@ -45,7 +45,9 @@ def respawn_no_delay(robot: Robot) -> Iterator[Finding]:
             continue
         value = node.action.options.get("respawn")
         delay = node.options.get("respawn_delay")
-        if launch.respawns(node) is not True or (delay is not None and launch.text_of(delay) not in ("0", "0.0")):
+        if value is None or launch.respawns(node) is not True:
+            continue
+        if delay is not None and launch.text_of(delay) not in ("0", "0.0"):
             continue
         span = (node.action.options["respawn_delay"] if delay is not None else value).span
         own = span.source is node.file.source and span.start >= node.span.start and span.end <= node.span.end

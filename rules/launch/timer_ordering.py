@@ -81,7 +81,8 @@ class Awaited(NamedTuple):
 
 def awaited(robot: Robot, file: launch.LaunchFile, timer: launch.Timer) -> Awaited | None:
     """What a timer delays and for what; None when nothing says that it waits."""
-    if launch.text_of(robot.launch.resolved(timer.period, file)) in ("0", "0.0"):
+    period = launch.text_of(robot.launch.resolved(timer.period, file))
+    if period is not None and period in ("0", "0.0"):
         return None
     expansion = robot.launch.expansion(file)
     nodes = launch.delayed(expansion, timer)

@@ -57,7 +57,7 @@ def enclave_unsecured(robot: Robot) -> Iterator[Finding]:
     for node in {str(node.name): node for node in observed.nodes}.values():
         known = observed.expected.named(node.name)
         selected = enclave_of(known.started)[1] if known and known.started else None
-        if selected is None or node.enclave is None or selected == node.enclave or "$" in selected:
+        if known is None or selected is None or node.enclave is None or selected == node.enclave or "$" in selected:
             continue
         yield finding(
             selected,

@@ -57,9 +57,10 @@ def larger_than_tmpfs(robot: Robot) -> Iterator[Finding]:
         limit = stanza.get("size", "minsize") or stanza.get("maxsize")
         mounts = [fstab.mount_of(path) for path in stanza.paths if robot.same_robot(path, fstab.source)]
         mount = next((each for each in mounts if each is not None and each.is_tmpfs and each.option("size")), None)
-        if limit is None or mount is None or stanza.skipped:
+        size = mount.option("size") if mount is not None else None
+        if limit is None or mount is None or size is None or stanza.skipped:
             continue
-        size, each = mount.option("size"), amount(limit.value)
+        each = amount(limit.value)
         room, files = amount(size), 1 + kept(stanza) if limit.name != "maxsize" else 1
         if room is not None and each is not None and files * each > room:
             what = f"{files} files of {limit.value} need" if files > 1 else f"A file of {limit.value} needs"

@@ -44,7 +44,7 @@ def bad_top_level(robot: Robot) -> Iterator[Finding]:
         if not isinstance(problem, Remark):
             continue
         key = problem.word
-        if problem.item.name != "{root}":
+        if problem.known.name != "{root}":
             continue
         change = fix("rename to network", (key, "network")) if nearest(key, ["network"]) else None
         advice = "rename it to network" if change else "only network: is allowed at the top level"

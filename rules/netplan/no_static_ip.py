@@ -43,8 +43,8 @@ def no_static_ip(robot: Robot) -> Iterator[Finding]:
         if plan is None or not fixed or any(i.addresses for i in plan.interfaces.values()):
             continue
         wired = [i for i in plan.interfaces.values() if i.kind == "ethernets" and i.dhcp4]
-        if wired:
-            flag = wired[0].flag("dhcp4")
+        flag = wired[0].flag("dhcp4") if wired else None
+        if flag is not None:
             yield finding(
                 flag.where,
                 f"DDS peers have fixed addresses, but {wired[0].name} gets its own from DHCP",

@@ -46,10 +46,12 @@ def optional_all(robot: Robot) -> Iterator[Finding]:
     if not waiting or plan is None or not plan.is_waited_for:
         return
     interfaces = [i for i in plan.interfaces.values() if i.name not in plan.masters]
-    if interfaces and all(i.optional is not None and i.optional.value for i in interfaces):
+    flags = [i.optional for i in interfaces]
+    optional = [flag for flag in flags if flag is not None and flag.value]
+    if interfaces and len(optional) == len(interfaces):
         name, word = waiting[0]
         yield finding(
-            interfaces[0].optional.where,
+            optional[0].where,
             f"Every interface is optional: {name} starts before any of them has an address",
             advice="remove optional: true from the interface that DDS needs",
             related=[note(word, f"{name} waits for the network here")],

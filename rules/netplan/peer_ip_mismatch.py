@@ -49,7 +49,7 @@ def peer_ip_mismatch(robot: Robot) -> Iterator[Finding]:
         chosen = [domain.of(element, "address") for element in domain.found("General/Interfaces/NetworkInterface")]
         for setting in (*chosen, domain.get("General/NetworkInterfaceAddress")):
             address = setting.effective if setting is not None else None
-            if not address or not is_address(address) or address in own or is_loopback(address):
+            if setting is None or not address or not is_address(address) or address in own or is_loopback(address):
                 continue
             static = [a.text for interface in plan.interfaces.values() for a in interface.addresses]
             yield finding(

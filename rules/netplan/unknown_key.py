@@ -62,10 +62,10 @@ def unknown_key(robot: Robot) -> Iterator[Finding]:
     for problem in robot.netplan.problems(Code.UNKNOWN):
         if not isinstance(problem, Remark):
             continue
-        key, table = problem.word, problem.item.name.strip("{}")
+        key, table = problem.word, problem.known.name.strip("{}")
         if table == "root":
             continue
-        near = [] if key in FOREIGN else nearest(key, problem.item.children)
+        near = [] if key in FOREIGN else nearest(key, problem.known.children)
         elsewhere = None if near else home_of(str(key))
         if near:
             advice = f"did you mean {' or '.join(near)}?"

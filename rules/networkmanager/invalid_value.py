@@ -50,6 +50,6 @@ def invalid_value(robot: Robot) -> Iterator[Finding]:
         if not isinstance(problem, Remark):
             continue
         consequence = "refuses the profile" if problem.fatal else "ignores the line, the default applies"
-        message = f"{problem.item.name} takes {problem.detail}, not '{problem.where}': NetworkManager {consequence}"
+        message = f"{problem.known.name} takes {problem.detail}, not '{problem.where}': NetworkManager {consequence}"
         right = BOOLEANS.get(str(problem.where).lower()) if problem.code == Code.BOOL else None
         yield wrong_value(problem.where, message, right, f"write {problem.detail}")

@@ -44,7 +44,7 @@ def unknown_key(robot: Robot) -> Iterator[Finding]:
     for _, problem in robot.networkmanager.problems(Code.UNKNOWN):
         if not isinstance(problem, Remark):
             continue
-        section, key = problem.item, problem.word
+        section, key = problem.known, problem.word
         near = suggestions(section.children, str(key))
         if near:
             message = f"Unknown key '{key}' in [{section.name}]: NetworkManager ignores it"

@@ -38,11 +38,12 @@ from bringup_lint.api import topics
 
 @rule("info", confidence="medium")
 def estop_software_only(robot: Robot) -> Iterator[Finding]:
-    stops = [each for each in robot.topics.endpoints if each.name is not None and _is_command(each.name)]
+    names = (each.name for each in robot.topics.endpoints)
+    stops = [name for name in names if name is not None and _is_command(name)]
     if stops and not robot.topics.has_stop_hardware:
         yield finding(
-            stops[0].name,
-            f"The only visible emergency stop is the topic {stops[0].name}: it fails together with the network, the "
+            stops[0],
+            f"The only visible emergency stop is the topic {stops[0]}: it fails together with the network, the "
             "computer or the node",
             advice="let a wired circuit cut the drive power; if there is one, ignore this rule in the configuration",
         )

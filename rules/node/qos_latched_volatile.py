@@ -53,8 +53,9 @@ def qos_latched_volatile(robot: Robot) -> Iterator[Finding]:
             continue
         for endpoint in node.endpoints:
             name = topics.tail(endpoint.name or "")
-            volatile = endpoint.qos is not None and endpoint.qos.durability == "VOLATILE"
-            if endpoint.role != "publisher" or LATCHED.get(name) != endpoint.type or not volatile:
+            if endpoint.qos is None or endpoint.qos.durability != "VOLATILE":
+                continue
+            if endpoint.role != "publisher" or LATCHED.get(name) != endpoint.type:
                 continue
             published = topics.published_at_start(robot.nodes.file_of(node), node, endpoint)
             if published:

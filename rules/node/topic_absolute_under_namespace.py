@@ -46,7 +46,7 @@ def topic_absolute_under_namespace(robot: Robot) -> Iterator[Finding]:
             name = uses[0].written
             if not isinstance(name, Located):
                 continue
-            spaces = " and ".join(sorted({use.node.namespace for use in uses}))
+            spaces = " and ".join(sorted({use.node.namespace or "/" for use in uses}))
             yield finding(
                 name,
                 f"'{name}' ignores the namespace: the same program in {spaces} shares one topic, "

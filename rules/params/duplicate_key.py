@@ -45,13 +45,13 @@ def duplicate_key(robot: Robot) -> Iterator[Finding]:
     for file, first, second in robot.params.duplicates:
         wins = robot.params.winner(file, second)
         same = first.value == second.value
-        differ = first.value.type != second.value.type and wins is not None
+        differ = first.value.type != second.value.type
         yield finding(
             second.key,
             f"'{second.name}' is set twice: the {wins.type.replace('_', ' ')} {wins.data!r} applies"
-            if differ
+            if differ and wins is not None
             else f"'{second.name}' is set twice: " + ("both are equal" if same else "only the last value applies"),
             advice="keep one of them",
             related=[note(first.key, "set here before")],
-            severity="error" if differ else "info" if same else None,
+            severity="error" if differ and wins is not None else "info" if same else None,
         )

@@ -68,4 +68,5 @@ def is_told(robot: Robot, source: Source) -> bool:
 
 def is_group_of_keys(source: Source) -> bool:
     """Keystores whose keys only the group of the nodes can read."""
-    return source.kind == "sros2-key" and "/private/" not in source.name and not source.mode & 0o037
+    of_group = source.mode is not None and not source.mode & 0o037
+    return of_group and source.kind == "sros2-key" and "/private/" not in source.name

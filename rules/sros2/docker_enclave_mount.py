@@ -47,8 +47,9 @@ def docker_enclave_mount(robot: Robot) -> Iterator[Finding]:
         return
     for service in robot.compose.services:
         variable = service.environment.get("ROS_SECURITY_KEYSTORE")
-        keystore = variable.value.rstrip("/") if variable is not None and variable.value else None
-        if not keystore or "$" in keystore or not service.source.judged:
+        value = variable.value if variable is not None else None
+        keystore = value.rstrip("/") if value is not None else None
+        if value is None or not keystore or "$" in keystore or not service.source.judged:
             continue
         for volume in service.volumes:
             inside = volume.source is not None and re.search(r"/enclaves/[^/]", volume.source)
@@ -58,5 +59,5 @@ def docker_enclave_mount(robot: Robot) -> Iterator[Finding]:
                     f"rcl looks in {keystore}/enclaves, but {keystore} is a single enclave: the directory does not "
                     "exist, and its links are broken",
                     advice=f"mount public and enclaves of the keystore below {keystore}, read-only, without private",
-                    related=[note(variable.value, "the keystore is expected here")],
+                    related=[note(value, "the keystore is expected here")],
                 )

@@ -40,7 +40,7 @@ from bringup_lint.api.schema import Code
 @rule("error", fix="safe")
 def governance_bool_invalid(robot: Robot) -> Iterator[Finding]:
     for document, remark in robot.sros2.remarks(Code.BOOL):
-        text = remark.element.text
+        text = remark.inside.text
         right = text.lower() if text.lower() in ("true", "false") else ""
         if right and not robot.sros2.is_used(document.source):
             continue

@@ -45,7 +45,7 @@ def governance_id_range_invalid(robot: Robot) -> Iterator[Finding]:
     for document, remark in robot.sros2.remarks(Code.RANGE, Code.NUMBER):
         code = " (code 110)" if document in robot.sros2.governances else ""
         if remark.code == Code.NUMBER:
-            text = remark.element.text
+            text = remark.inside.text
             message = f"'{text}' is not a domain" if text else f"{remark.detail} is empty"
         else:
             message = f"The range of domains is not valid ({remark.detail})"

@@ -41,13 +41,13 @@ def governance_kind_invalid(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.sros2.remarks(Code.ENUM):
         if remark.detail == "default":
             continue
-        right = remark.word.upper() if remark.element.text else ""
+        right = remark.word.upper() if remark.inside.text else ""
         kinds: tuple[str, ...] = ("NONE", "SIGN", "ENCRYPT")
         if remark.detail != "data_protection_kind":
             kinds += ("SIGN_WITH_ORIGIN_AUTHENTICATION", "ENCRYPT_WITH_ORIGIN_AUTHENTICATION")
         shown = (
-            f"'{remark.element.text}' is not a valid {remark.detail}"
-            if remark.element.text
+            f"'{remark.inside.text}' is not a valid {remark.detail}"
+            if remark.inside.text
             else f"{remark.detail} is empty"
         )
         yield finding(

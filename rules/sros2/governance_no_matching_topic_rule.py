@@ -53,8 +53,9 @@ def governance_no_matching_topic_rule(robot: Robot) -> Iterator[Finding]:
             if not re.search(r"[*?\[]", topic)
         ]
         for rule_ in governance.rules:
-            expressions = [topics.expression for topics in rule_.topic_rules]
-            if None in expressions or not expressions:
+            expressions = [topics.expression for topics in rule_.topic_rules if topics.expression is not None]
+            topic_rules = rule_.element.find("topic_access_rules")
+            if topic_rules is None or len(expressions) < len(rule_.topic_rules) or not expressions:
                 continue
             names = {str(topic): topic for topic in granted}
             open_ = [
@@ -63,7 +64,7 @@ def governance_no_matching_topic_rule(robot: Robot) -> Iterator[Finding]:
             if open_:
                 shown = ", ".join(dict.fromkeys(open_[:3])) + (" and others" if len(set(open_)) > 3 else "")
                 yield finding(
-                    rule_.element.find("topic_access_rules").tag,
+                    topic_rules.tag,
                     f"No topic rule covers {shown}: the topic cannot be created (code 142), its nodes do not start",
                     advice="end with a rule for *, and sign the document again",
                     related=[note(names[name], "granted here") for name in open_ if name in names][:3],

@@ -62,14 +62,14 @@ def governance_protection_none(robot: Robot) -> Iterator[Finding]:
             if rule_.fields.get("rtps_protection_kind") != "NONE":
                 continue
             for topics in rule_.topic_rules:
-                kinds = [topics.fields.get(f"{part}_protection_kind") for part in ("metadata", "data")]
-                if kinds != ["NONE", "NONE"] or topics.expression is None:
+                metadata, data = (topics.fields.get(f"{part}_protection_kind") for part in ("metadata", "data"))
+                if metadata != "NONE" or data is None or data != "NONE" or topics.expression is None:
                     continue
                 yield finding(
-                    kinds[1],
+                    data,
                     f"Nothing protects {topics.expression}: its messages can be read and forged on the network",
                     advice="write ENCRYPT (or SIGN), and sign the document again",
                     severity=None if _commands(robot, topics.expression) else "info",
                     related=[note(rule_.fields["rtps_protection_kind"], "RTPS messages are not protected either")],
-                    fix=fix("write ENCRYPT", (kinds[1], "ENCRYPT"), safe=False),
+                    fix=fix("write ENCRYPT", (data, "ENCRYPT"), safe=False),
                 )

@@ -45,19 +45,19 @@ from bringup_lint.api.sros2 import matches
 def governance_rule_shadowed(robot: Robot) -> Iterator[Finding]:
     for governance in robot.sros2.used_governances:
         for rule_ in governance.rules:
-            before: list[TopicRule] = []
+            before: list[tuple[Located, TopicRule]] = []
             for topics in rule_.topic_rules:
-                if topics.expression is None:
+                own = topics.expression
+                if own is None:
                     continue
-                wider = next((each for each in before if _covers(robot, each.expression, topics.expression)), None)
-                before.append(topics)
-                if wider is not None and wider.fields != topics.fields:
+                wide, wider = next((each for each in before if _covers(robot, each[0], own)), (own, topics))
+                before.append((own, topics))
+                if wider.fields != topics.fields:
                     yield finding(
-                        topics.expression,
-                        f"The rule for {topics.expression} is never used: '{wider.expression}' comes before it, and "
-                        "the first match wins",
+                        own,
+                        f"The rule for {own} is never used: '{wide}' comes before it, and the first match wins",
                         advice="put the specific rules first, and sign the document again",
-                        related=[note(wider.expression, "this rule decides")],
+                        related=[note(wide, "this rule decides")],
                     )
 
 

@@ -39,7 +39,7 @@ from bringup_lint.api.schema import Code
 @rule("error", fix="safe", symptoms=["Permissions validity period expired"])
 def permissions_date_format(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.sros2.remarks(Code.DATE):
-        text = remark.element.text
+        text = remark.inside.text
         short = re.fullmatch(r"\d{4}-\d\d-\d\d", text)
         yield finding(
             remark.where,

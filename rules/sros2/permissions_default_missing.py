@@ -42,7 +42,7 @@ def permissions_default_missing(robot: Robot) -> Iterator[Finding]:
             continue
         for remark in permissions.remarks:
             if remark.code == Code.ENUM and remark.detail == "default":
-                text = remark.element.text
+                text = remark.inside.text
                 right = text.upper() if text.upper() in ("ALLOW", "DENY") else "DENY"
                 yield finding(
                     remark.where,

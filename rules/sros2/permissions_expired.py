@@ -40,7 +40,7 @@ def permissions_expired(robot: Robot) -> Iterator[Finding]:
         end = moment(grant.not_after)
         if end is not None and end.date() < robot.today:
             yield finding(
-                grant.not_after,
+                grant.not_after or grant.place,
                 f"The permissions expired on {end.date()}: the participant is rejected (code 147), the node does not "
                 "start",
                 advice="extend the validity of the grant and sign the document again",

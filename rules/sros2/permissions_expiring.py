@@ -37,10 +37,12 @@ from bringup_lint.api.sros2 import moment
 def permissions_expiring(robot: Robot) -> Iterator[Finding]:
     for _, grant in robot.sros2.grants:
         end = moment(grant.not_after)
-        left = (end.date() - robot.today).days if end else -1
+        if end is None:
+            continue
+        left = (end.date() - robot.today).days
         if 0 <= left <= 30:
             yield finding(
-                grant.not_after,
+                grant.not_after or grant.place,
                 f"The permissions expire in {left} day{'s' * (left != 1)}, on {end.date()}: the node does not start "
                 "after that",
                 advice="renew the grant and sign the document again",

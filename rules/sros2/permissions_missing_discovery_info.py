@@ -53,7 +53,7 @@ def permissions_missing_discovery_info(robot: Robot) -> Iterator[Finding]:
         ]
         if lacks:
             yield finding(
-                grant.subject,
+                grant.place,
                 f"{grant.enclave} cannot {' or '.join(lacks)} ros_discovery_info, which every process needs: none "
                 "of its nodes can be created",
                 advice="add ros_discovery_info to publish and subscribe, and sign the document again",

@@ -48,7 +48,7 @@ def permissions_missing_node_infrastructure(robot: Robot) -> Iterator[Finding]:
         ]
         if lacks:
             yield finding(
-                grant.subject,
+                grant.place,
                 f"{grant.enclave} cannot publish {' and '.join(lacks)}: a normal node throws when it is created",
                 advice=f"add {' and '.join(lacks)} to publish, and sign the document again",
             )

@@ -43,7 +43,7 @@ def permissions_node_topic_not_granted(robot: Robot) -> Iterator[Finding]:
         verb = "publish" if use.role == "publisher" else "subscribe"
         instead = f", but only {near} is granted" if near is not None else ", which is not granted"
         yield finding(
-            near if near is not None else grant.subject,
+            near if near is not None else grant.place,
             f"{use.node.label()} has a {use.role} for rt{use.topic}{instead}: the node is denied and ends",
             advice=f"add <topic>rt{use.topic}</topic> to {verb}, and sign the document again",
             chain=robot.provenance.chain_to_node(

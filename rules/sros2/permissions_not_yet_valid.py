@@ -46,14 +46,14 @@ def permissions_not_yet_valid(robot: Robot) -> Iterator[Finding]:
             continue
         if end is not None and start >= end:
             yield finding(
-                grant.not_before,
+                grant.not_before or grant.place,
                 "The validity ends before it begins: the participant is never accepted, the node does not start",
                 advice="write the earlier date first, and sign the document again",
-                related=[note(grant.not_after, "the validity ends here")],
+                related=[note(grant.not_after or grant.place, "the validity ends here")],
             )
         elif start.date() > robot.today:
             yield finding(
-                grant.not_before,
+                grant.not_before or grant.place,
                 f"The permissions are not valid before {start.date()} (code 148): the node does not start",
                 advice="correct the date and sign the document again",
             )

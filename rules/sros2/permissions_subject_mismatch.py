@@ -44,8 +44,8 @@ from bringup_lint.api import rule
 def permissions_subject_mismatch(robot: Robot) -> Iterator[Finding]:
     for permissions in robot.sros2.permissions:
         match = re.search(r"(?:^|/)enclaves(/.+)/permissions\.\w+$", permissions.source.name)
-        subjects = [grant.subject for grant in permissions.grants]
-        if match is None or None in subjects or not subjects or not all(each.enclave for each in permissions.grants):
+        subjects = [grant.subject for grant in permissions.grants if grant.subject is not None]
+        if match is None or not subjects or not all(each.enclave for each in permissions.grants):
             continue
         certified = robot.sros2.common_name(permissions.source)
         name = certified or match[1]

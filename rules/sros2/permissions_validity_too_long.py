@@ -53,12 +53,12 @@ def permissions_validity_too_long(robot: Robot) -> Iterator[Finding]:
                 f"{first.enclave} and {others[0].enclave if len(others) == 1 else f'{len(others)} other enclaves'} are"
             )
         yield finding(
-            first.not_after,
+            first.not_after or first.place,
             f"{who} valid for {span}: a stolen key can be used that long",
             advice="sign permissions for at most a year, and renew them with a job on the signing machine",
             related=[
-                note(first.not_before, "the validity begins here"),
-                *(note(each.not_after, f"the same for {each.enclave}") for each in others),
+                note(first.not_before or first.place, "the validity begins here"),
+                *(note(each.not_after or each.place, f"the same for {each.enclave}") for each in others),
             ],
         )
 

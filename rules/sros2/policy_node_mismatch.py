@@ -48,7 +48,7 @@ from bringup_lint.api import rule
 def policy_node_mismatch(robot: Robot) -> Iterator[Finding]:
     for node, selected, enclave in robot.sros2.policed_nodes:
         names = {profile.fqn: profile for profile in enclave.profiles}
-        if node.fqn in names:
+        if node.fqn is None or node.fqn in names:
             continue
         own = node.fqn.rpartition("/")[2]
         near = [profile for profile in enclave.profiles if profile.node == own]

@@ -75,7 +75,7 @@ def docker_not_ordered(robot: Robot) -> Iterator[Finding]:
 def _waits_for(unit: Unit, daemon: str, units: Units) -> bool:
     """Whether lines of the tree order the unit after the daemon, and not only all sockets do."""
     chain = units.waits_for(unit, daemon)
-    return bool(chain) and chain[-1].where is not None
+    return chain is not None and bool(chain) and chain[-1].where is not None
 
 
 def _fix(unit: Unit) -> Fix | None:

@@ -37,9 +37,10 @@ from bringup_lint.api import rule
 @rule("info")
 def shadowing(robot: Robot) -> Iterator[Finding]:
     for file, hidden, package in robot.udev.replacing:
+        name = hidden.name if hidden is not None else ""
         yield finding(
             file.source,
-            f"udev reads this file instead of the one with the same name from {package or hidden.name}",
+            f"udev reads this file instead of the one with the same name from {package or name}",
             advice="choose another name, unless you want to disable the packaged rules",
             related=[note(hidden, "is not read")] if hidden else [],
         )

@@ -39,10 +39,11 @@ _NODES = {"ttyUSB": "tty", "ttyACM": "tty", "video": "video4linux"}
 @rule("warning")
 def usb_subsystem_device_node(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
-        subsystem = _NODES.get(line.usb_device["device"]) if line.usb_device else None
-        if subsystem is None or not _is_for_usb_nodes(line):
+        device = line.usb_device
+        subsystem = _NODES.get(device["device"]) if device else None
+        if device is None or subsystem is None or not _is_for_usb_nodes(line):
             continue
-        product = line.usb_device["product"]
+        product = device["product"]
         for link in line.links:
             yield finding(
                 link.name,

@@ -63,6 +63,18 @@ class Setting(NamedTuple):
     """Whether whoever reads it puts in ``$NAME`` and ``~``, as a shell does."""
 
 
+class KnownSetting(NamedTuple):
+    """A setting whose value is known."""
+
+    name: str
+    value: Located
+    """As written, quotes removed."""
+    text: str
+    """What processes see."""
+    origin: str
+    expands: bool
+
+
 @dataclass(frozen=True, eq=False)
 class RosProcess:
     """A process, or a group of them, that runs ROS 2, and its environment."""
@@ -146,9 +158,13 @@ class RosEnvironment:
                 found.setdefault((span.source, span.start), setting)
         return list(found.values())
 
-    def of(self, *names: str) -> list[Setting]:
+    def of(self, *names: str) -> list[KnownSetting]:
         """The settings of some variables whose value is known."""
-        return [setting for setting in self.settings if setting.name in names and setting.text is not None]
+        return [
+            KnownSetting(each.name, each.value, each.text, each.origin, each.expands)
+            for each in self.settings
+            if each.name in names and each.text is not None
+        ]
 
     def _all_settings(self) -> Iterator[Setting]:
         for process in self.processes:

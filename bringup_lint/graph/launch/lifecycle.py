@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
@@ -61,7 +62,7 @@ class Manager:
             return None
         return self.called([literal_text(item) for item in value.items])
 
-    def called(self, names: list[Located | None]) -> list[Managed] | None:
+    def called(self, names: Sequence[Located | None]) -> list[Managed] | None:
         """The nodes of these names, as the manager looks for them; None when one is not known."""
         if self.node.namespace is None:
             return None

@@ -133,7 +133,7 @@ def _extended(changes: EnvChanges, span: Span) -> Value:
     return Literal(Located(result, span), span)
 
 
-def text_of(value: Value) -> str | None:
+def text_of(value: Value | None) -> str | None:
     """A literal as the text that launch makes of it."""
     return str(value.value) if isinstance(value, Literal) and value.value is not None else None
 

@@ -36,8 +36,8 @@ from bringup_lint.source import Span
 
 if TYPE_CHECKING:
     from bringup_lint.graph.commands.environment import Variable
+    from bringup_lint.graph.environment.ros import KnownSetting
     from bringup_lint.graph.environment.ros import RosEnvironment
-    from bringup_lint.graph.environment.ros import Setting
     from bringup_lint.graph.launch.launch import Launch
     from bringup_lint.graph.systemd.units import Units
     from bringup_lint.graph.topics.topics import Topics
@@ -166,7 +166,7 @@ class Observed:
     @cached_property
     def security(self) -> Located | None:
         """What switches security on for a process of the robot; where the files start none, for any."""
-        found: list[Variable | Setting | None] = []
+        found: list[Variable | KnownSetting | None] = []
         if self.ros.processes:
             found += (each.environment.get("ROS_SECURITY_ENABLE") for each in self.ros.processes)
         else:
