@@ -50,7 +50,7 @@ def arg_empty_default_path(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         expansion = robot.launch.expansion(file)
         empty = {
-            each.name: each.action.default.span
+            each.name: (each.action.default.span, launch.text_of(each.action.description) or "")
             for each in expansion.declared
             if each.file is file and each.action.default is not None and launch.literal(each.action.default) == ""
         }
@@ -62,12 +62,15 @@ def arg_empty_default_path(robot: Robot) -> Iterator[Finding]:
                 continue
             for value, what in paths(action):
                 name = str(value.name) if isinstance(value, launch.Argument) else ""
-                if name not in empty or OPTIONAL.search(launch.text_of(empty[name].description) or ""):
+                if name not in empty:
+                    continue
+                place, description = empty[name]
+                if OPTIONAL.search(description):
                     continue
                 if any(name in names(each.predicate) for each in guards.get(id(action), action.conditions)):
                     continue
                 yield finding(
-                    empty[name],
+                    place,
                     f"The path '{name}' is empty unless it is passed: {what}",
                     advice="give the argument a real default, or remove the default, so that launch requires a value",
                     related=[note(value.span, "used as a path here")],
