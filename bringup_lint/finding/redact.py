@@ -22,6 +22,9 @@ SHORTEST = 6
 """A secret of fewer characters is masked where it is marked, not in every text that happens to hold it."""
 
 
+_WORD = re.compile(r"[A-Za-z]{1,11}")
+
+
 def mask_of(findings: Iterable[Finding], sources: Iterable[Source] = ()) -> Mask | None:
     """The mask for the secrets of these findings, the files they show and these files; None when there are none."""
     findings = tuple(findings)
@@ -50,6 +53,12 @@ def widened(mask: Mask | None, sources: Iterable[Source]) -> Mask | None:
     return Mask(secrets) if secrets else None
 
 
+def _anywhere(secret: str) -> str:
+    """A pattern for a secret in any text. A mere word is left alone in a longer name, such as that of a package."""
+    pattern = re.escape(secret)
+    return f"(?<!_){pattern}(?!_)" if _WORD.fullmatch(secret) else pattern
+
+
 class Mask:
     """Replaces secrets, character by character, so that every offset and column stays true."""
 
@@ -65,7 +74,7 @@ class Mask:
         lines = {line.strip() for span in self.secrets for line in span.text.splitlines()}
         long = [line for line in lines if len(line) >= SHORTEST and not MERE_NAME.fullmatch(line)]
         long.sort(key=lambda line: (-len(line), line))
-        return re.compile("|".join(map(re.escape, long))) if long else None
+        return re.compile("|".join(map(_anywhere, long))) if long else None
 
     def words(self, text: str) -> str:
         """A message without the secrets that it quotes."""

@@ -6,14 +6,17 @@ import os
 import re
 import shlex
 from collections.abc import Iterable
+from typing import TYPE_CHECKING
 
-from bringup_lint.graph.compose import Compose
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.graph.purpose import by_path
-from bringup_lint.model.compose import Service
-from bringup_lint.model.dockerfile import Dockerfile
-from bringup_lint.model.dockerfile import Instruction
-from bringup_lint.model.dockerfile import Stage
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.compose import Compose
+    from bringup_lint.model.compose import Service
+    from bringup_lint.model.dockerfile import Dockerfile
+    from bringup_lint.model.dockerfile import Instruction
+    from bringup_lint.model.dockerfile import Stage
 
 _SHELLS = frozenset("bash sh zsh fish dash".split())
 _TOOL = re.compile(r"(?:^|[/_.-])(?:builder|generator|toolchain)(?:\.?[Dd]ockerfile)?$")

@@ -6,7 +6,7 @@
 only a request and is not reported.
 - **error**: a sysctl file sets the limit, or the tree is a complete root file system.
 - **warning**: no file of the tree sets the limit, so the kernel's default of 212992 is assumed. It is information
-  where a script of the tree sets it.
+  where a script, an image, a playbook or a unit of the tree names the limit.
 
 ## Why it matters on a robot
 The library reports `failed to increase socket receive buffer size` and creates no participant: no ROS node
@@ -48,6 +48,9 @@ from bringup_lint.api.dds import least_buffers
 from bringup_lint.api.dds import size_of
 from bringup_lint.api.host import KernelParameter
 
+WRITING = ("shell-script", "dockerfile", "compose", "ansible", "cloud-init", "systemd-unit")
+"""Kinds of files that may raise a limit, or have it raised."""
+
 
 @rule(
     "error",
@@ -84,7 +87,7 @@ def socket_buffer_exceeds_sysctl(robot: Robot) -> Iterator[Finding]:
 def _in_script(robot: Robot, name: str) -> bool:
     """Whether a script or an image may raise a limit."""
     spelt = (name, name.replace(".", "/"))
-    return any(each in source.text for source in robot.of_kind("shell-script", "dockerfile") for each in spelt)
+    return any(each in source.text for source in robot.of_kind(*WRITING) for each in spelt)
 
 
 def _limit(limit: KernelParameter | None) -> list[Related]:

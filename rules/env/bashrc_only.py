@@ -3,7 +3,7 @@
 ## What it finds
 A service that starts ROS without a setup file, and instead reads a `.bashrc` or `.profile`, or starts its shell as
 a login (`-l`) or interactive (`-i`) shell. In a ROS tree, every service that sources a `.bashrc` is reported,
-whatever it starts.
+whatever it starts. An interactive shell reads the file and works: it is an info.
 
 ## Why it matters on a robot
 systemd does not start a login shell and does not read `.bashrc`. Sourcing it by hand does not help: the `.bashrc`
@@ -69,6 +69,7 @@ def bashrc_only(robot: Robot) -> Iterator[Finding]:
                 _message(unit, word, interactive),
                 advice="source /opt/ros/<distro>/setup.bash and the workspace in ExecStart=, and keep variables in an "
                 "EnvironmentFile=",
+                severity="info" if interactive else None,
                 related=[
                     *(note(process.program, f"{unit.name} starts it here") for _ in [0] if step.script),
                     *(note(ros.where, "needs the ROS environment") for _, ros in process.ros[:1]),

@@ -1,7 +1,8 @@
 """RMW_IMPLEMENTATION is not a known middleware.
 
 ## What it finds
-A value that is neither an RMW package of ROS 2 nor a package of the workspace. On distributions before Humble also
+A value that is neither an RMW package of ROS 2, micro-ROS or a known project, nor a package of the workspace. On
+distributions before Humble also
 rmw_zenoh_cpp.
 
 ## Why it matters on a robot
@@ -37,12 +38,15 @@ from bringup_lint.api.ros import RMW_IMPLEMENTATIONS
 from bringup_lint.api.ros import at_least
 from bringup_lint.api.spelling import nearest
 
+OTHERS = frozenset("rmw_microxrcedds rmw_email_cpp rmw_desert rmw_iceoryx_cpp rmw_iceoryx2_cxx rmw_hazcat".split())
+"""Middleware outside of the ROS distributions: micro-ROS and research."""
+
 
 @rule("error", fix="unsafe", symptoms=["failed to load shared library", "Error getting RMW implementation identifier"])
 def rmw_implementation_unknown(robot: Robot) -> Iterator[Finding]:
     for setting in robot.ros.of("RMW_IMPLEMENTATION"):
         name = setting.text
-        if not name or name in _own(robot):
+        if not name or name in OTHERS or name in _own(robot):
             continue
         known = [rmw for rmw in RMW_IMPLEMENTATIONS if rmw != "rmw_zenoh_cpp" or _has_zenoh(robot)]
         if name in known:

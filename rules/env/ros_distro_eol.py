@@ -2,7 +2,8 @@
 
 ## What it finds
 The distribution that the tree names (`/opt/ros/X`, `ROS_DISTRO`, the image tag `ros:X`, packages `ros-X-...`), when
-it is the only one and its end of life is before today, or before the day given with `--now`.
+it is the only one and its end of life is before today, or before the day given with `--now`. It is info where an
+image to work in, or a script that looks at a running robot, is the first to name it.
 
 ## Why it matters on a robot
 Security holes stay open, and the package server removes the distribution: a robot that must be installed again
@@ -25,15 +26,20 @@ When you get security updates from a vendor with extended support, or the robot 
 - REP 2000
 """
 
+import re
 from collections.abc import Iterable
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.docker import is_deployed
 from bringup_lint.api.ros import distro_end
 
+LOOKING = re.compile(r"\bros2 +(?:topic|node|param|service|action|interface|doctor|lifecycle)\b")
+RUNNING = re.compile(r"\bros2 +(?:run|launch)\b|\bcolcon\b|\bapt(?:-get)? ")
 OLDER = ("eloquent", "dashing", "crystal")
 
 
@@ -41,14 +47,24 @@ OLDER = ("eloquent", "dashing", "crystal")
 def ros_distro_eol(robot: Robot) -> Iterator[Finding]:
     for distro in _distros(robot):
         end = distro_end(distro)
-        where = robot.ros.first_mention(distro) if end is not None and end < robot.today else None
+        where = next(robot.ros.mentions(distro), None) if end is not None and end < robot.today else None
         if where is not None and not robot.ros.is_development(where):
             yield finding(
                 where,
                 f"ROS 2 {distro.capitalize()} has had no updates since {end}, not even security fixes",
                 advice="plan the migration to a supported distribution",
+                severity=None if _runs_robot(robot, where) else "info",
             )
             return
+
+
+def _runs_robot(robot: Robot, place: Located) -> bool:
+    """Whether a file may decide what runs: not an image to work in, or a script that only looks at a running robot."""
+    source = place.span.source
+    if source.kind == "shell-script":
+        return not LOOKING.search(source.text) or RUNNING.search(source.text) is not None
+    image = next((file for file in robot.dockerfiles if file.source is source), None)
+    return image is None or is_deployed(robot.compose, image)
 
 
 def _distros(robot: Robot) -> Iterable[str]:

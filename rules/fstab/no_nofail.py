@@ -2,7 +2,8 @@
 
 ## What it finds
 A mount of a block device without `nofail`, `noauto`, `_netdev` or `x-systemd.automount`. The mounts of the system
-itself (/, /boot, /efi, /usr, /var, /home, /etc, /opt, /srv, /tmp, /root, /nix, /run) are not reported.
+itself (/, /boot, /efi, /usr, /var, /home, /etc, /opt, /srv, /tmp, /root, /nix, /run) are not reported. /data,
+/persist, /userdata and /state, where images keep what has to last, are an info.
 
 ## Why it matters on a robot
 If the disk is missing or its file system is damaged, systemd waits 90 seconds for the device and then opens the
@@ -36,6 +37,9 @@ from bringup_lint.api import rule
 
 SYSTEM = ("/boot", "/efi", "/usr", "/var", "/home", "/etc", "/opt", "/srv", "/tmp", "/root", "/nix", "/run")
 
+STATE = ("/data", "/persist", "/persistent", "/userdata", "/state")
+"""Where images with a read-only root keep what has to last, on the same disk."""
+
 
 @rule("warning", fix="unsafe", symptoms=["You are in emergency mode", "Timed out waiting for device"])
 def no_nofail(robot: Robot) -> Iterator[Finding]:
@@ -52,5 +56,6 @@ def no_nofail(robot: Robot) -> Iterator[Finding]:
                 target,
                 f"Without {mount.device} the boot ends in the emergency shell after 90 s",
                 advice="add nofail,x-systemd.device-timeout=10s",
+                severity="info" if target.rstrip("/") in STATE else None,
                 fix=fix("add nofail", (end, ",nofail,x-systemd.device-timeout=10s"), safe=False),
             )

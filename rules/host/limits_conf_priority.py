@@ -2,6 +2,7 @@
 
 ## What it finds
 A `priority` line with a positive value. It sets the nice value. `rtprio` limits the real-time priority.
+One finding for each file.
 
 ## Why it matters on a robot
 `@realtime - priority 99` gives every process of the group the lowest priority: the control loop runs after
@@ -31,6 +32,7 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import note
 from bringup_lint.api import rule
 
 LINE = re.compile(r"^[ \t]*[^#\s]\S*[ \t]+(?:-|soft|hard)[ \t]+(priority)[ \t]+(\d+)", re.M)
@@ -39,10 +41,13 @@ LINE = re.compile(r"^[ \t]*[^#\s]\S*[ \t]+(?:-|soft|hard)[ \t]+(priority)[ \t]+(
 @rule("warning")
 def limits_conf_priority(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("limits-conf"):
-        for match in LINE.finditer(source.text):
-            if int(match[2][:6]) > 0:
-                yield finding(
-                    source.located(*match.span(1)),
-                    f"'priority {match[2]}' is a nice value: it makes all processes of the group slower",
-                    advice=f"write rtprio {match[2]}",
-                )
+        found = [match for match in LINE.finditer(source.text) if int(match[2][:6]) > 0]
+        if not found:
+            continue
+        first, *others = found
+        yield finding(
+            source.located(*first.span(1)),
+            f"'priority {first[2]}' is a nice value: it makes all processes of the group slower",
+            advice=f"write rtprio {first[2]}",
+            related=[note(source.located(*other.span(1)), "a nice value, too") for other in others],
+        )

@@ -9,8 +9,9 @@ NetworkManager, those that a script gives to `sshpass`, `x11vnc` or `nmcli`, and
 where the image lets somebody log in.
 
 Not reported: variables, paths of credential files, placeholders such as `<your-password>`, and environment files
-that only root and a group can read. A weak or well-known value is a warning, and a sample value is info. Places of a
-file with the same value are one finding.
+that only root and a group can read. A weak or well-known value, and one in a comment, is a warning; a sample value,
+and the name of the user as the password of another machine, is info. Places of a file with the same value are one
+finding.
 
 ## Why it matters on a robot
 Every local user can read the settings of a unit with `systemctl show`, and can read arguments in the process list.
@@ -39,6 +40,7 @@ When the value protects nothing, such as a test account or a public API key. Say
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import Source
 from bringup_lint.api import finding
@@ -78,7 +80,8 @@ def plain_secret(robot: Robot) -> Iterator[Finding]:
     for secret in robot.secrets:
         key = str(secret.value.span.start) if secret.weak or secret.sample else str(secret.value)
         found.setdefault((secret.value.span.source, key), []).append(secret)
-    for first, *others in found.values():
+    for secrets in found.values():
+        first, *others = sorted(secrets, key=lambda each: _is_commented(each.value))
         source = first.value.span.source
         who = WHO[first.holder]
         if first.holder == "env-file" and source.mode is not None:
@@ -88,6 +91,11 @@ def plain_secret(robot: Robot) -> Iterator[Finding]:
             f"{first.name} is a secret in clear text: {who}",
             advice=INSTEAD[first.holder],
             related=[note(each.value, "the same secret") for each in others],
-            severity="info" if first.sample else "warning" if first.weak else None,
-            secrets=[first.value],
+            severity="info" if first.sample else "warning" if first.weak or _is_commented(first.value) else None,
+            secrets=[each.value for each in (first, *others)],
         )
+
+
+def _is_commented(value: Located) -> bool:
+    """Whether the line is a comment: the secret is given away, but not in use."""
+    return value.span.source.line_text(value.span.line).lstrip().startswith(("#", "//", "<!--"))

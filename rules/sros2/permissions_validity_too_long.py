@@ -1,7 +1,8 @@
 """Permissions are valid for more than 398 days.
 
 ## What it finds
-A grant whose validity is longer than 398 days. sros2 writes ten years. The enclaves of a keystore are one finding.
+A grant whose validity is longer than 398 days. The enclaves of a keystore are one finding. The ten years that
+sros2 writes by itself are an info.
 
 ## Why it matters on a robot
 A key that is copied from the robot works until its permissions expire: nothing else revokes it.
@@ -37,6 +38,9 @@ from bringup_lint.api import rule
 from bringup_lint.api.sros2 import Grant
 from bringup_lint.api.sros2 import moment
 
+OF_TOOL = range(3649, 3655)
+"""Days: ``ros2 security`` signs for ten years."""
+
 
 @rule("warning", tags=["CWE-324"])
 def permissions_validity_too_long(robot: Robot) -> Iterator[Finding]:
@@ -55,6 +59,7 @@ def permissions_validity_too_long(robot: Robot) -> Iterator[Finding]:
         yield finding(
             first.not_after or first.place,
             f"{who} valid for {span}: a stolen key can be used that long",
+            severity="info" if _days(first) in OF_TOOL else None,
             advice="sign permissions for at most a year, and renew them with a job on the signing machine",
             related=[
                 note(first.not_before or first.place, "the validity begins here"),

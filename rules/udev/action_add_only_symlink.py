@@ -82,7 +82,7 @@ class Lost(NamedTuple):
 
 
 def _all_lost(robot: Robot) -> Iterator[Lost]:
-    for line in robot.udev.judged:
+    for line in robot.udev.matching:
         if "add" not in line.actions or "change" in line.actions:
             continue
         for link in line.links:

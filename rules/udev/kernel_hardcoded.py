@@ -41,7 +41,7 @@ _IDENTIFIED = ("SYMLINK", "NAME", "ENV", "RUN", "ATTR")
 
 @rule("warning")
 def kernel_hardcoded(robot: Robot) -> Iterator[Finding]:
-    for line in robot.udev.judged:
+    for line in robot.udev.matching:
         if not any(line.line.assignments(key) for key in _IDENTIFIED):
             continue
         for token in line.line.tokens:

@@ -38,7 +38,7 @@ _PORT = {("KERNELS", ""), ("ENV", "ID_PATH"), ("ENV", "ID_PATH_TAG"), ("DEVPATH"
 
 @rule("warning")
 def serial_generic(robot: Robot) -> Iterator[Finding]:
-    for line in robot.udev.judged:
+    for line in robot.udev.matching:
         if line.subjects & _PORT:
             continue
         for condition in line.serials:

@@ -39,7 +39,7 @@ _KERNEL_NAME = re.compile(r"/dev/(?:ttyUSB|ttyACM|video|hidraw|media|input/(?:js
 
 @rule("error", symptoms=["conflicting device node", "Not replacing existing device node"])
 def symlink_kernel_name(robot: Robot) -> Iterator[Finding]:
-    for line in robot.udev.judged:
+    for line in robot.udev.matching:
         for link in line.links:
             if _KERNEL_NAME.fullmatch(link.path):
                 yield finding(

@@ -28,24 +28,40 @@ If the line is meant to make both links.
 
 from collections.abc import Iterator
 from itertools import pairwise
+from typing import NamedTuple
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
+from bringup_lint.api import note
 from bringup_lint.api import rule
+
+
+class Torn(NamedTuple):
+    """Two links that were meant as one."""
+
+    first: Located
+    second: Located
 
 
 @rule("warning")
 def symlink_space(robot: Robot) -> Iterator[Finding]:
+    files: dict[Source, list[Torn]] = {}
     for line in robot.udev.judged:
         names = [link.name for link in line.links]
         for first, second in pairwise(names):
             if first.span.end < second.span.start <= first.span.end + 2 and _is_torn(first, second):
-                yield finding(
-                    line.source.span(first.span.start, second.span.end),
-                    f"The space makes two links, /dev/{first.removeprefix('/dev/')} and /dev/{second}",
-                    advice=f"write {first}_{second} for one link",
-                )
+                files.setdefault(line.source, []).append(Torn(first, second))
+    for source, ((first, second), *others) in files.items():
+        more = f" ({len(others) + 1} such names in this file)" if others else ""
+        yield finding(
+            source.span(first.span.start, second.span.end),
+            f"The space makes two links, /dev/{first.removeprefix('/dev/')} and /dev/{second}{more}",
+            advice=f"write {first}_{second} for one link",
+            related=[note(other.first, "two links here, too") for other in others[:20]],
+        )
 
 
 def _is_torn(first: str, second: str) -> bool:

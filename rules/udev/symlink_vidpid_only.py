@@ -55,7 +55,7 @@ _DECIDING = ("PROGRAM", "IMPORT", "RESULT", "TEST")
 
 @rule("warning")
 def symlink_vidpid_only(robot: Robot) -> Iterator[Finding]:
-    for line in robot.udev.judged:
+    for line in robot.udev.matching:
         if not line.usb_ids or not (line.is_serial or line.is_for("video4linux")):
             continue
         if not line.subjects <= _WEAK or any(line.line.first(key) for key in _DECIDING):

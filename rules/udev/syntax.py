@@ -4,7 +4,7 @@ r"""udev cannot read a line of a rules file.
 Text that udev cannot parse: an unknown key, a value without double quotes, a space after the backslash that
 continues a line, a missing brace, a byte order mark, an attribute for a key that has none, or a `\` at the
 end of the file. An unknown option, an empty value and a second jump on one line are warnings, because udev
-keeps the rest of the line.
+keeps the rest of the line, and so are words without any key; a line of stray marks is an info.
 
 ## Why it matters on a robot
 udev drops the whole line, with all keys on it, and reports that only in the journal. The device does not get
@@ -30,11 +30,13 @@ the line has no effect.
 """
 
 from collections.abc import Iterator
+from typing import Literal
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Fix
 from bringup_lint.api import Problem
 from bringup_lint.api import Robot
+from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
@@ -83,12 +85,27 @@ _KEPT = {
 def syntax(robot: Robot) -> Iterator[Finding]:
     for problem, _ in robot.udev.problems(*_ADVICE):
         what, advice = (text.format(where=problem.where, detail=problem.detail) for text in _ADVICE[problem.code])
-        yield finding(problem.where, f"{what}: udev drops the whole line", advice=advice, fix=_fix(problem))
+        yield finding(
+            problem.where,
+            f"{what}: udev drops the whole line",
+            advice=advice,
+            fix=_fix(problem),
+            severity=_severity(problem),
+        )
     for problem, _ in robot.udev.problems("unknown-key", "removed-key"):
         yield _unknown_key(problem)
     for problem, _ in robot.udev.problems(*_KEPT):
         what, advice = _KEPT[problem.code]
         yield finding(problem.where, what, advice=advice, severity="warning")
+
+
+def _severity(problem: Problem) -> Literal["info", "warning"] | None:
+    """By what udev loses with the line: nothing but a stray mark, some words, or a key."""
+    place = problem.where if isinstance(problem.where, Span) else problem.where.span
+    line = place.source.line_text(place.line)
+    if "=" in line:
+        return None
+    return "warning" if any(character.isalnum() for character in line) else "info"
 
 
 def _unknown_key(problem: Problem) -> Finding:

@@ -52,7 +52,7 @@ _DECIDING = ("PROGRAM", "IMPORT", "RESULT", "TEST", "GOTO")
     symptoms=["VIDIOC_G_FMT: Inappropriate ioctl for device", "not a video capture device"],
 )
 def video_index_missing(robot: Robot) -> Iterator[Finding]:
-    for line in robot.udev.judged:
+    for line in robot.udev.matching:
         if not line.is_for("video4linux") or not line.subjects & _USB or line.subjects & _TELLING:
             continue
         if any(line.line.first(key) for key in _DECIDING) or not all(map(line.is_any_number, line.kernels)):

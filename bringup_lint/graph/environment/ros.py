@@ -139,14 +139,13 @@ class RosEnvironment:
                 found[source.name] = source
         return list(found.values())
 
-    def first_mention(self, distro: str) -> Located | None:
-        """The first word of a judged file that says which distribution runs."""
+    def mentions(self, distro: str) -> Iterator[Located]:
+        """The first word of each judged file that says which distribution runs."""
         pattern = mentions_of(distro)
         for source in self.files.sources:
             match = pattern.search(source.text) if source.judged else None
             if match is not None:
-                return source.located(match.start("name"), match.end("name"))
-        return None
+                yield source.located(match.start("name"), match.end("name"))
 
     @cached_property
     def settings(self) -> list[Setting]:
@@ -154,7 +153,7 @@ class RosEnvironment:
         found: dict[tuple[Source, int], Setting] = {}
         for setting in self._all_settings():
             span = setting.value.span
-            if OF_ROS.fullmatch(setting.name) and span.source.judged and not has_placeholder(setting.value):
+            if OF_ROS.fullmatch(setting.name) and span.source.judged and not _is_filled_in(setting.value):
                 found.setdefault((span.source, span.start), setting)
         return list(found.values())
 
@@ -327,3 +326,10 @@ def _of_script(source: Source) -> Iterator[Setting]:
                 value = word.part(len(name) + 1, len(word))
                 known = not re.search(r"[$`~]", text)
                 yield Setting(name, value, str(value) if known else None, "export", True)
+
+
+def _is_filled_in(value: Located) -> bool:
+    """Whether a template fills the value in, of which a shell would take only the first word."""
+    span = value.span
+    line = span.source.text[span.start : span.source.text.find("\n", span.start) + 1 or None]
+    return has_placeholder(value) or (value.startswith(("{{", "{%", "<%")) and has_placeholder(line))

@@ -77,7 +77,8 @@ def _read(files: Files, script: Source, scripts: Scripts) -> tuple[list[Source],
     copies: list[tuple[str, str]] = []
     for did in scripts.done(script):
         if isinstance(did, Written):
-            _write(texts, did)
+            if not did.refused:
+                _write(texts, did)
         elif did.name in _COPIES:
             for copy in _copied(did):
                 _copy(files, script, texts, copies, copy)

@@ -34,6 +34,8 @@ _DEPTH = 8
 _AS_ROOT = re.compile(r"\$\{?\w*sudo\w*\}?|run_sudo|as_root|maybe_sudo", re.I)
 _TESTS = ("[", "[[", "test", "grep", "command", "which", "getent", "id", "dpkg", "systemctl")
 _DECLARING = ("export", "local", "readonly", "declare", "typeset")
+_NEEDS_ROOT = re.compile(r"\bEUID\b|\bid\s+-u\b|\bwhoami\b|\$\{?UID\b|\bSUDO_USER\b")
+_OF_ROOT = re.compile(r"/(?:etc|usr|lib|boot|sys|proc|root|var/lib)/")
 _LITERAL = re.compile(r"[^{}\n]*")
 
 
@@ -85,12 +87,14 @@ class Written(NamedTuple):
     appends: bool
     where: Located
     certain: bool
+    refused: bool = False
+    """``sudo command > file``: the shell of the script, which is not root, opens the file, and may not."""
 
 
 def runs(source: Source) -> Iterator[Run | Written]:
     """What a script does, in its order."""
     statements = blocks(source.located(0, len(source.text)))
-    reader = _Reader(_constants(statements))
+    reader = _Reader(_constants(statements), has_root=bool(_NEEDS_ROOT.search(source.text)))
     yield from reader.all(statements, True, 0)
     for name, body in list(reader.functions.items()):
         if name not in reader.called:
@@ -124,6 +128,8 @@ class _Reader:
     values: dict[str, str | None]
     functions: dict[str, tuple[Block, ...]] = field(default_factory=dict)
     called: set[str] = field(default_factory=set)
+    has_root: bool = False
+    """The script asks for root to start it."""
     budget: int = STEPS
 
     def all(self, statements: Iterable[Block], certain: bool, depth: int) -> Iterator[Run | Written]:
@@ -155,6 +161,7 @@ class _Reader:
     def command(self, command: Command, certain: bool, piped: Text | None, depth: int) -> Iterator[Run | Written]:
         words = command.words
         by_root = False
+        sudo = bool(words) and words[0] == "sudo" and not self.has_root
         while words and (_AS_ROOT.fullmatch(words[0]) or unwrapped(words) != words):
             by_root |= bool(_AS_ROOT.fullmatch(words[0])) or program_name(words[0]) == "sudo"
             words = words[1:] if _AS_ROOT.fullmatch(words[0]) else unwrapped(words)
@@ -168,7 +175,8 @@ class _Reader:
         elif name in self.functions and name not in self.called:
             self.called.add(name)
             yield from self.all(self.functions[name], certain, depth + 1)
-        yield from self.redirected(command.redirects, lambda: self.printed(words, given), certain)
+        for each in self.redirected(command.redirects, lambda: self.printed(words, given), certain):
+            yield each._replace(refused=True) if sudo and _OF_ROOT.match(each.path) else each
 
     def shell(self, words: tuple[Located, ...], certain: bool, depth: int) -> Iterator[Run | Written]:
         read = shell_input(words[1:])

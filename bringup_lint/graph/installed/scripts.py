@@ -45,8 +45,15 @@ class Scripts:
         """What judged scripts write to files, where their text has one of the parts."""
         for source in self._saying(*parts):
             for did in self.done(source):
-                if isinstance(did, Written):
+                if isinstance(did, Written) and not did.refused:
                     yield source, did
+
+    def refused(self) -> Iterator[tuple[Source, list[Written]]]:
+        """What the shells of judged scripts may not open, by script."""
+        for source in self._saying("sudo "):
+            found = [did for did in self.done(source) if isinstance(did, Written) and did.refused]
+            if found:
+                yield source, found
 
     def _saying(self, *parts: str) -> Iterator[Source]:
         for source in self.files.of_kind(*KINDS):

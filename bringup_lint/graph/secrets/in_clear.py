@@ -56,10 +56,12 @@ _KNOWN_VALUE = re.compile(
 )
 _USER_INFO = re.compile(r"\b[a-z][a-z0-9+.-]*://[^/\s:@]+:([^@/\s]+)@")
 _NO_VALUE = re.compile(
-    r"[/~]|\$|%|file:|env:|true$|false$|yes$|no$|on$|off$|\d{1,5}$|.*\.(?:pem|key|crt|cer|p12|env|json|ya?ml|txt)$",
+    r"[/~]|\#\s|\$|%|file:|env:|true$|false$|yes$|no$|on$|off$|\d{1,5}$|.*\.(?:pem|key|crt|cer|p12|env|json|ya?ml|txt)$",
     re.I,
 )
 _WEAK = re.compile(r"(?:change[-_ ]?me|password|passwd|secret|admin|default|test|example|xxx+|foo|bar|abc)\d*$", re.I)
+_PLACEHOLDER = re.compile(r"(?:xxx+|foo|bar|abc|test|example|.{1,3})\d*", re.I)
+"""The default of a launch argument that nobody takes for a password."""
 _OPTION = re.compile(r"--([A-Za-z][\w.-]*)(?:=(.*))?$", re.S)
 _SAMPLE = re.compile(
     r"_(?:example|sample|template)s?\.|[.-](?:example|sample|template|dist|tmpl|default)s?(?:$|\.)|^(?:example|sample)",
@@ -183,6 +185,8 @@ def secret(name: str, value: Located, holder: str) -> Secret | None:
         part = value
     else:
         return None
+    if holder == "launch" and _PLACEHOLDER.fullmatch(part):
+        return None
     weak = _WEAK.match(part) is not None
     if not weak and (_NO_VALUE.match(part) or is_stand_in(part) or has_placeholder(part)):
         return None
@@ -195,7 +199,7 @@ def _of_password(password: Password, holder: str) -> Secret | None:
     weak = password.known or _WEAK.match(value) is not None
     if not weak and (value.startswith("$") or is_stand_in(value) or has_placeholder(value)):
         return None
-    return Secret(value, password.name, holder, weak, value.upper().endswith("EXAMPLE"))
+    return Secret(value, password.name, holder, weak, password.factory or value.upper().endswith("EXAMPLE"))
 
 
 def _of_environment(runner: Runner) -> Iterator[Secret]:

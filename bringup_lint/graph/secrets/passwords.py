@@ -69,6 +69,8 @@ class Password(NamedTuple):
     value: Located
     known: bool = False
     """The same word as the user's name: everybody tries it first."""
+    factory: bool = False
+    """The same word as the name of the user to log in as, on another machine: what a vendor sets and documents."""
 
 
 def in_wifi_files(files: Files) -> Iterator[Password]:
@@ -115,7 +117,9 @@ def _password(source: Source, match: re.Match[str]) -> Password:
     user = found.get("user")
     program = found.get("program")
     name = f"The password of {user or 'the user'}" if program is None else f"The password given to {program}"
-    return Password(name, source.located(*match.span("value")), found["value"] == user)
+    value = source.located(*match.span("value"))
+    login = re.search(rf"\b{re.escape(value)}@", source.line_text(value.span.line))
+    return Password(name, value, value == user, program is not None and login is not None)
 
 
 def _is_comment(text: str, at: int) -> bool:

@@ -179,6 +179,11 @@ class UdevRule:
         here, swapped = f"{vendor.value}:{product.value}", f"{product.value}:{vendor.value}"
         return (vendor, product) if swapped in known and here not in known else None
 
+    @cached_property
+    def never_matches(self) -> bool:
+        """Whether the rule certainly fires for no device, so that what it sets does not matter."""
+        return self.swapped_usb_id is not None or self.impossible_parents is not None
+
     @property
     def generic_products(self) -> list[str]:
         """Names of those devices whose id says nothing of what is behind it, such as bridge chips."""

@@ -146,6 +146,11 @@ class Udev:
     def judged(self) -> tuple[UdevRule, ...]:
         return tuple(rule for rule in self.rules if rule.judged and not rule.is_unreachable)
 
+    @property
+    def matching(self) -> Iterator[UdevRule]:
+        """The judged rules that may fire for a device."""
+        return (rule for rule in self.judged if not rule.never_matches)
+
     def problems(self, *codes: str) -> Iterator[tuple[Problem, Rule]]:
         """What the parser could not accept in the files that are judged, with the line it belongs to."""
         for file in self.files:
@@ -202,7 +207,7 @@ class Udev:
     @property
     def open_to_all(self) -> Iterator[tuple[UdevRule, Token]]:
         """MODE tokens that let everybody write to a node that is not open by design, and that count in the end."""
-        for rule in self.judged:
+        for rule in self.matching:
             if rule.is_open_by_design:
                 continue
             overruled = {found.token for found in assignments_overruled(rule)}

@@ -1,0 +1,47 @@
+"""A redirect that sudo does not cover.
+
+## What it finds
+`sudo command > /etc/...`: a redirect after `sudo` into a folder that only root may write. Silent in a script that asks
+for root itself (`EUID`, `id -u`, `whoami`, `SUDO_USER`).
+
+## Why it matters on a robot
+The shell opens the file before it starts sudo, as the user of the script: "Permission denied". The udev rule, the
+kernel parameter or the unit is never written, and the set-up goes on without it.
+
+## Bad
+```sh
+sudo echo 'SUBSYSTEM=="tty", GROUP="dialout"' > /etc/udev/rules.d/99-arm.rules
+```
+
+## Good
+```sh
+echo 'SUBSYSTEM=="tty", GROUP="dialout"' | sudo tee /etc/udev/rules.d/99-arm.rules > /dev/null
+```
+
+## When to ignore it
+When root runs the script, for example in the build of an image.
+
+## References
+- sudo(8), "Examples"
+- ShellCheck SC2024
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning", symptoms=["Permission denied"])
+def sudo_redirect(robot: Robot) -> Iterator[Finding]:
+    for _, (first, *others) in robot.scripts.refused():
+        more = f" (and {len(others)} more)" if others else ""
+        yield finding(
+            first.where,
+            f"The shell opens {first.path}{more} without sudo: permission denied, and nothing is written",
+            advice=f"write ... | sudo tee {first.path}",
+            related=[note(other.where, "not opened either") for other in others[:20]],
+        )
