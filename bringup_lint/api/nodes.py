@@ -11,6 +11,7 @@ from bringup_lint.graph.nodes.questions.blocking import UNTIL_TIMEOUT
 from bringup_lint.graph.nodes.questions.blocking import awaits_asyncio
 from bringup_lint.graph.nodes.questions.blocking import blocking
 from bringup_lint.graph.nodes.questions.blocking import deadlocks
+from bringup_lint.graph.nodes.questions.blocking import endless_constructors
 from bringup_lint.graph.nodes.questions.blocking import only_stores
 from bringup_lint.graph.nodes.questions.blocking import waits
 from bringup_lint.graph.nodes.questions.motion import moves
@@ -51,6 +52,7 @@ __all__ = [
     "deadlocks",
     "dict_ranges",
     "double_shutdown",
+    "endless_constructors",
     "endless_rates",
     "fed_without_condition",
     "handler_never_runs",

@@ -6,6 +6,7 @@ Calls in a callback, or in the methods that it calls, that keep the executor bus
 - `time.sleep` of 0.1 s or more, `requests.*`, `subprocess.run` and similar functions (not for programs that return
   at once, such as `systemctl poweroff`), `input()`, reads of a serial
   port without a timeout, and `while True`.
+- A loop without an end in the constructor: the node never gets to an executor.
 - Calls that wait for the executor itself: `client.call()`, `Rate.sleep()`, `rclpy.spin_until_future_complete(self,
   ...)`.
 
@@ -61,6 +62,7 @@ SOON = ("for ", "as long as ")
 @rule("warning", tags=["CWE-833"])
 def blocking_in_callback(robot: Robot) -> Iterator[Finding]:
     yield from _in_python(robot)
+    yield from _in_constructors(robot)
     yield from _in_cpp(robot)
 
 
@@ -99,6 +101,20 @@ def _in_python(robot: Robot) -> Iterator[Finding]:
                 ],
                 severity=grade(robot, file.source, found.how_long),
                 confidence="high" if threads == "one" else "medium",
+            )
+
+
+def _in_constructors(robot: Robot) -> Iterator[Finding]:
+    for file, node in robot.nodes.with_callbacks:
+        callbacks = [each for each in node.callbacks if each.role in WORK]
+        loops = list(nodes.endless_constructors(robot.nodes.ending(file), node)) if callbacks else []
+        for found in loops[:1]:
+            yield finding(
+                file.span_of(found.loop.test),
+                f"'while {found.test}' in the constructor never ends: none of the node's callbacks ever runs",
+                advice="do the work of the loop in the callback of a timer",
+                related=[note(each.span, "never runs") for each in callbacks[:3]],
+                severity=nodes.lowered(robot.nodes.purpose(file.source), "warning"),
             )
 
 

@@ -268,9 +268,38 @@ def _waits_for_ever(ending: Ending, owner: ast.Attribute, call: ast.Call) -> boo
     return len(made) == 1 and len(made[0].args) < 7 and not _has(made[0], "timeout") and ".timeout" not in text
 
 
+class Endless(NamedTuple):
+    """A loop without an end in the constructor of a node."""
+
+    loop: ast.While
+    test: str
+
+
+def endless_constructors(ending: Ending, cls: NodeClass) -> Iterator[Endless]:
+    """Loops that keep a node from ever being handed to an executor; none where a thread or the loop runs one."""
+    init = cls.methods.get("__init__")
+    if init is None or "Thread" in ending.file.source.text or "multiprocessing" in ending.file.source.text:
+        return
+    for node in reached(ending.syntax, body_of(init.node), cls):
+        if isinstance(node, ast.While) and _is_forever(ending, node) and _has_no_exit(node):
+            calls = own_calls(node.body)
+            if not any("spin" in ast.unparse(call.func) for call in calls):
+                yield Endless(node, ast.unparse(node.test))
+
+
+def _is_forever(ending: Ending, node: ast.While) -> bool:
+    if isinstance(node.test, ast.Call):
+        return ending.syntax.qualified(node.test) == "rclpy.ok"
+    return isinstance(node.test, ast.Constant) and bool(node.test.value)
+
+
 def _never_ends(node: ast.While) -> bool:
     if not isinstance(node.test, ast.Constant) or not node.test.value:
         return False
+    return _has_no_exit(node)
+
+
+def _has_no_exit(node: ast.While) -> bool:
     leaves = (ast.Break, ast.Return, ast.Raise, ast.Await, ast.Yield, ast.YieldFrom)
     exits = [call for call in own_calls(node.body) if isinstance(call.func, ast.Attribute) and call.func.attr == "exit"]
     return not exits and not any(isinstance(each, leaves) for each in own(node.body))
