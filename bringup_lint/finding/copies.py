@@ -4,6 +4,7 @@ under another name, or in two udev rules files of one name, of which only one is
 from __future__ import annotations
 
 import re
+from collections.abc import Hashable
 from collections.abc import Iterable
 from collections.abc import Iterator
 from dataclasses import replace
@@ -27,13 +28,15 @@ def merged(findings: Iterable[Finding]) -> Iterator[Finding]:
     copies: dict[int, list[Finding]] = {}
     gone: set[int] = set()
     for group in groups.values():
-        kept: list[Finding] = []
-        for found in sorted(group, key=_rank):
-            first = next((one for one in kept if _is_copy(found.source, one.source)), None)
+        kept: dict[Hashable, list[tuple[int, Finding]]] = {}
+        for number, found in enumerate(sorted(group, key=_rank)):
+            alike = dict(pair for key in _alike(found.source) for pair in kept.get(key, ()))
+            first = min((at for at, one in alike.items() if _is_copy(found.source, one.source)), default=None)
             if first is None:
-                kept.append(found)
+                for key in _alike(found.source):
+                    kept.setdefault(key, []).append((number, found))
             else:
-                copies.setdefault(id(first), []).append(found)
+                copies.setdefault(id(alike[first]), []).append(found)
                 gone.add(id(found))
     for found in ordered:
         if id(found) not in gone:
@@ -55,6 +58,11 @@ def _line(found: Finding) -> tuple[str, str, str]:
 def _rank(found: Finding) -> tuple[int, bool, bool]:
     """The worst comes first. A template is the original, and what lies in a folder of results is none."""
     return -found.severity, not found.source.template, bool(_MADE.search(found.source.name))
+
+
+def _alike(source: Source) -> tuple[Hashable, Hashable]:
+    """What a file and a copy of it have in common: the name, or the text."""
+    return final_name(source.basename), (source.kind, source.text)
 
 
 def _is_copy(source: Source, kept: Source) -> bool:

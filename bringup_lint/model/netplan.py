@@ -357,6 +357,12 @@ class DefaultRoute(NamedTuple):
     where: Located | Span
 
 
+def root_of(source: Source) -> str | None:
+    """The folder above the path on the robot, where a file's path shows it."""
+    path = source.robot_path
+    return source.name.removesuffix(path.lstrip("/")) if path and source.name.endswith(path.lstrip("/")) else None
+
+
 @dataclass(eq=False)
 class Plan:
     """The files that netplan reads together on one robot, in its order."""
@@ -367,6 +373,21 @@ class Plan:
     problems: list[Problem] = field(default_factory=list)
     whole: bool = False
     """The files lie in netplan's own folders; else the plan is one file that may have companions."""
+
+    @cached_property
+    def roots(self) -> set[str | None]:
+        """The folders that hold a root file system with files of the plan; None for files outside of one."""
+        return {root_of(file.source) for file in self.files}
+
+    @cached_property
+    def has_templates(self) -> bool:
+        return any(file.source.template for file in self.files)
+
+    @cached_property
+    def devices(self) -> dict[str, Interface]:
+        """The interfaces by the names that the kernel will show, where these are known; the first of each."""
+        known = [(str(each.device), each) for each in self.interfaces.values() if each.device is not None]
+        return dict(reversed(known))
 
     @cached_property
     def masters(self) -> dict[str, Interface]:

@@ -33,15 +33,11 @@ def plan_of(netplan: Netplan, source: Source) -> Plan | None:
     plan = netplan.only_plan
     if plan is None or not plan.whole or source.robot_path is None:
         return None
-    if any(file.source.template for file in plan.files):
+    from bringup_lint.model.netplan import root_of
+
+    if plan.has_templates:
         return None
-    roots = {_root(file.source) for file in plan.files}
-    return plan if roots == {_root(source)} else None
-
-
-def _root(source: Source) -> str | None:
-    path = source.robot_path
-    return source.name.removesuffix(path.lstrip("/")) if path and source.name.endswith(path.lstrip("/")) else None
+    return plan if plan.roots == {root_of(source)} else None
 
 
 def named_interfaces(domain: Domain) -> Iterator[Setting]:
@@ -62,7 +58,7 @@ def _is_one_name(text: str) -> bool:
 
 def interface_of_device(plan: Plan, name: str) -> Interface | None:
     """The netplan interface whose device has this name."""
-    return next((each for each in plan.interfaces.values() if each.device == name), None)
+    return plan.devices.get(name)
 
 
 def may_exist(plan: Plan, name: str) -> bool:

@@ -397,16 +397,20 @@ class Launch:
         if not target:
             return None
         if package is None:
-            return self._only(file for file in self.files if f"/{target}".endswith("/" + file.source.basename))
-        owner = self.workspace.packages.get(str(package))
-        if owner is None:
-            called = (file for file in self.files if file.source.basename == target)
-            return self._only(file for file in called if self.workspace.owner(file.source) is None)
-        return self._only(file for file in self.files_of(owner) if file.source.basename == target)
-
-    def _only(self, files: Iterator[LaunchFile]) -> LaunchFile | None:
-        found = list(files)
+            found = self._by_name.get(target.rpartition("/")[2], [])
+        else:
+            owner = self.workspace.packages.get(str(package))
+            called = self._by_name.get(target, [])
+            found = [file for file in called if self.workspace.owner(file.source) is owner]
         return found[0] if len(found) == 1 else None
+
+    @cached_property
+    def _by_name(self) -> dict[str, list[LaunchFile]]:
+        """The launch files by the last parts of their paths."""
+        found: dict[str, list[LaunchFile]] = {}
+        for file in self.files:
+            found.setdefault(file.source.basename, []).append(file)
+        return found
 
     def drives(self, file: LaunchFile) -> bool:
         """Whether hardware is started by a file."""
