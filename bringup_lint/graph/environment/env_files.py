@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -32,6 +33,46 @@ class Reader(NamedTuple):
     value: Located
 
 
+_SOURCED = re.compile(r"(?:^|[\s;&'\"(])(?:source|\.)\s+[\"']?([^\s;&|\"']+)", re.M)
+
+
+@dataclass(eq=False)
+class Mentions:
+    """Where else than in ``EnvironmentFile=`` environment files are named, gathered once for all of them."""
+
+    files: Files
+    units: Units
+
+    @cached_property
+    def sourced(self) -> list[tuple[str, Source]]:
+        """What shells read with ``source`` or ``.``, and the file that says so, each pair once."""
+        pairs = ((match[1], source) for source in self.files.sources for match in _SOURCED.finditer(source.text))
+        return list(dict.fromkeys(pairs))
+
+    @cached_property
+    def of_docker(self) -> dict[Source, Located]:
+        """Environment file -> the first word that names it."""
+        found: dict[Source, Located] = {}
+        for unit in self.units.services:
+            for process in self.units.processes(unit):
+                for step in process.steps:
+                    for path in _env_files_of_docker(step.command.words):
+                        source = self.files.tree.find(path)
+                        if source is not None:
+                            found.setdefault(source, path)
+        return found
+
+
+def _env_files_of_docker(words: Sequence[Located]) -> Iterator[Located]:
+    if "docker" not in {word.rpartition("/")[2] for word in words}:
+        return
+    for option, following in zip(words, (*words[1:], None)):
+        if option == "--env-file" and following is not None:
+            yield following
+        elif option.startswith("--env-file="):
+            yield option.part(11, len(option))
+
+
 @dataclass(eq=False)
 class UsedEnvFile:
     """An environment file that at least one unit reads."""
@@ -40,6 +81,7 @@ class UsedEnvFile:
     units: Units
     model: EnvFile
     readers: list[Reader]
+    mentions: Mentions
 
     @property
     def source(self) -> Source:
@@ -53,28 +95,15 @@ class UsedEnvFile:
     @cached_property
     def sourced_by(self) -> Source | None:
         """A file of the tree that reads this one with a shell as well."""
-        name = re.escape(self.source.basename)
-        pattern = re.compile(rf"(?:^|[\s;&'\"(])(?:source|\.)\s+[\"']?[^\s;&|\"']*{name}\b", re.M)
-        return next(
-            (other for other in self.files.sources if other is not self.source and pattern.search(other.text)),
-            None,
-        )
+        name = re.compile(rf"{re.escape(self.source.basename)}\b")
+        own = self.source
+        found = (each for word, each in self.mentions.sourced if name.search(word) and each is not own)
+        return next(found, None)
 
-    @cached_property
+    @property
     def docker_run(self) -> Located | None:
         """The word of a ``docker run --env-file`` in an Exec line or script that names this file."""
-        for unit in self.units.services:
-            for process in self.units.processes(unit):
-                for step in process.steps:
-                    words = step.command.words
-                    if "docker" not in {word.rpartition("/")[2] for word in words}:
-                        continue
-                    for option, following in zip(words, (*words[1:], None)):
-                        path = following if option == "--env-file" else option.part(11, len(option))
-                        named = option == "--env-file" or option.startswith("--env-file=")
-                        if named and path is not None and self.files.tree.find(path) is self.source:
-                            return path
-        return None
+        return self.mentions.of_docker.get(self.source)
 
     def comment(self, entry: Entry) -> Located | None:
         """Text behind the value that was meant as a comment: a blank and ``#`` outside quotes."""
@@ -125,4 +154,5 @@ def used_env_files(files: Files, units: Units) -> list[UsedEnvFile]:
                 sources[file.source.name] = file.source
                 readers.setdefault(file.source.name, []).append(Reader(unit, file.value))
     models = files.parsed(parse, sources.values())
-    return [UsedEnvFile(files, units, model, readers[model.source.name]) for model in models]
+    mentions = Mentions(files, units)
+    return [UsedEnvFile(files, units, model, readers[model.source.name], mentions) for model in models]
