@@ -1,0 +1,93 @@
+"""The work grows as the tree does: calls are counted, layer by layer, over robots of 1, 3 and 9 times the size.
+
+Nothing is timed. What is the same for every size falls out, because differences are compared: from three to nine times
+the size a layer may make three times as many more calls as from one to three, and a logarithm above that.
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import sys
+from collections import Counter
+from collections.abc import Callable
+from pathlib import Path
+from types import FrameType
+from types import ModuleType
+
+import pytest
+
+from tests.conftest import PROJECT
+from tests.lint import lint
+
+DRIVERS = 5
+"""Of the smallest robot; ten files each."""
+SIZES = (1, 3, 9)
+LINEAR = 3.0
+LOGARITHM = 1.4
+KNOWN = {
+    "model/netplan.py": "each DDS file asks each interface for its match",
+    "model/yaml_node.py": "the same",
+}
+NOTICED = 5_000
+"""Calls that a layer makes more, before growth means something."""
+
+
+def counted(work: Callable[[], object]) -> Counter[str]:
+    """How many calls each layer makes: functions of its own, and of Python from it."""
+    calls: Counter[str] = Counter()
+
+    def note(frame: FrameType, event: str, argument: object) -> None:
+        if event in ("call", "c_call"):
+            calls[frame.f_code.co_filename] += 1
+
+    sys.setprofile(note)
+    try:
+        work()
+    finally:
+        sys.setprofile(None)
+    layers: Counter[str] = Counter()
+    for name, count in calls.items():
+        layers[layer_of(name)] += count
+    return layers
+
+
+def layer_of(name: str) -> str:
+    """``graph/systemd``, ``rules/params``; empty for a file of another project."""
+    path = Path(name)
+    if PROJECT not in path.parents:
+        return ""
+    parts = path.relative_to(PROJECT).parts
+    inside = parts[1:] if parts[0] == "bringup_lint" else parts
+    return "/".join(inside[:2])
+
+
+def excess(small: int, middle: int, large: int) -> float:
+    """How much more than linear the calls grow; 1 is linear."""
+    if large - middle < NOTICED:
+        return 0.0
+    return (large - middle) / max(middle - small, 1) / LINEAR
+
+
+def generator() -> ModuleType:
+    """``benchmarks/robot.py``, which is no package."""
+    spec = importlib.util.spec_from_file_location("generated_robot", PROJECT / "benchmarks/robot.py")
+    assert spec is not None and spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+@pytest.mark.slow
+def test_every_layer_grows_as_the_tree_does(tmp_path: Path) -> None:
+    tops = [generator().generate(tmp_path / str(size), DRIVERS * size) for size in SIZES]
+    lint(".", cwd=tops[0])  # imports everything
+    small, middle, large = (counted(lambda top=top: lint(".", cwd=top)) for top in tops)
+    growth = {layer: excess(small[layer], middle[layer], large[layer]) for layer in large if layer}
+    assert {layer: round(value, 2) for layer, value in growth.items() if value > LOGARITHM and layer not in KNOWN} == {}
+
+
+def test_quadratic_work_is_noticed() -> None:
+    small, middle, large = ((100 * size) ** 2 for size in SIZES)
+    assert excess(small, middle, large) > LOGARITHM
+    small, middle, large = (10_000 * size for size in SIZES)
+    assert excess(small, middle, large) <= LOGARITHM
