@@ -14,8 +14,10 @@ from bringup_lint.config import OFF
 from bringup_lint.config import Config
 from bringup_lint.config import ConfigError
 from bringup_lint.discover.tree import display_name
+from bringup_lint.finding import Applicability
 from bringup_lint.finding import Confidence
 from bringup_lint.finding import Finding
+from bringup_lint.finding import Fix
 from bringup_lint.finding import Severity
 from bringup_lint.finding.copies import merged
 from bringup_lint.isolation import check
@@ -140,7 +142,15 @@ def _graded(found: Finding, rule: Rule | None, selection: Selection) -> Finding:
         found,
         severity=selection.severity(found.rule) or found.own_severity or own,
         confidence=min(found.own_confidence or highest, highest),
+        fix=_as_safe_as(rule, found.fix),
     )
+
+
+def _as_safe_as(rule: Rule | None, fix: Fix | None) -> Fix | None:
+    """The fix, unsafe where the rule says that its fixes are."""
+    if fix is None or rule is None or rule.meta.fix != "unsafe":
+        return fix
+    return replace(fix, applicability=Applicability.UNSAFE)
 
 
 def _means(name: str, rule: Rule | None, rule_id: str) -> bool:

@@ -63,7 +63,8 @@ EPILOG = "\n\n".join(
 @click.option("--tracked", is_flag=True, help="Leave out the files that git does not track.")
 @baseline_options
 @click.option("--fix", is_flag=True, help="Apply the safe fixes.")
-@click.option("--unsafe-fixes", is_flag=True, help="With --fix: apply the unsafe fixes too.")
+@click.option("--unsafe-fixes", is_flag=True, help="With --fix or --diff: the unsafe fixes too.")
+@click.option("--diff", is_flag=True, help="Show what --fix would change, and change nothing.")
 @colour_option
 @click.version_option(__version__, prog_name="bringup-lint", message="%(prog)s %(version)s")
 @click.pass_context
@@ -93,17 +94,28 @@ def _check(outputs: list[Output], paths: tuple[str, ...], options: dict[str, Any
     started = time.time()
     config, rule_folders = configuration(paths, options)
     registry = Registry.of(rule_folders)
-    robot = read_robot(paths, config, options)
-    outcome = run(robot, registry, config, ignores=not options["no_ignores"])
+    if options["stdin_filename"]:
+        options["stdin_data"] = _standard_input()
+
+    def checked() -> tuple[Robot, Outcome]:
+        robot = read_robot(paths, config, options)
+        return robot, run(robot, registry, config, ignores=not options["no_ignores"])
+
+    robot, outcome = checked()
+    unsafe = options["unsafe_fixes"]
+    if options["diff"]:
+        from bringup_lint.cli.fixing import show_diff
+
+        return show_diff(outcome, unsafe=unsafe)
+    if options["fix"] and options["stdin_filename"]:
+        from bringup_lint.cli.fixing import print_fixed
+
+        return print_fixed(robot, outcome, checked, options, unsafe=unsafe)
     unwritten: list[str] = []
     if options["fix"]:
-        from bringup_lint.fix import apply_fixes
+        from bringup_lint.cli.fixing import fix_files
 
-        while (fixed := apply_fixes(outcome.findings, unsafe=options["unsafe_fixes"])).findings:
-            click.echo(f"Fixed {fixed.findings} finding{'s' * (fixed.findings > 1)}.", err=True)
-            robot = read_robot(paths, config, options)
-            outcome = run(robot, registry, config, ignores=not options["no_ignores"])
-        unwritten += map(str, fixed.failures)
+        robot, outcome, unwritten = fix_files(robot, outcome, checked, unsafe=unsafe)
     return deliver(outcome, robot, config, started, outputs, options, unwritten)
 
 
@@ -183,8 +195,8 @@ def _usage(paths: tuple[str, ...], options: dict[str, Any]) -> None:
         raise click.UsageError("standard input needs a name, which says what kind of file it is: --stdin-filename NAME")
     if name and (options["root"] or options["tracked"] or set(paths) - {"-"}):
         raise click.UsageError("--stdin-filename checks standard input alone: leave out paths, --root and --tracked")
-    if options["unsafe_fixes"] and not options["fix"]:
-        raise click.UsageError("--unsafe-fixes needs --fix")
+    if options["unsafe_fixes"] and not (options["fix"] or options["diff"]):
+        raise click.UsageError("--unsafe-fixes needs --fix or --diff")
 
 
 def configuration(paths: tuple[str, ...], options: dict[str, Any]) -> tuple[Config, list[Path]]:
@@ -226,7 +238,7 @@ def read_robot(paths: tuple[str, ...], config: Config, options: dict[str, Any]) 
     from bringup_lint.robot import Robot
 
     if options["stdin_filename"]:
-        tree = discover_text(options["stdin_filename"], _standard_input())
+        tree = discover_text(options["stdin_filename"], options["stdin_data"])
     else:
         if why := missing(paths, options["root"]):
             raise ConfigError(why)

@@ -37,7 +37,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.yaml import first_key
 
 
-@rule("info", fix="safe")
+@rule("info", fix="unsafe")
 def no_new_privileges(robot: Robot) -> Iterator[Finding]:
     for service in robot.compose.whole_services:
         if service.is_privileged:

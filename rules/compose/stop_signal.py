@@ -44,7 +44,7 @@ from bringup_lint.api.yaml import first_key
 LAUNCH = re.compile(r"\bros2[\s\",\[\]]+launch\b")
 
 
-@rule("warning", fix="safe", symptoms=["exited with code 137"])
+@rule("warning", fix="unsafe", symptoms=["exited with code 137"])
 def stop_signal(robot: Robot) -> Iterator[Finding]:
     for service in robot.compose.whole_services:
         launch = service.launches

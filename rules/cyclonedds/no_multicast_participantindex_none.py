@@ -46,7 +46,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.dds import multicast_off
 
 
-@rule("error", fix="safe")
+@rule("error", fix="unsafe")
 def no_multicast_participantindex_none(robot: Robot) -> Iterator[Finding]:
     for _, domain in robot.dds.domains:
         off = multicast_off(domain)

@@ -45,7 +45,7 @@ from bringup_lint.api.dds import multicast_off
 from bringup_lint.api.dds import peer_addresses
 
 
-@rule("warning", fix="safe", confidence="medium")
+@rule("warning", fix="unsafe", confidence="medium")
 def peer_self_missing(robot: Robot) -> Iterator[Finding]:
     for configuration, domain in robot.dds.domains:
         off = multicast_off(domain)

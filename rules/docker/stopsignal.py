@@ -41,7 +41,7 @@ from bringup_lint.api.docker import stays_in_shell
 LAUNCH = re.compile(r"\bros2[\s\",\[\]]+launch\b")
 
 
-@rule("warning", fix="safe", symptoms=["exited with code 137"])
+@rule("warning", fix="unsafe", symptoms=["exited with code 137"])
 def stopsignal(robot: Robot) -> Iterator[Finding]:
     for file in robot.dockerfiles:
         stage = file.final

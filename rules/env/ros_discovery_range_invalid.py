@@ -36,7 +36,7 @@ from bringup_lint.api.ros import DISCOVERY_RANGES
 from bringup_lint.api.ros import at_least
 
 
-@rule("error", fix="safe", symptoms=["Invalid value for ROS_AUTOMATIC_DISCOVERY_RANGE"])
+@rule("error", fix="unsafe", symptoms=["Invalid value for ROS_AUTOMATIC_DISCOVERY_RANGE"])
 def ros_discovery_range_invalid(robot: Robot) -> Iterator[Finding]:
     if not at_least(robot.target.ros, "iron"):
         return

@@ -36,7 +36,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import rule
 
 
-@rule("error", fix="safe")
+@rule("error", fix="unsafe")
 def no_default_profile(robot: Robot) -> Iterator[Finding]:
     for profiles in robot.dds.profile_files:
         participants = profiles.of_kind("participant")

@@ -35,7 +35,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import rule
 
 
-@rule("warning", fix="safe", symptoms=["because parent directory has insecure permissions"], tags=["CWE-732"])
+@rule("warning", fix="unsafe", symptoms=["because parent directory has insecure permissions"], tags=["CWE-732"])
 def tmpfs_varlog_mode(robot: Robot) -> Iterator[Finding]:
     for fstab in robot.fstabs:
         for mount in fstab.mounts:

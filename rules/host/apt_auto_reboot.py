@@ -36,7 +36,7 @@ from bringup_lint.api import rule
 REBOOT = re.compile(r"^[ \t]*Unattended-Upgrade::Automatic-Reboot[ \t]+\"?(\w+)\"?[ \t]*;", re.M | re.I)
 
 
-@rule("error", fix="safe")
+@rule("error", fix="unsafe")
 def apt_auto_reboot(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("apt-conf"):
         for match in REBOOT.finditer(source.text):

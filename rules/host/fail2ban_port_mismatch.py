@@ -40,7 +40,7 @@ NAMES = {"ssh": "22"}
 PORT = re.compile(r"^[ \t]*Port[ \t=]+(\d+)", re.M | re.I)
 
 
-@rule("warning", fix="safe")
+@rule("warning", fix="unsafe")
 def fail2ban_port_mismatch(robot: Robot) -> Iterator[Finding]:
     ports = [source.located(*match.span(1)) for source in robot.sshd_sources for match in PORT.finditer(source.text)]
     for jail in robot.jails:

@@ -62,13 +62,14 @@ def executable_missing(robot: Robot) -> Iterator[Finding]:
         if not robot.launch.workspace.lacks(package, executable):
             continue
         near = nearest(executable, sorted(package.executables), 3)
+        builds = [build.source for build in package.builds[:1]]
         related = [note(package.executables[near[0]], "the executable of the package")] if near else []
         yield finding(
             executable,
             f"{package.name} has no executable '{executable}': launch aborts",
-            advice=f"start '{near[0]}'" if near else f"install it in {package.builds[0].source.name}",
+            advice=f"start '{near[0]}'" if near else f"install it in {builds[0].name if builds else package.name}",
             chain=robot.provenance.chain_to_node(node),
-            related=related or [note(package.builds[0].source, "what the package installs")],
+            related=related or [note(build, "what the package installs") for build in builds],
             fix=fix(f"write {near[0]}", (executable, near[0]), safe=False)
             if len(near) == 1 and executable.span.text == executable
             else None,

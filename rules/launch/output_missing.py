@@ -37,7 +37,7 @@ from bringup_lint.api import rule
 OVERRIDE = "OVERRIDE_LAUNCH_PROCESS_OUTPUT"
 
 
-@rule("info", fix="safe")
+@rule("info", fix="unsafe")
 def output_missing(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         for action, _ in robot.launch.visited(file):

@@ -36,7 +36,7 @@ from bringup_lint.api import launch
 from bringup_lint.api import rule
 
 
-@rule("warning", fix="safe")
+@rule("warning", fix="unsafe")
 def respawn_no_delay(robot: Robot) -> Iterator[Finding]:
     for node in robot.launch.nodes:
         if not isinstance(node.action, launch.Process) or node.action.open or robot.launch.simulated(node.file):

@@ -37,7 +37,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import rule
 
 
-@rule("error", fix="safe")
+@rule("error", fix="unsafe")
 def globstar(robot: Robot) -> Iterator[Finding]:
     for stanza in robot.logs.stanzas:
         for path in stanza.paths:

@@ -51,7 +51,7 @@ ROS = re.compile(r"\bros2\b|/opt/ros/|_node\b|\bros2?_")
 KILLERS = frozenset({"kill", "killall", "pkill", "systemctl"})
 
 
-@rule("error", fix="safe", symptoms=["Main process exited, code=killed, status=1/HUP"])
+@rule("error", fix="unsafe", symptoms=["Main process exited, code=killed, status=1/HUP"])
 def hup_ros(robot: Robot) -> Iterator[Finding]:
     for stanza in robot.logs.stanzas:
         for script in stanza.scripts:

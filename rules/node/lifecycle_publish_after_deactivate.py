@@ -41,7 +41,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("warning", fix="safe")
+@rule("warning", fix="unsafe")
 def lifecycle_publish_after_deactivate(robot: Robot) -> Iterator[Finding]:
     for file, node in robot.nodes.with_callbacks:
         if not node.is_lifecycle:

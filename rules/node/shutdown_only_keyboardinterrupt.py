@@ -49,7 +49,7 @@ from bringup_lint.api import rule
 
 @rule(
     "warning",
-    fix="safe",
+    fix="unsafe",
     symptoms=[
         "rclpy.executors.ExternalShutdownException",
         "failed to shutdown: rcl_shutdown already called on the given context",

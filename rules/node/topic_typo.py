@@ -27,6 +27,7 @@ When both names are intended and the other side is on another computer or starte
 - ROS 2 documentation, "Topic and service name mapping"
 """
 
+from collections import Counter
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -38,12 +39,18 @@ from bringup_lint.api import rule
 from bringup_lint.api import topics
 
 
+def is_outvoted(count: Counter[str], topic: str, near: str) -> bool:
+    """Whether more places use the other name, so that this one is the typo."""
+    return count[near] > count[topic]
+
+
 @rule("warning", fix="unsafe", symptoms=["does not appear to be published yet"])
 def topic_typo(robot: Robot) -> Iterator[Finding]:
     for running in robot.topics.runs:
+        used = Counter(use.topic for use in running.uses)
         for use, meant, near in topics.probable_typos(running):
             nobody = "Nobody publishes" if use.role == "subscription" else "Nobody subscribes to"
-            better = topics.corrected(use, near)
+            better = topics.corrected(use, near) if is_outvoted(used, use.topic, near) else None
             yield finding(
                 use.name_place or use.where,
                 f"{nobody} {use.topic}, which {use.node.label()} {use.verb}: {meant.node.label()} {meant.verb} {near}",

@@ -36,7 +36,7 @@ from bringup_lint.api import nodes
 from bringup_lint.api import rule
 
 
-@rule("error", fix="safe", symptoms=["NameError: name 'SetParametersResult' is not defined"])
+@rule("error", fix="unsafe", symptoms=["NameError: name 'SetParametersResult' is not defined"])
 def undefined_name(robot: Robot) -> Iterator[Finding]:
     for file in robot.nodes.programs:
         for name, module, function, stub in nodes.undefined(robot.nodes.syntax(file)):

@@ -35,7 +35,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import rule
 
 
-@rule("error", fix="safe", symptoms=["Enclave name is not valid"])
+@rule("error", fix="unsafe", symptoms=["Enclave name is not valid"])
 def enclave_name_invalid(robot: Robot) -> Iterator[Finding]:
     overrides = {setting.value.span for setting in robot.ros.of("ROS_SECURITY_ENCLAVE_OVERRIDE")}
     paths = [enclave.path for policy in robot.sros2.policies for enclave in policy.enclaves if enclave.path]

@@ -38,7 +38,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import rule
 
 
-@rule("error", fix="safe", symptoms=["Not Allowed By Security"])
+@rule("error", fix="unsafe", symptoms=["Not Allowed By Security"])
 def permissions_missing_ros_prefix(robot: Robot) -> Iterator[Finding]:
     for _, grant in robot.sros2.ros_grants:
         for rule_ in grant.allowed:

@@ -47,7 +47,7 @@ from bringup_lint.api.sros2 import Right
 PREFIXED = re.compile(r"/?r[tqr]/(.+)")
 
 
-@rule("error", fix="safe", symptoms=["Not Allowed By Security"])
+@rule("error", fix="unsafe", symptoms=["Not Allowed By Security"])
 def policy_grants_nothing(robot: Robot) -> Iterator[Finding]:
     for profile in robot.sros2.policy_profiles:
         if profile.namespace and not profile.namespace.startswith(("/", "$")):

@@ -61,7 +61,7 @@ MOST_TRIES = 4
 
 @rule(
     "info",
-    fix="safe",
+    fix="unsafe",
     aliases=[
         "sshd/x11-forwarding",
         "sshd/tcp-forwarding",

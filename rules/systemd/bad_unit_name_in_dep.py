@@ -41,7 +41,7 @@ from bringup_lint.api.systemd import Line
 from bringup_lint.api.systemd import ValueProblem
 
 
-@rule("error", fix="safe", symptoms=["Failed to add dependency on"])
+@rule("error", fix="unsafe", symptoms=["Failed to add dependency on"])
 def bad_unit_name_in_dep(robot: Robot) -> Iterator[Finding]:
     for line in robot.units.lines:
         if line.directive.type not in ("units", "socket-units"):

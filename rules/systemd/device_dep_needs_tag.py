@@ -44,7 +44,7 @@ from bringup_lint.api import rule
 _KEYS = ("BindsTo", "Requires", "Requisite", "Wants", "After")
 
 
-@rule("warning", fix="safe", symptoms=["Timed out waiting for device", "Job dev-", "Dependency failed for"])
+@rule("warning", fix="unsafe", symptoms=["Timed out waiting for device", "Job dev-", "Dependency failed for"])
 def device_dep_needs_tag(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.judged:
         seen = set()

@@ -41,7 +41,7 @@ from bringup_lint.api import rule
 _KEYS = ("BindsTo", "Requires", "Requisite", "Wants", "After", "PartOf", "WantedBy")
 
 
-@rule("error", fix="safe", symptoms=["Timed out waiting for device"])
+@rule("error", fix="unsafe", symptoms=["Timed out waiting for device"])
 def device_unit_escape(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.judged:
         for key in _KEYS:

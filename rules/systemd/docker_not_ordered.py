@@ -49,7 +49,7 @@ _DAEMON = ("docker.service", "docker.socket", "snap.docker.dockerd.service")
 _ASKS = ("docker info", "docker ps", "docker version", "is-active docker", "start docker", "docker.sock")
 
 
-@rule("warning", fix="safe", symptoms=["Cannot connect to the Docker daemon"])
+@rule("warning", fix="unsafe", symptoms=["Cannot connect to the Docker daemon"])
 def docker_not_ordered(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     for unit in units.services:

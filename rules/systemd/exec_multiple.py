@@ -43,7 +43,7 @@ from bringup_lint.api.systemd import Line
 from bringup_lint.api.systemd import Unit
 
 
-@rule("error", fix="safe", symptoms=["Service has more than one ExecStart= setting"])
+@rule("error", fix="unsafe", symptoms=["Service has more than one ExecStart= setting"])
 def exec_multiple(robot: Robot) -> Iterator[Finding]:
     lines = {line.value.span: line for line in robot.units.lines if line.key == "ExecStart"}
     for unit in robot.units.services:

@@ -42,7 +42,7 @@ from bringup_lint.api.systemd import delete_lines
 SIGNAL = re.compile(r"-{1,2}(?:s|signal|n)?=?\s*((?:SIG)?[A-Z][A-Z0-9]+|\d+)$")
 
 
-@rule("info", fix="safe", symptoms=["user interrupted with ctrl-c (SIGINT) again, ignoring"])
+@rule("info", fix="unsafe", symptoms=["user interrupted with ctrl-c (SIGINT) again, ignoring"])
 def execstop_async_kill(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         service = robot.units.supervision(unit)

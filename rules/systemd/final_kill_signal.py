@@ -42,7 +42,7 @@ from bringup_lint.api.systemd import Unit
 from bringup_lint.api.systemd import delete_lines
 
 
-@rule("error", fix="safe", symptoms=["Processes still around after final SIGTERM. Entering failed mode."])
+@rule("error", fix="unsafe", symptoms=["Processes still around after final SIGTERM. Entering failed mode."])
 def final_kill_signal(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.ros:
         service = robot.units.supervision(unit)

@@ -34,12 +34,22 @@ When the unit is optional and comes from a package that some robots do not have.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Unit
 
 KEYS = ("Wants", "Upholds", "After", "Before", "PartOf")
+
+
+def renamed(unit: Unit, name: str, meant: str) -> Iterator[tuple[Located, str]]:
+    """Edits that write another name in all dependencies of a unit."""
+    for key in KEYS:
+        for line in unit.assignments(key):
+            if not line.opaque:
+                yield from ((word, meant) for word in line.value.words() if word == name)
 
 
 @rule("warning", fix="unsafe")
@@ -62,7 +72,7 @@ def missing_wanted_unit(robot: Robot) -> Iterator[Finding]:
                         f"{key}={word} has no effect: there is no such unit"
                         + ("" if robot.tree.complete else " in this tree"),
                         advice=f"did you mean {meant}?" if meant else "correct the name, or remove the line",
-                        fix=fix(f"write {meant}", (word, meant), safe=False) if meant else None,
+                        fix=fix(f"write {meant}", *renamed(unit, word, meant), safe=False) if meant else None,
                         severity=None if units.is_own(word, unit) else "info",
                         confidence="high" if robot.tree.complete else "medium",
                     )

@@ -41,7 +41,7 @@ from bringup_lint.api import rule
 ONLINE = "network-online.target"
 
 
-@rule("warning", fix="safe", symptoms=["does not match an available interface", "Network is unreachable"])
+@rule("warning", fix="unsafe", symptoms=["does not match an available interface", "Network is unreachable"])
 def network_online_no_wants(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     for unit in units.judged:

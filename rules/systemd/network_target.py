@@ -55,7 +55,7 @@ from bringup_lint.api.systemd import too_early
 
 @rule(
     "warning",
-    fix="safe",
+    fix="unsafe",
     symptoms=["does not match an available interface", 'failed to find interfaces for "udp"'],
 )
 def network_target(robot: Robot) -> Iterator[Finding]:

@@ -44,7 +44,7 @@ ORDERED = (".mount", ".automount", ".swap", ".slice", ".scope")
 EARLY = ("sysinit.target", "basic.target", "network-online.target", "local-fs.target")
 
 
-@rule("warning", fix="safe")
+@rule("warning", fix="unsafe")
 def requires_without_after(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     for unit in units.judged:

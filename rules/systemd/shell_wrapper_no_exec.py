@@ -44,7 +44,7 @@ from bringup_lint.api import rule
 ALONE = ("mixed", "process")
 
 
-@rule("warning", fix="safe")
+@rule("warning", fix="unsafe")
 def shell_wrapper_no_exec(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.ros:
         service = robot.units.supervision(unit)

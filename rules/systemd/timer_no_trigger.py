@@ -42,7 +42,7 @@ from bringup_lint.api.systemd import has_trigger
 from bringup_lint.api.systemd import misspelt_trigger
 
 
-@rule("error", fix="safe", symptoms=["Timer unit lacks value setting"])
+@rule("error", fix="unsafe", symptoms=["Timer unit lacks value setting"])
 def timer_no_trigger(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.judged:
         if unit.type != "timer" or unit.fragment is None or unit.uncertain:

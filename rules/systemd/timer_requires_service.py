@@ -41,7 +41,7 @@ from bringup_lint.api import rule
 _PULLING = ("Requires", "Wants", "BindsTo", "Upholds")
 
 
-@rule("warning", fix="safe")
+@rule("warning", fix="unsafe")
 def timer_requires_service(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.judged:
         if unit.type != "timer":

@@ -51,7 +51,7 @@ SYSTEM_ONLY = frozenset(
 )
 
 
-@rule("error", fix="safe")
+@rule("error", fix="unsafe")
 def user_unit_system_target(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.judged:
         if unit.manager != "user":

@@ -40,7 +40,7 @@ from bringup_lint.api import rule
 _IGNORE = ("ID_MM_DEVICE_IGNORE", "ID_MM_PORT_IGNORE", "ID_MM_DEVICE_PROCESS")
 
 
-@rule("warning", fix="safe", symptoms=["ModemManager", "[modem0] state changed"])
+@rule("warning", fix="unsafe", symptoms=["ModemManager", "[modem0] state changed"])
 def modemmanager_not_ignored(robot: Robot) -> Iterator[Finding]:
     manager = robot.units.candidates("ModemManager.service")
     running = any(not unit.masked for unit in manager)

@@ -33,7 +33,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import rule
 
 
-@rule("error", fix="safe")
+@rule("error", fix="unsafe")
 def systemd_wants_without_tag(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         if line.is_tagged_by_systemd(robot.target.systemd) is not False:

@@ -48,7 +48,7 @@ _DECIDING = ("PROGRAM", "IMPORT", "RESULT", "TEST", "GOTO")
 
 @rule(
     "warning",
-    fix="safe",
+    fix="unsafe",
     symptoms=["VIDIOC_G_FMT: Inappropriate ioctl for device", "not a video capture device"],
 )
 def video_index_missing(robot: Robot) -> Iterator[Finding]:

@@ -1,0 +1,104 @@
+"""``--fix``, ``--diff`` and fixes of standard input."""
+
+from __future__ import annotations
+
+import io
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.lint import lint
+
+UNIT = "[Service]\nStartLimitInterval=200\nExecStart=/bin/x\nWIFI_PASSWORD=hunter22hunter\n"
+FIXED = "[Unit]\nStartLimitIntervalSec=200\n\n" + UNIT.replace("StartLimitInterval=200\n", "")
+
+
+@pytest.fixture
+def unit(tmp_path: Path) -> Path:
+    path = tmp_path / "robot.service"
+    path.write_text(UNIT)
+    return path
+
+
+def test_diff_shows_what_fix_would_do_and_changes_nothing(unit: Path) -> None:
+    run = lint("--diff", "--select", "systemd/legacy-key", cwd=unit.parent)
+    assert run.code == 1
+    assert unit.read_text() == UNIT
+    assert "-StartLimitInterval=200\n" in run.stdout
+    assert "+StartLimitIntervalSec=200\n" in run.stdout
+
+
+def test_diff_shows_no_secret(unit: Path) -> None:
+    run = lint("--diff", "--select", "systemd/legacy-key", cwd=unit.parent)
+    assert " WIFI_PASSWORD=**************\n" in run.stdout
+
+
+def test_diff_without_a_change(tmp_path: Path) -> None:
+    (tmp_path / "robot.service").write_text("[Service]\nExecStart=/bin/x\n")
+    run = lint("--diff", cwd=tmp_path)
+    assert (run.code, run.stdout) == (0, "")
+
+
+def test_summary_names_the_rules(unit: Path) -> None:
+    run = lint("--fix", "--select", "systemd/legacy-key", cwd=unit.parent)
+    assert "  1 systemd/legacy-key\n" in run.stderr
+
+
+def test_summary_says_what_is_unsafe(tmp_path: Path) -> None:
+    (tmp_path / "robot.service").write_text(
+        "[Unit]\nAfter=network.target\n[Service]\nExecStart=/usr/bin/ros2 launch a b\n"
+    )
+    run = lint("--fix", "--select", "systemd/network-target", cwd=tmp_path)
+    assert "Not fixed: 1 systemd/network-target (unsafe: --unsafe-fixes)\n" in run.stderr
+    assert "Fixed" not in run.stderr
+
+
+def test_standard_input_is_fixed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(UNIT.encode())))
+    run = lint("--stdin-filename", "robot.service", "--fix", "--select", "systemd/legacy-key", cwd=tmp_path)
+    assert run.stdout == FIXED
+    assert run.code == 0
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("end", ["\n", "\r\n"])
+@pytest.mark.parametrize("bom", ["", "\ufeff"])
+def test_line_ends_and_byte_order_mark_stay(tmp_path: Path, end: str, bom: str) -> None:
+    path = tmp_path / "robot.service"
+    text = bom + "[Service]\nStartLimitInterval=200\nExecStart=/usr/bin/ros2 launch a b.launch.py\n".replace("\n", end)
+    path.write_bytes(text.encode())
+    lint("--fix", "--unsafe-fixes", cwd=tmp_path)
+    fixed = path.read_bytes().decode()
+    assert fixed != text
+    assert fixed.startswith(bom + "[")
+    assert fixed.count("\ufeff") == len(bom)
+    assert fixed.count("\n") == fixed.count(end)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "[Unit]\nSlice=calibration.service\n\nTTYReset=1%\n[Service]\nExecStart=/opt/x\n\n[Install]\nWantedBy=multi-user.target\n",
+        "[Service]\rUser=robot\rExecStart=/usr/bin/ros2 launch a b.launch.py\r",
+    ],
+)
+def test_fixing_ends(tmp_path: Path, text: str) -> None:
+    path = tmp_path / "robot.service"
+    path.write_bytes(text.encode())
+    lint("--fix", "--unsafe-fixes", cwd=tmp_path)
+    once = path.read_bytes()
+    lint("--fix", "--unsafe-fixes", cwd=tmp_path)
+    assert path.read_bytes() == once
+    assert len(once) < 2 * len(text)
+
+
+def test_two_xml_declarations_are_fixed_in_bounded_rounds(tmp_path: Path) -> None:
+    path = tmp_path / "dds.xml"
+    path.write_text(
+        '\n\n<!-- c --><?xml version="1.0"?><?xml version="1.0"?>\n'
+        '<dds xmlns="http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles"><profiles/></dds>\n'
+    )
+    before = len(path.read_text())
+    lint("--fix", "--unsafe-fixes", cwd=tmp_path)
+    assert len(path.read_text()) < 2 * before

@@ -1,0 +1,68 @@
+"""``docs/fixes.md`` lists every rule with a fix; ``--update-expected`` rewrites it."""
+
+from __future__ import annotations
+
+import shutil
+from collections import defaultdict
+from pathlib import Path
+
+import pytest
+
+from bringup_lint.registry import Registry
+from tests.conftest import PROJECT
+from tests.lint import lint
+from tests.oracles.judges import judge_of
+from tests.rules.test_fixes import FIXES
+from tests.rules.test_fixes import REGISTRY
+from tests.rules.test_fixes import source
+from tests.rules.test_fixes import texts
+from tests.rules.test_fixtures import arguments
+
+PAGE = PROJECT / "docs/fixes.md"
+HEAD = """# Fixes
+
+`--fix` applies the safe fixes, `--fix --unsafe-fixes` all of them. A safe fix corrects what does not work today: a
+name, a value, a syntax that the reader refuses or ignores. An unsafe fix changes what the robot does: who may log in,
+what starts, stops, is ordered or is rotated, which nodes find each other.
+
+For each fix, a test compares what the tool in the last column says of the file before and after the fix: it must not
+find anything new. Where it names none, the parser of bringup-lint alone judges the fixed file.
+
+| rule | fix | judged by |
+|---|---|---|
+"""
+
+
+def judges(tmp_path: Path) -> dict[str, set[str]]:
+    """Rule -> the tools that read the files that its fixes change, over all of its fixtures."""
+    tools: dict[str, set[str]] = defaultdict(set)
+    for number, (rule_id, case) in enumerate(FIXES):
+        folder = shutil.copytree(case, tmp_path / str(number), symlinks=True)
+        old = texts(folder)
+        lint("--fix", "--unsafe-fixes", "--select", rule_id, *arguments(folder), cwd=folder)
+        for name, data in texts(folder).items():
+            if data != old.get(name) and (found := judge_of(source(name, data).kind)):
+                tools[rule_id].add(found[0])
+    return tools
+
+
+@pytest.mark.slow
+def test_the_page_is_current(tmp_path: Path, update_expected: bool) -> None:
+    tools = judges(tmp_path)
+    rows = [
+        f"| [{rule_id}](../{path.relative_to(PROJECT)}) | {fix} | {', '.join(sorted(tools[rule_id]))} |\n"
+        for rule_id, path in sorted(REGISTRY.paths.items())
+        if (fix := REGISTRY[rule_id].meta.fix) != "none"
+    ]
+    if update_expected:
+        PAGE.write_text(HEAD + "".join(rows), "utf-8")
+    assert PAGE.read_text("utf-8") == HEAD + "".join(rows)
+
+
+def test_the_page_says_what_the_rules_say() -> None:
+    page = PAGE.read_text("utf-8")
+    registry = Registry.of()
+    for rule_id in registry.paths:
+        fix = registry[rule_id].meta.fix
+        assert (f"[{rule_id}](" in page) == (fix != "none")
+        assert fix == "none" or f".py) | {fix} |" in page.partition(f"[{rule_id}](")[2].partition("\n")[0]
