@@ -33,6 +33,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.dds import Setting
 
 DEFAULTS = {
     "Base": 7400,
@@ -48,28 +49,33 @@ DEFAULTS = {
 @rule("warning")
 def ports_custom_firewall(robot: Robot) -> Iterator[Finding]:
     for configuration, domain in robot.dds.domains:
-        settings = {name: domain.get(f"Discovery/Ports/{name}") for name in DEFAULTS}
-        given = {name: setting for name, setting in settings.items() if setting is not None}
-        texts = {name: (setting.effective or "").strip() for name, setting in given.items()}
-        domains = [reader.domain for reader in robot.dds.readers(configuration)]
-        numbers = {number for number in domains if number is not None}
-        if not given or not all(text.isdecimal() for text in texts.values()) or len(numbers) != 1 or None in domains:
+        settings = [(name, domain.get(f"Discovery/Ports/{name}")) for name in DEFAULTS]
+        given = {name: setting for name, setting in settings if setting is not None}
+        numbers = {reader.domain for reader in robot.dds.readers(configuration)}
+        number = numbers.pop() if len(numbers) == 1 else None
+        needed = _ports(given, number) if number is not None else []
+        if not needed:
             continue
-        values = DEFAULTS | {name: int(text) for name, text in texts.items()}
-        if values == DEFAULTS:
-            continue
-        base = values["Base"] + values["DomainGain"] * numbers.pop()
-        needed = sorted({base + values[name] for name in DEFAULTS if name.endswith("Offset")})
         for firewall in robot.firewalls:
             uncertain = any(not each.certain and each.protocol != "tcp" for each in firewall.openings)
             opened = [each for each in firewall.udp if each.first >= 1024]
             closed = [port for port in needed if not any(each.first <= port <= each.last for each in firewall.udp)]
             if opened and closed and not firewall.opens_all and not uncertain:
-                first = next(iter(given.values()))
                 yield finding(
-                    first.value,
+                    next(iter(given.values())).value,
                     f"DDS uses the ports {', '.join(map(str, needed))}, but the firewall blocks {closed[0]}: "
                     "other machines see nothing of the robot",
                     advice="open these ports, or use the default ones",
                     related=[note(opened[0].where, "the firewall opens these")],
                 )
+
+
+def _ports(given: dict[str, Setting], number: int) -> list[int]:
+    """The ports of a domain; empty for the usual ones, and where a setting is not known."""
+    texts = {name: (setting.effective or "").strip() for name, setting in given.items()}
+    if not all(text.isdecimal() for text in texts.values()):
+        return []
+    values = DEFAULTS | {name: int(text) for name, text in texts.items()}
+    base = values["Base"] + values["DomainGain"] * number
+    offsets = {values[name] for name in DEFAULTS if name.endswith("Offset")}
+    return sorted(base + offset for offset in offsets) if values != DEFAULTS else []
