@@ -5,6 +5,9 @@
 
 from __future__ import annotations
 
+import os
+import re
+from collections.abc import Iterator
 from dataclasses import dataclass
 from dataclasses import field
 from dataclasses import fields
@@ -12,6 +15,10 @@ from pathlib import Path
 from typing import Any
 from typing import NamedTuple
 
+from bringup_lint.discover.gitignore import PatternError
+from bringup_lint.discover.gitignore import pattern_of
+from bringup_lint.discover.reading import Unreadable
+from bringup_lint.discover.reading import read_bytes
 from bringup_lint.facts.ros import distros
 from bringup_lint.spelling import meant
 from bringup_lint.toml import read_toml
@@ -22,6 +29,12 @@ OFF = "off"
 """In place of a severity: the rule does not run."""
 ROS_DISTROS = distros.supported()
 PURPOSES = ("robot", "development", "simulation", "test", "ci", "example", "archive")
+
+
+OLDEST_SYSTEMD, NEWEST_SYSTEMD = 245, 257
+SIZE_LIMIT = 1024 * 1024
+"""Bytes of a configuration file."""
+_TABLE = re.compile(r"^[ \t]*\[[ \t]*tool[ \t]*(?:\]|\.[ \t]*[\"']?bringup[-_]lint)", re.M)
 
 
 class ConfigError(Exception):
@@ -88,6 +101,10 @@ class Config:
     text: str = ""
     """What the file holds."""
 
+    def place(self, word: str) -> str:
+        """Where the file says a word, for the beginning of a message; empty when it does not."""
+        return f"{_place(self.path, self.text, word)}: " if self.path and word in self.text else ""
+
     @property
     def folder(self) -> Path:
         """What relative paths in the configuration are relative to."""
@@ -98,36 +115,111 @@ def find(start: Path) -> Path | None:
     """The nearest configuration at or above ``start``; the search ends at the top of a repository."""
     for folder in (start, *start.parents):
         own = folder / FILE_NAME
-        if own.is_file():
+        if os.path.lexists(own):
             return own
         pyproject = folder / "pyproject.toml"
-        if pyproject.is_file() and "[tool.bringup-lint" in pyproject.read_text("utf-8", errors="replace"):
+        if os.path.lexists(pyproject) and _TABLE.search(_text_of(pyproject, named=False)):
             return pyproject
-        if (folder / ".git").exists():
+        if os.path.lexists(folder / ".git"):
             return None
     return None
 
 
-def read(path: Path) -> Config:
-    """Read a configuration file. Raises ConfigError with the file's name in the text."""
+def read(path: Path, *, named: bool = True) -> Config:
+    """Read a configuration file. Raises ConfigError with the file's name in the text.
+
+    One that the user did not name was found in the tree and is not trusted: it is no link out of the tree, and names
+    nothing outside.
+    """
+    text = _text_of(path, named)
     try:
-        text = path.read_text("utf-8")
         data = read_toml(text)
-    except OSError as error:
-        raise ConfigError(f"{path}: {error.strerror}") from error
-    except ValueError as error:
-        raise ConfigError(f"{path}: {error}") from error
-    if path.name == "pyproject.toml":
-        data = data.get("tool", {}).get("bringup-lint", {})
-    values = {}
-    for key, value in data.items():
+    except (ValueError, RecursionError) as error:
+        why = "nested too deep" if isinstance(error, RecursionError) else error
+        raise ConfigError(f"{path}: {why}") from error
+    values: dict[str, Any] = {}
+    for key, value in _table(path, text, data).items():
         if key not in OPTIONS:
-            raise ConfigError(f"{path}: unknown key '{key}'{_did_you_mean(key)}")
+            raise ConfigError(f"{_place(path, text, key)}: unknown key '{key}'{_did_you_mean(key)}")
         try:
             values[key.replace("-", "_")] = _checked(OPTIONS[key].type, value)
         except ValueError as error:
-            raise ConfigError(f"{path}: {key} {error}") from error
-    return Config(**values, path=path, text=text)
+            raise ConfigError(f"{_place(path, text, key)}: {key} {error}") from error
+    config = Config(**values, path=path, text=text)
+    for word, why in _without_effect(config, named):
+        raise ConfigError(f"{_place(path, text, word)}: {why}")
+    return config
+
+
+def _text_of(path: Path, named: bool) -> str:
+    """The text of a configuration file. Raises ConfigError."""
+    if not named and not _is_inside(path, path.parent):
+        raise ConfigError(f"{path}: a symbolic link leads out of the tree; --isolated reads no configuration")
+    try:
+        data, _ = read_bytes(str(path), SIZE_LIMIT, follow=True)
+        return data.decode("utf-8")
+    except Unreadable as error:
+        raise ConfigError(f"{path}: {error}") from error
+    except UnicodeDecodeError as error:
+        raise ConfigError(f"{path}: not UTF-8: byte 0x{data[error.start]:02x}") from error
+
+
+def _is_inside(path: Path, folder: Path) -> bool:
+    """Whether a path leads to a place in the repository around a folder, or else in the folder."""
+    tops = (each for each in (folder, *folder.parents) if os.path.lexists(each / ".git"))
+    top = os.path.realpath(next(tops, folder))
+    try:
+        real = os.path.realpath(path)
+    except ValueError:
+        return False
+    return real == top or real.startswith(top.rstrip("/") + "/")
+
+
+def _table(path: Path, text: str, data: dict[str, Any]) -> dict[str, Any]:
+    """The settings: all of the file's own, or the table of ``pyproject.toml``. Raises ConfigError."""
+    if path.name != "pyproject.toml":
+        if "tool" in data:
+            raise ConfigError(f"{_place(path, text, 'tool')}: write the keys themselves, without [tool.bringup-lint]")
+        return data
+    tools = data.get("tool", {})
+    if not isinstance(tools, dict):
+        return {}
+    if "bringup_lint" in tools:
+        place = _place(path, text, "bringup_lint")
+        raise ConfigError(f"{place}: [tool.bringup_lint] has no effect; did you mean [tool.bringup-lint]?")
+    table = tools.get("bringup-lint", {})
+    if not isinstance(table, dict):
+        raise ConfigError(f"{_place(path, text, 'bringup-lint')}: [tool.bringup-lint] must be a table")
+    return table
+
+
+def _without_effect(config: Config, named: bool) -> Iterator[tuple[str, str]]:
+    """Words of the configuration that would change nothing, or lead out of the tree, and why."""
+    version = config.target_systemd
+    if version is not None and not OLDEST_SYSTEMD <= version <= NEWEST_SYSTEMD:
+        yield str(version), f"target-systemd must be {OLDEST_SYSTEMD} to {NEWEST_SYSTEMD}, not {version}"
+    for key, table in (("deploy", config.deploy), ("purpose", config.purpose)):
+        for path in table:
+            if "\0" in path or not os.path.lexists(config.folder / path):
+                yield path, f"{key}: there is no '{path}' beside the configuration"
+    for pattern in config.exclude:
+        try:
+            pattern_of(pattern)
+        except PatternError as error:
+            yield pattern, f"exclude: {error}"
+    if config.baseline and not named and not _is_inside(config.folder / config.baseline, config.folder):
+        yield config.baseline, f"baseline: '{config.baseline}' lies outside of the tree; name it with --baseline"
+
+
+def _place(path: Path, text: str, word: str) -> str:
+    """The file, and the line that says a word: as a key, else anywhere."""
+    lines = text.splitlines()
+    key = re.compile(rf"""\s*\[?\s*["']?{re.escape(word)}["']?\s*[=\]]""")
+    for says in (key.match, lambda line: word in line):
+        for number, line in enumerate(lines, 1):
+            if says(line):
+                return f"{path}:{number}"
+    return str(path)
 
 
 _CHOICES = {
@@ -178,7 +270,7 @@ def schema() -> dict[str, Any]:
     severity = {"enum": list(SEVERITIES)}
     types: dict[str, dict[str, Any]] = {
         "string": string,
-        "integer": {"type": "integer", "minimum": 245},
+        "integer": {"type": "integer", "minimum": OLDEST_SYSTEMD, "maximum": NEWEST_SYSTEMD},
         "strings": {"type": "array", "items": string, "uniqueItems": True},
         "severity": severity,
         "severities": {"type": "object", "additionalProperties": {"enum": [*SEVERITIES, OFF]}},

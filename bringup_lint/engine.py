@@ -53,6 +53,7 @@ class Selection:
 
     def __init__(self, registry: Registry, config: Config):
         self.registry = registry
+        self.config = config
         self.families = {family.name for family in registry.families}
         self.select = [self.known(name) for name in config.select if name != "all"]
         self.ignore = [self.known(name) for name in config.ignore]
@@ -68,7 +69,10 @@ class Selection:
             if name in rule.meta.aliases:
                 return rule.id
         near = meant(name, [*self.families, *self.registry.paths])
-        raise ConfigError(f"no rule or family is called '{name}'" + (f"; did you mean '{near}'?" if near else ""))
+        raise ConfigError(
+            f"{self.config.place(name)}no rule or family is called '{name}'"
+            + (f"; did you mean '{near}'?" if near else "")
+        )
 
     def level(self, rule_id: str) -> str:
         """The severity that the configuration gives a rule, itself or its family; empty where it gives none."""

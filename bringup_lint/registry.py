@@ -165,7 +165,7 @@ def load(path: Path, rule_id: str) -> Rule:
     rules = [value for value in vars(module).values() if isinstance(value, Metadata)]
     if len(rules) != 1:
         raise RuleError(f"{path}: a rule file holds exactly one @rule, this one holds {len(rules)}")
-    doc = module.__doc__ or ""
+    doc = module.__doc__ or _docstring(path)
     missing = [heading for heading in HEADINGS if f"\n## {heading}\n" not in doc]
     if missing:
         raise RuleError(f"{path}: the docstring lacks the heading {', '.join(missing)}")
@@ -189,6 +189,13 @@ def described(path: Path, rule_id: str) -> Rule:
     except (ValueError, TypeError, KeyError, SyntaxError, AssertionError):
         return load(path, rule_id)
     return Rule(rule_id, path, doc, meta)
+
+
+def _docstring(path: Path) -> str:
+    """The documentation of a rule file, which ``python -OO`` leaves out of the module."""
+    import ast
+
+    return ast.get_docstring(ast.parse(path.read_text("utf-8")), clean=False) or ""
 
 
 @dataclass(frozen=True)

@@ -27,7 +27,7 @@ def tree(tmp_path: Path) -> Path:
     folder = tmp_path / "checkout"
     folder.mkdir()
     (folder / "a.service").write_text(UNIT)
-    (folder / "z.service").write_text(UNIT)
+    (folder / "z.service").write_text(UNIT.replace("b.launch", "z.launch"))
     return folder
 
 

@@ -6,7 +6,10 @@ from __future__ import annotations
 import importlib
 import os
 import sys
+from collections.abc import Callable
 
+TRACEBACK = "BRINGUP_LINT_TRACEBACK"
+"""The variable that asks for the traceback of what failed inside."""
 COMMANDS = {
     "check": "Check files and folders (the default).",
     "explain": "Print a rule's documentation, or find the rules behind a log line.",
@@ -30,7 +33,45 @@ def dispatch(arguments: list[str], prog: str = "bringup-lint") -> None:
     elif at == 0 and not os.path.lexists(arguments[0]):
         _hint(arguments[0])
     module = importlib.import_module(f"bringup_lint.cli.{name.replace('-', '_')}")
-    module.command.main(arguments, prog_name=prog)
+    sys.exit(_code(lambda: module.command.main(arguments, prog_name=prog, standalone_mode=False)))
+
+
+def _code(command: Callable[[], object]) -> int:
+    """The exit code of a command; what escapes from it is one line on standard error."""
+    import click
+
+    from bringup_lint.cli.streams import complain
+    from bringup_lint.cli.streams import plain
+    from bringup_lint.cli.streams import prepare
+
+    try:
+        prepare()
+        os.getcwd()
+        done = command()
+    except click.ClickException as error:
+        usage = error.ctx.get_usage() + "\n\n" if isinstance(error, click.UsageError) and error.ctx else ""
+        click.echo(f"{usage}Error: {plain(error.format_message())}", err=True)
+        return error.exit_code
+    except (KeyboardInterrupt, click.Abort):
+        return 130
+    except FileNotFoundError as error:
+        if error.filename is None:
+            complain("the working folder does not exist")
+            return 2
+        return _bug(error)
+    except Exception as error:
+        return _bug(error)
+    return done if isinstance(done, int) else 0
+
+
+def _bug(error: Exception) -> int:
+    """What nothing isolates: one line, or the traceback when that is asked for."""
+    from bringup_lint.cli.streams import complain
+
+    if os.environ.get(TRACEBACK):
+        raise error
+    complain(f"internal error: {type(error).__name__}; {TRACEBACK}=1 shows where, please report it")
+    return 3
 
 
 def _first_word(arguments: list[str]) -> int | None:

@@ -30,6 +30,7 @@ from bringup_lint.cli.outputs import PairedOptions
 from bringup_lint.cli.outputs import file_option
 from bringup_lint.cli.outputs import format_option
 from bringup_lint.cli.outputs import write
+from bringup_lint.cli.streams import complain
 from bringup_lint.config import Config
 from bringup_lint.config import ConfigError
 from bringup_lint.config import find
@@ -82,7 +83,7 @@ def command(ctx: click.Context, paths: tuple[str, ...], **options) -> None:
     try:
         code = _check(ctx.meta["outputs"], paths or ("/" if options["root"] else ".",), options)
     except (ConfigError, RuleError) as error:
-        click.echo(f"bringup-lint: {error}", err=True)
+        complain(error)
         code = 2
     ctx.exit(code)
 
@@ -203,7 +204,7 @@ def configuration(paths: tuple[str, ...], options: dict[str, Any]) -> tuple[Conf
     """The settings from file and command line, and the folders of further rules. Raises ConfigError."""
     named = options["config_path"]
     path = named or (None if options["isolated"] else find(_start(paths, options["root"])))
-    config = read(path) if path else Config()
+    config = read(path, named=bool(named)) if path else Config()
     rule_folders = list(options["rule_folders"])
     if config.rules and named:
         rule_folders += [config.folder / folder for folder in config.rules]

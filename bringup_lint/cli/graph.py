@@ -13,6 +13,7 @@ from bringup_lint.cli.options import configuration_options
 from bringup_lint.cli.options import root_option
 from bringup_lint.cli.options import target_options
 from bringup_lint.cli.outputs import write
+from bringup_lint.cli.streams import complain
 from bringup_lint.config import ConfigError
 from bringup_lint.graph.layers import LAYERS
 
@@ -53,7 +54,7 @@ def command(ctx: click.Context, paths: tuple[str, ...], **options: Any) -> None:
     try:
         write(_draw(paths or ("/" if options["root"] else ".",), options), options["output_file"])
     except (ConfigError, NothingFound, NotWritten, RuleError) as error:
-        click.echo(f"bringup-lint: {error}", err=True)
+        complain(error)
         ctx.exit(2)
 
 

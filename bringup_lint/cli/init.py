@@ -7,6 +7,7 @@ from pathlib import Path
 
 import click
 
+from bringup_lint.cli.streams import complain
 from bringup_lint.config import FILE_NAME
 from bringup_lint.config import schema
 from bringup_lint.writing import NotWritten
@@ -50,6 +51,6 @@ def command(ctx: click.Context, print_schema: bool) -> None:
     try:
         create(path, START.encode("utf-8"))
     except NotWritten as error:
-        click.echo(f"bringup-lint: {error}", err=True)
+        complain(error)
         ctx.exit(2)
     click.echo(f"Wrote {path}.", err=True)

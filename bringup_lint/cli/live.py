@@ -29,6 +29,7 @@ from bringup_lint.cli.outputs import PairedOptions
 from bringup_lint.cli.outputs import file_option
 from bringup_lint.cli.outputs import format_option
 from bringup_lint.cli.outputs import write
+from bringup_lint.cli.streams import complain
 from bringup_lint.config import ConfigError
 
 if TYPE_CHECKING:
@@ -83,7 +84,7 @@ def command(ctx: click.Context, paths: tuple[str, ...], **options) -> None:
     try:
         code = _compare(ctx.meta["outputs"], paths or ("/" if options["root"] else ".",), options)
     except (ConfigError, LiveError, NotWritten, RuleError) as error:
-        click.echo(f"bringup-lint: {error}", err=True)
+        complain(error)
         code = 2
     ctx.exit(code)
 

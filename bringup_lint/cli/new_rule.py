@@ -7,6 +7,7 @@ from pathlib import Path
 
 import click
 
+from bringup_lint.cli.streams import complain
 from bringup_lint.registry import builtin_folder
 from bringup_lint.writing import NotWritten
 from bringup_lint.writing import create
@@ -72,7 +73,7 @@ def command(ctx: click.Context, rule_id: str) -> None:
     try:
         written = write(rule_id, builtin_folder().parent)
     except NotWritten as error:
-        click.echo(f"bringup-lint: {error}", err=True)
+        complain(error)
         ctx.exit(2)
     for path in written:
         click.echo(f"Wrote {path}.", err=True)

@@ -8,6 +8,8 @@ from typing import Any
 
 import click
 
+from bringup_lint.config import NEWEST_SYSTEMD
+from bringup_lint.config import OLDEST_SYSTEMD
 from bringup_lint.config import ROS_DISTROS
 from bringup_lint.config import SEVERITIES
 
@@ -46,7 +48,11 @@ ros_option = click.option(
 )
 target_options = _together(
     ros_option,
-    click.option("--target-systemd", type=click.IntRange(245), help="The systemd version that the robot runs."),
+    click.option(
+        "--target-systemd",
+        type=click.IntRange(OLDEST_SYSTEMD, NEWEST_SYSTEMD),
+        help="The systemd version that the robot runs.",
+    ),
     click.option(
         "--now", type=click.DateTime(["%Y-%m-%d"]), help="Judge validity dates as on this day. [default: today]"
     ),

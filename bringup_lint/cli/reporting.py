@@ -11,6 +11,9 @@ from typing import TYPE_CHECKING
 from bringup_lint.config import ConfigError
 from bringup_lint.finding import Severity
 
+_BASELINE_LIMIT = 64 * 1024 * 1024
+"""Bytes."""
+
 if TYPE_CHECKING:
     from bringup_lint.config import Config
     from bringup_lint.engine import Outcome
@@ -40,13 +43,16 @@ def known_to(config: Config) -> frozenset[str]:
         return frozenset()
     from bringup_lint.baseline import BaselineError
     from bringup_lint.baseline import read
+    from bringup_lint.discover.reading import Unreadable
+    from bringup_lint.discover.reading import read_bytes
 
     path = config.folder / config.baseline
     try:
-        return read(path.read_text("utf-8"))
-    except OSError as error:
-        raise ConfigError(f"{path}: {error.strerror}") from error
-    except BaselineError as error:
+        data, _ = read_bytes(str(path), _BASELINE_LIMIT, follow=True)
+        return read(data.decode("utf-8"))
+    except UnicodeDecodeError as error:
+        raise ConfigError(f"{path}: not a baseline: not UTF-8") from error
+    except (BaselineError, Unreadable) as error:
         raise ConfigError(f"{path}: {error}") from error
 
 
@@ -65,8 +71,8 @@ def save_baseline(report: Report, path: Path) -> None:
 def terminal_width() -> int:
     """Columns to set text in: COLUMNS, else the terminal's, at most 100; 80 where there is no terminal."""
     given = os.environ.get("COLUMNS", "")
-    if given.isdecimal() and int(given):
-        return min(int(given), 100)
+    if given.isdecimal() and int(given[:4]):
+        return min(int(given[:4]), 100)
     try:
         return min(os.get_terminal_size(sys.__stdout__.fileno() if sys.__stdout__ else -1).columns or 80, 100)
     except (OSError, ValueError, AttributeError):
@@ -79,4 +85,6 @@ def wants_colour(forced: bool | None) -> bool:
         return forced
     if os.environ.get("NO_COLOR"):
         return False
-    return bool(os.environ.get("FORCE_COLOR")) or (sys.stdout.isatty() and os.environ.get("TERM") != "dumb")
+    return bool(os.environ.get("FORCE_COLOR")) or (
+        sys.stdout is not None and sys.stdout.isatty() and os.environ.get("TERM") != "dumb"
+    )

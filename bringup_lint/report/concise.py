@@ -15,5 +15,7 @@ def render(report: Report) -> str:
 def line(finding: Finding) -> str:
     row, column = finding.source.position(inside(finding.span).start)
     place = f"{finding.source.name}:{row}:{column}"
+    if place.startswith(("::", "##[")):
+        place = f"./{place}"  # GitHub's and Azure's runners take such a line for a command
     message = " ".join(finding.message.split())
     return printable(f"{place}: {finding.severity}[{finding.rule}] {message}") + "\n"

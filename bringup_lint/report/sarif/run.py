@@ -97,5 +97,8 @@ def _notification(told: Notification, report: Report, indexes: dict[str, int]) -
 def _utc(seconds: float) -> str:
     """The time, or the one that reproducible builds ask for."""
     fixed = os.environ.get("SOURCE_DATE_EPOCH", "")
-    when = datetime.fromtimestamp(int(fixed) if fixed.isdecimal() else seconds, timezone.utc)
+    try:
+        when = datetime.fromtimestamp(int(fixed[:20]) if fixed.isdecimal() else seconds, timezone.utc)
+    except (OverflowError, OSError, ValueError):
+        when = datetime.fromtimestamp(seconds, timezone.utc)
     return when.isoformat(timespec="milliseconds").replace("+00:00", "Z")

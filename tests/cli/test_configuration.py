@@ -1,0 +1,93 @@
+"""A configuration that is found is not trusted, and one without effect is an error with its place."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+
+from tests.lint import lint
+
+UNIT = "[Unit]\nDescription=One\n[Service]\nExecStart=/bin/true\n"
+
+
+@pytest.fixture
+def tree(tmp_path: Path) -> Path:
+    folder = tmp_path / "checkout"
+    folder.mkdir()
+    (folder / "a.service").write_text(UNIT)
+    return folder
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "said"),
+    [
+        ("bringup-lint.toml", "[tool.bringup-lint]\nselect = []\n", "bringup-lint.toml:1: write the keys themselves"),
+        ("pyproject.toml", "[tool.bringup_lint]\nselect = []\n", "pyproject.toml:1: [tool.bringup_lint] has no effect"),
+        ("pyproject.toml", "[tool]\nbringup-lint = 5\n", "pyproject.toml:2: [tool.bringup-lint] must be a table"),
+        ("pyproject.toml", f"[tool.bringup-lint]\nx={'[' * 20000}\n", "pyproject.toml: "),
+        ("bringup-lint.toml", "\ntarget-systemd = 300\n", "bringup-lint.toml:2: target-systemd must be 245 to 257"),
+        ("bringup-lint.toml", '[deploy]\n"nothere" = "/opt"\n', "bringup-lint.toml:2: deploy: there is no 'nothere'"),
+        ("bringup-lint.toml", '[purpose]\n"gone/" = "ci"\n', "bringup-lint.toml:2: purpose: there is no 'gone/'"),
+        (
+            "bringup-lint.toml",
+            '\nselect = ["systemdd"]\n',
+            "bringup-lint.toml:2: no rule or family is called",
+        ),
+        ("bringup-lint.toml", 'exclude = ["\\\\"]\n', "bringup-lint.toml:1: exclude: "),
+        ("bringup-lint.toml", 'baseline = "x\\u0000y"\n', "bringup-lint.toml"),
+        (
+            "bringup-lint.toml",
+            'baseline = "/etc/shadow"\n',
+            "bringup-lint.toml:1: baseline: '/etc/shadow' lies",
+        ),
+        ("bringup-lint.toml", 'baseline = "../x"\n', "lies outside of the tree"),
+        ("bringup-lint.toml", 'baseline = "fifo"\n', "fifo: not a regular file but a FIFO"),
+    ],
+)
+def test_what_is_refused(tree: Path, name: str, text: str, said: str) -> None:
+    os.mkfifo(tree / "fifo")
+    (tree / name).write_text(text)
+    run = lint("a.service", cwd=tree)
+    assert (run.code, run.stdout) == (2, "")
+    assert said in run.stderr
+    assert len(run.stderr.splitlines()) == 1
+
+
+def test_a_table_in_a_comment_is_none(tree: Path) -> None:
+    (tree / "pyproject.toml").write_text("tool = 1\n# [tool.bringup-lint]\n")
+    assert lint("--select", "lint", cwd=tree).code == 0
+
+
+@pytest.mark.parametrize("kind", ["outside", "fifo", "large", "binary"])
+def test_a_configuration_is_a_bounded_file_of_the_tree(tree: Path, kind: str) -> None:
+    file = tree / "pyproject.toml"
+    if kind == "outside":
+        (tree.parent / "other.toml").write_text("[tool.bringup-lint]\n")
+        file.symlink_to("../other.toml")
+    elif kind == "fifo":
+        os.mkfifo(file)
+    elif kind == "large":
+        with file.open("wb") as large:
+            large.truncate(3 << 30)
+    else:
+        file.write_bytes(b"[tool.bringup-lint]\n\xff")
+    run = lint(cwd=tree)
+    assert run.code == 2
+    assert len(run.stderr.splitlines()) == 1
+
+
+def test_patterns_do_not_hang(tree: Path) -> None:
+    (tree / "bringup-lint.toml").write_text(f'exclude = ["{"*a" * 40}b", "{"**/a/" * 40}b"]\n')
+    (tree / ("a" * 200)).touch()
+    deep = tree.joinpath(*["a"] * 50)
+    deep.mkdir(parents=True)
+    assert lint("--select", "lint", cwd=tree).code == 0
+
+
+def test_a_baseline_that_is_not_text(tree: Path) -> None:
+    (tree / "known.json").write_bytes(b"\xff")
+    run = lint("--baseline", "known.json", cwd=tree)
+    assert run.code == 2
+    assert "known.json: not a baseline: not UTF-8" in run.stderr
