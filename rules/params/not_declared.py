@@ -3,7 +3,8 @@
 ## What it finds
 Parameters in a parameter file or launch file for a node whose source is in the workspace and which declares none of
 that name: no text of the source, or of the files that it includes or imports, is the name or a part of it. Nodes that
-take undeclared parameters, or that build on classes which are not in the workspace, are left alone.
+take undeclared parameters, or that build on classes which are not in the workspace, are left alone. Of `joy_node`,
+`joy_linux_node` and `robot_state_publisher`, all parameters are known.
 
 ## Why it matters on a robot
 A node takes what it is given only for parameters that it declares; the rest is dropped without a word. A watchdog, a

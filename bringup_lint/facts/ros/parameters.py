@@ -19,3 +19,11 @@ def is_of_library(parameter: str) -> bool:
     """Whether the client library, or a common library, declares a parameter of this name."""
     patterns = [*OF_EVERY_NODE, *(name for row in table("ros/parameter_free") for name in row["names"].split())]
     return any(fnmatchcase(parameter, pattern) for pattern in patterns)
+
+
+def declared_by(package: str, executable: str) -> frozenset[str] | None:
+    """All that a node of a public package declares; None when the table does not know it."""
+    for row in table("ros/node_parameters"):
+        if (row["package"], row["executable"]) == (package, executable):
+            return frozenset(row["parameters"].split())
+    return None

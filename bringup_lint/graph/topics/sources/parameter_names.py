@@ -14,6 +14,7 @@ from functools import reduce
 from operator import or_
 from typing import TYPE_CHECKING
 
+from bringup_lint.facts.ros.parameters import declared_by
 from bringup_lint.facts.ros.parameters import hands_parameters
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import literal_text
@@ -80,7 +81,10 @@ class ParameterNames:
         if python is not None:
             return self._python(python)
         owner = self._workspace.packages.get(package)
-        return self._cpp(owner, program) if owner is not None else None
+        if owner is not None or package in self._workspace.ambiguous:
+            return self._cpp(owner, program) if owner is not None else None
+        known = declared_by(package, program)
+        return ParameterWords(known) if known is not None else None
 
     def _python(self, program: Program) -> ParameterWords | None:
         from bringup_lint.parsers.python_node.parameter_words import parse
