@@ -16,8 +16,10 @@ from tests.rules.test_fixes import texts
 from tests.rules.test_fixtures import arguments
 from tests.rules.test_fixtures import case_id
 
+READ_ON = {"systemd/unescaped-percent": "systemd comes to the next specifier of the line"}
 
-@pytest.mark.parametrize(("rule_id", "case"), FIXES, ids=case_id)
+
+@pytest.mark.parametrize(("rule_id", "case"), [each for each in FIXES if each[0] not in READ_ON], ids=case_id)
 def test_fixed_file(rule_id: str, case: Path, tmp_path: Path) -> None:
     folder = shutil.copytree(case, tmp_path / "tree", symlinks=True)
     old = texts(folder)

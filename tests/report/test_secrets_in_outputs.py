@@ -17,6 +17,7 @@ from tests.report.planted import planted
 OUTPUTS = (
     *(("--output-format", name) for name in ("text", "concise", "json", "sarif", "html")),
     *(("graph", "--format", name) for name in ("dot", "mermaid", "json", "html")),
+    ("--diff", "--unsafe-fixes", "--min-severity", "info"),
 )
 
 
