@@ -28,13 +28,13 @@ def merged(findings: Iterable[Finding]) -> Iterator[Finding]:
     copies: dict[int, list[Finding]] = {}
     gone: set[int] = set()
     for group in groups.values():
-        kept: dict[Hashable, list[tuple[int, Finding]]] = {}
+        kept: dict[Hashable, dict[Source, tuple[int, Finding]]] = {}
         for number, found in enumerate(sorted(group, key=_rank)):
-            alike = dict(pair for key in _alike(found.source) for pair in kept.get(key, ()))
+            alike = dict(pair for key in _alike(found.source) for pair in kept.get(key, {}).values())
             first = min((at for at, one in alike.items() if _is_copy(found.source, one.source)), default=None)
             if first is None:
                 for key in _alike(found.source):
-                    kept.setdefault(key, []).append((number, found))
+                    kept.setdefault(key, {}).setdefault(found.source, (number, found))
             else:
                 copies.setdefault(id(alike[first]), []).append(found)
                 gone.add(id(found))
