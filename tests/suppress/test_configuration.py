@@ -92,7 +92,7 @@ def test_severity_of_a_family(tree: Path) -> None:
 
 
 def test_rule_that_is_off(tree: Path) -> None:
-    assert ("systemd/network-target", "own/own.service") in rules(tree, "")
+    assert "systemd/network-target" in {rule for rule, _ in rules(tree, "")}
     off = rules(tree, '[severity]\n"systemd/network-target" = "off"\n')
     assert "systemd/network-target" not in {rule for rule, _ in off}
 
