@@ -71,9 +71,26 @@ def merge(files: list[NetplanFile], *, whole: bool = False) -> Plan:
     for interface in plan.interfaces.values():
         interface.renderer = _renderer(interface) or plan.renderer
     check_plan(plan)
-    if any(file.source.template or not file.yaml.complete for file in files):
-        plan.problems.clear()
+    unread = [file for file in files if file.source.template or not file.yaml.complete]
+    if unread:
+        plan.problems[:] = _certain(plan, unread)
     return plan
+
+
+def _certain(plan: Plan, unread: list[NetplanFile]) -> list[Problem]:
+    """The problems that files which could not be read cannot solve: they do not even name the interface."""
+    texts = [file.source.text for file in unread]
+    own = {
+        interface.key("set-name"): name
+        for name, interface in plan.interfaces.items()
+        if interface.set_name is not None and not any(name in text for text in texts)
+    }
+    sources = {file.source for file in unread}
+    return [
+        problem
+        for problem in plan.problems
+        if problem.code == PlanCode.SET_NAME and problem.where in own and problem.where.span.source not in sources
+    ]
 
 
 def _add(plan: Plan, definition: Definition) -> None:

@@ -64,7 +64,8 @@ class Keystore:
 
 
 def load_keystores(tree: Tree) -> list[Keystore]:
-    """The keystores of the tree: a folder ``enclaves`` with at least two files of an enclave somewhere below."""
+    """The keystores of the tree: a folder ``enclaves`` with two files of an enclave somewhere below, or with one of them
+    in a folder that is called a keystore."""
     found: dict[str, Keystore] = {}
     for path in tree.paths:
         folder, name = os.path.split(path)
@@ -82,7 +83,13 @@ def load_keystores(tree: Tree) -> list[Keystore]:
         for path, enclave in list(keystore.enclaves.items()):
             if not enclave.files & _OF_ENCLAVE:
                 del keystore.enclaves[path]
-    return [keystore for keystore in found.values() if any(len(each.files) > 1 for each in keystore.enclaves.values())]
+    return [keystore for keystore in found.values() if _is_whole(keystore)]
+
+
+def _is_whole(keystore: Keystore) -> bool:
+    """Whether the folder surely is a keystore, and no template or lonely document."""
+    named = "keystore" in os.path.basename(keystore.folder).lower()
+    return any(len(each.files) > 1 or named for each in keystore.enclaves.values())
 
 
 def anchor(tree: Tree, folder: str) -> Source:
