@@ -64,7 +64,7 @@ class Keystore:
 
 
 def load_keystores(tree: Tree) -> list[Keystore]:
-    """The keystores of the tree: a folder ``enclaves`` with two files of an enclave somewhere below, or with one of them
+    """The keystores of the tree: a folder ``enclaves`` with two files of an enclave below it, or with one of them
     in a folder that is called a keystore."""
     found: dict[str, Keystore] = {}
     for path in tree.paths:
