@@ -10,6 +10,7 @@ from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Any
 
 from bringup_lint.finding import Applicability
 from bringup_lint.finding import Codemod
@@ -44,7 +45,8 @@ __all__ = [
 ]
 
 Place = Located | Span | Source
-Check = Callable[[Robot], Iterator[Finding]]
+Check = Callable[[Any], Iterator[Any]]
+"""A robot -> findings; for a rule of the fleet, a fleet -> findings of the fleet."""
 
 
 @dataclass(frozen=True)

@@ -16,6 +16,7 @@ COMMANDS = {
     "rules": "List the rules.",
     "graph": "Draw what starts what, in which order and with what.",
     "live": "Compare the running ROS graph with the files.",
+    "fleet": "Judge many robots together.",
     "init": "Write a configuration file to start from.",
     "new-rule": "Write the files of a new rule, in a checkout.",
 }

@@ -17,6 +17,7 @@ ALLOWED = {
     "discover": "reads the tree",
     "cli": "reads what the command line names, and writes reports",
     "live": "starts the process that looks at the running graph",
+    "fleet": "reads the inventory, and asks whether there is what it names",
     "config.py": "reads the configuration",
     "registry.py": "loads the rules",
     "fix.py": "asks whether a file is a link before it is corrected",

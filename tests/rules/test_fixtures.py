@@ -35,13 +35,19 @@ def cases(prefix: str) -> list[tuple[str, Path]]:
 
 
 def arguments(case: Path) -> list[str]:
-    """What is checked: the folder, or what its ``arguments.txt`` says."""
+    """What is checked: the folder, or what its ``arguments.txt`` says; of a fleet its inventory, or each folder of
+    ``robots/``."""
     own = case / "arguments.txt"
+    robots = case / "robots"
+    if case.parent.parent.name == "fleet" and not own.exists():
+        return ["."] if (case / "fleet.toml").exists() else sorted(f"robots/{path.name}" for path in robots.iterdir())
     return own.read_text("utf-8").split() if own.exists() else ["."]
 
 
 def command(rule_id: str) -> list[str]:
     """Rules on the running graph get one that was saved."""
+    if rule_id.startswith("fleet/"):
+        return ["fleet", "--workers", "1"]
     return ["live", "--load", "graph.yaml"] if rule_id.startswith("live/") else []
 
 

@@ -58,7 +58,10 @@ def test_function_is_named_after_the_file(rule: Rule) -> None:
 
 
 def test_function_is_typed(rule: Rule) -> None:
-    assert f"def {rule.path.stem}(robot: Robot) -> Iterator[Finding]:\n" in rule.path.read_text("utf-8")
+    types = (
+        "fleet: Fleet) -> Iterator[FleetFinding]" if rule.family == "fleet" else "robot: Robot) -> Iterator[Finding]"
+    )
+    assert f"def {rule.path.stem}({types}:\n" in rule.path.read_text("utf-8")
 
 
 def test_cwe_tags_are_well_formed(rule: Rule) -> None:

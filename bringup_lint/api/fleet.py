@@ -1,0 +1,58 @@
+"""What the rules of the fleet ask: the summaries of many robots."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from bringup_lint.finding import Confidence
+from bringup_lint.finding import Severity
+from bringup_lint.fleet.fleet import Difference
+from bringup_lint.fleet.fleet import Fleet
+from bringup_lint.fleet.fleet import FleetFinding
+from bringup_lint.fleet.fleet import FleetPlace
+from bringup_lint.fleet.fleet import Marked
+from bringup_lint.fleet.fleet import Stated
+from bringup_lint.fleet.fleet import listed
+from bringup_lint.fleet.summary import Fact
+from bringup_lint.fleet.summary import Summary
+
+__all__ = [
+    "Difference",
+    "Fact",
+    "Fleet",
+    "FleetFinding",
+    "Marked",
+    "Stated",
+    "Summary",
+    "fleet_finding",
+    "listed",
+    "names",
+]
+
+
+def fleet_finding(
+    places: Iterable[Marked | Stated],
+    message: str,
+    *,
+    advice: str = "",
+    difference: Difference | None = None,
+    severity: str = "",
+    confidence: str = "",
+) -> FleetFinding:
+    """One defect of several robots; it is shown at the first place. ``severity`` and ``confidence`` are the rule's
+    where they are not given."""
+    own = Severity[severity.upper()] if severity else None
+    sure = Confidence[confidence.upper()] if confidence else None
+    return FleetFinding(
+        message,
+        tuple(FleetPlace(each.robot.name, each[1].path, each[1].line) for each in places),
+        advice,
+        difference,
+        own_severity=own,
+        own_confidence=sure,
+    )
+
+
+def names(places: Iterable[Marked | Stated], most: int = 3) -> str:
+    """The names of the robots, as a sentence has them."""
+    return listed((each.robot.name for each in places), most)

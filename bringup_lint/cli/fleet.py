@@ -1,0 +1,136 @@
+"""``bringup-lint fleet PATH...``: judge many robots together."""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+import secrets
+import sys
+import time
+from collections.abc import Iterable
+from collections.abc import Iterator
+from datetime import date
+from typing import TYPE_CHECKING
+from typing import Any
+
+import click
+
+from bringup_lint.cli.check import configuration
+from bringup_lint.cli.options import colour_option
+from bringup_lint.cli.options import configuration_options
+from bringup_lint.cli.options import ignores_option
+from bringup_lint.cli.options import names
+from bringup_lint.cli.options import target_options
+from bringup_lint.cli.options import verdict_options
+from bringup_lint.cli.outputs import Output
+from bringup_lint.cli.outputs import PairedOptions
+from bringup_lint.cli.outputs import file_option
+from bringup_lint.cli.outputs import write
+from bringup_lint.cli.reporting import terminal_width
+from bringup_lint.cli.reporting import wants_colour
+from bringup_lint.config import ConfigError
+from bringup_lint.report.fleet import FORMATS
+from bringup_lint.report.fleet import FleetReport
+from bringup_lint.report.fleet import render
+
+if TYPE_CHECKING:
+    from bringup_lint.fleet.check import Job
+    from bringup_lint.fleet.members import Inventory
+    from bringup_lint.fleet.summary import Summary
+
+
+@click.command(cls=PairedOptions, context_settings={"help_option_names": ["-h", "--help"]})
+@click.argument("paths", nargs=-1, required=True, type=click.Path(readable=False), metavar="PATH...")
+@click.option(
+    "--output-format", type=click.Choice(FORMATS), multiple=True, help="How to report; may be repeated. [default: text]"
+)
+@file_option
+@click.option("--workers", type=click.IntRange(1), help="Worker processes. [default: one a processor]")
+@click.option("--select", multiple=True, callback=names, help="Run only these rules or families.")
+@verdict_options
+@target_options
+@ignores_option
+@configuration_options
+@colour_option
+@click.pass_context
+def command(ctx: click.Context, paths: tuple[str, ...], **options) -> None:
+    """Judge many robots together: keys they share, addresses that collide, settings that have drifted apart.
+
+    PATH is a folder or a tar archive with the files of one robot, a fleet.toml or a folder that holds one, or an
+    Ansible inventory. Each robot is checked as by itself, too.
+    """
+    from bringup_lint.registry import RuleError
+    from bringup_lint.writing import NotWritten
+
+    try:
+        code = _judge(ctx.meta["outputs"], paths, options)
+    except (ConfigError, RuleError, NotWritten) as error:
+        click.echo(f"bringup-lint: {error}", err=True)
+        code = 2
+    ctx.exit(code)
+
+
+def _judge(outputs: list[Output], paths: tuple[str, ...], options: dict[str, Any]) -> int:
+    from bringup_lint.fleet.check import Job
+    from bringup_lint.fleet.inventory import read_inventory
+
+    config, rule_folders = configuration(paths, {**options, "root": None, "baseline": None})
+    inventory = read_inventory(paths)
+    today = options["now"].date() if options["now"] else date.today()
+    job = Job(config, secrets.token_bytes(32), today, tuple(rule_folders), not options["no_ignores"])
+    report = fleet_report(_gathered(inventory, job, options), inventory, job)
+    report = dataclasses.replace(report, width=terminal_width())
+    for output in outputs:
+        colour = output.file is None and wants_colour(options["colour"])
+        write(render(output.format, dataclasses.replace(report, colour=colour)), output.file)
+    return 0 if options["exit_zero"] and report.exit_code == 1 else report.exit_code
+
+
+def fleet_report(summaries: Iterable[Summary], inventory: Inventory, job: Job) -> FleetReport:
+    """Everything that a format may say about a fleet. Raises ConfigError."""
+    from bringup_lint.finding import Severity
+    from bringup_lint.finish import doc_of
+    from bringup_lint.fleet.fleet import Fleet
+    from bringup_lint.fleet.judge import judge
+    from bringup_lint.registry import Registry
+
+    robots = tuple(sorted(summaries, key=lambda summary: summary.name))
+    registry = Registry.of(job.rule_folders)
+    verdict = judge(Fleet(robots), registry, job.config, inventory.accepted)
+    own = {finding.rule for robot in robots for finding in robot.own}
+    known = [rule for rule in map(registry.get, sorted(own)) if rule is not None]
+    report = FleetReport(
+        robots,
+        verdict.findings,
+        {rule.id: doc_of(rule) for rule in (*verdict.rules.values(), *known)},
+        verdict.failures,
+        verdict.hidden,
+        root=os.getcwd(),
+    )
+    return dataclasses.replace(report, exit_code=_exit_code(report, Severity[job.config.fail_on.upper()]))
+
+
+def _exit_code(report: FleetReport, fail_on: int) -> int:
+    """3 when something failed inside, 1 for findings as severe as ``fail_on``, else 0."""
+    from bringup_lint.finding import Severity
+
+    if report.failures or any(robot.failures for robot in report.robots):
+        return 3
+    severities = [found.severity for found in report.shown]
+    severities += [Severity[own.severity.upper()] for robot in report.robots for own in robot.own]
+    return int(any(severity >= fail_on for severity in severities))
+
+
+def _gathered(inventory: Inventory, job: Job, options: dict[str, Any]) -> Iterator[Summary]:
+    """The summaries, with the progress on the terminal."""
+    from bringup_lint.fleet.work import summaries
+
+    started = time.monotonic()
+    total = len(inventory.members)
+    shown = sys.stderr.isatty()
+    workers = options["workers"] or os.cpu_count() or 1
+    for number, summary in enumerate(summaries(inventory.members, job, workers), 1):
+        if shown:
+            rate = number / max(time.monotonic() - started, 0.001)
+            click.echo(f"\r{number} of {total} robots, {rate:.1f} a second ", err=True, nl=number == total)
+        yield summary

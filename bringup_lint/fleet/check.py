@@ -1,0 +1,95 @@
+"""The work on one robot: read it, check it as a run on it alone does, reduce it to its summary."""
+
+from __future__ import annotations
+
+import os
+import time
+from dataclasses import dataclass
+from dataclasses import replace
+from datetime import date
+from pathlib import Path
+
+from bringup_lint.config import Config
+from bringup_lint.discover.exclude import exclusion
+from bringup_lint.discover.tree import Tree
+from bringup_lint.discover.tree import display_name
+from bringup_lint.discover.walk import discover
+from bringup_lint.engine import run
+from bringup_lint.finding import Finding
+from bringup_lint.finding.place import place_of
+from bringup_lint.finish import Invocation
+from bringup_lint.finish import finish
+from bringup_lint.fleet.members import Member
+from bringup_lint.fleet.reduce.reduce import reduced
+from bringup_lint.fleet.summary import Own
+from bringup_lint.fleet.summary import Summary
+from bringup_lint.registry import Registry
+from bringup_lint.robot import Robot
+
+TOPS = ("etc", "usr", "opt", "home", "root", "var", "lib", "run", "srv")
+"""Folders that lie at the top of a snapshot of a robot."""
+
+
+@dataclass(frozen=True)
+class Job:
+    """What is alike for all robots of a run; it travels to the workers."""
+
+    config: Config
+    key: bytes
+    today: date
+    rule_folders: tuple[Path, ...] = ()
+    ignores: bool = True
+
+
+def summary_of(member: Member, job: Job) -> Summary:
+    """Check one robot. What cannot be read becomes a failure of the summary."""
+    empty = Summary(
+        member.name,
+        member.role,
+        member.site,
+        member.domain,
+        member.talks,
+        " + ".join(display_name(os.path.abspath(layer)) for layer in member.layers),
+    )
+    try:
+        tree = tree_of(member, job.config)
+    except (OSError, ValueError) as error:
+        return replace(empty, failures=(f"not read: {error}",))
+    robot = Robot(tree, job.config.target_ros, job.config.target_systemd, job.today)
+    outcome = run(robot, Registry.of(job.rule_folders), job.config, ignores=job.ignores)
+    report = finish(outcome, robot, Invocation((), os.getcwd(), time.time()))
+    said, failures = reduced(robot, job.key)
+    return replace(
+        empty,
+        files=report.files,
+        marks=tuple(said.marks),
+        facts=tuple(said.facts),
+        own=tuple(_own(found) for found in report.shown),
+        failures=(*outcome.failures, *failures),
+    )
+
+
+def tree_of(member: Member, config: Config) -> Tree:
+    """Raises OSError or ValueError for an archive that cannot be read."""
+    folder = os.path.abspath(member.layers[0])
+    return discover([folder], deploy=_places(folder), excluded=exclusion(config.folder, config.exclude))
+
+
+def _places(folder: str) -> dict[str, str]:
+    """Where a snapshot's folders lie on the robot."""
+    if os.path.basename(folder) == "etc":
+        return {folder: "/etc"}
+    return {os.path.join(folder, top): f"/{top}" for top in TOPS if os.path.isdir(os.path.join(folder, top))}
+
+
+def _own(found: Finding) -> Own:
+    place = place_of(found.span)
+    return Own(
+        found.rule,
+        str(found.severity),
+        " ".join(found.message.split()),
+        found.source.name,
+        place.line,
+        place.column,
+        found.fingerprint,
+    )

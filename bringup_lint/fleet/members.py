@@ -1,0 +1,51 @@
+"""The robots of a fleet before their files are read, and what their inventory declares."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from bringup_lint.config import ConfigError
+from bringup_lint.discover.reading import Unreadable
+from bringup_lint.discover.reading import read_bytes
+
+ROLE = "robot"
+"""The role of a robot of which nothing says another."""
+
+
+@dataclass(frozen=True)
+class Member:
+    """A robot, before its files are read."""
+
+    name: str
+    layers: tuple[str, ...]
+    """Folders and archives; what a later one holds counts in place of what an earlier one does."""
+    role: str = ROLE
+    site: str = ""
+    domain: int | None = None
+    talks: str = ""
+
+
+@dataclass(frozen=True)
+class Accepted:
+    """What the inventory declares to be meant."""
+
+    rule: str
+    robots: tuple[str, ...] = ()
+    """All when empty."""
+    key: str = ""
+    """What a difference is about, such as ``rover.service``; anything when empty."""
+    reason: str = ""
+
+
+@dataclass(frozen=True)
+class Inventory:
+    members: tuple[Member, ...]
+    accepted: tuple[Accepted, ...] = ()
+
+
+def text_of(path: str) -> str:
+    """Raises ConfigError."""
+    try:
+        return read_bytes(path, follow=True)[0].decode("utf-8")
+    except (Unreadable, UnicodeDecodeError) as error:
+        raise ConfigError(f"{path}: {error}") from error

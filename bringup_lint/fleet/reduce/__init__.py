@@ -1,0 +1,1 @@
+"""From a robot to its summary: one module for each kind of fact."""

@@ -1,0 +1,46 @@
+"""What the robot's ROS 2 does on the network: domain, middleware, security, nodes, parameters."""
+
+from __future__ import annotations
+
+from bringup_lint.fleet.reduce.statements import Statements
+from bringup_lint.graph.purpose import Purpose
+
+_VARIABLES = {
+    "RMW_IMPLEMENTATION": "middleware",
+    "ROS_SECURITY_ENABLE": "security",
+    "ROS_SECURITY_STRATEGY": "security",
+    "ROS_AUTOMATIC_DISCOVERY_RANGE": "discovery",
+    "ROS_LOCALHOST_ONLY": "discovery",
+}
+_LONGEST = 120
+"""Characters of a parameter that is compared: longer ones are descriptions and scripts."""
+
+
+def domain(said: Statements) -> None:
+    found = said.robot.dds_domain
+    if found is not None:
+        said.state("domain", "", found[0], found[1])
+
+
+def variables(said: Statements) -> None:
+    """The variables on which robots that talk to each other must agree, where they run on the robot."""
+    for setting in said.robot.ros.of(*_VARIABLES):
+        if said.robot.purpose(setting.value) is Purpose.ROBOT:
+            said.state(_VARIABLES[setting.name], setting.name, setting.text, setting.value)
+
+
+def nodes(said: Statements) -> None:
+    """The nodes that run whenever the robot has come up."""
+    for node in said.robot.expected.nodes:
+        if node.must:
+            said.state("node", "", node.name, node.where)
+
+
+def parameters(said: Statements) -> None:
+    for file in said.robot.params.files:
+        if not file.is_certain or file.source.template:
+            continue
+        for parameter in file.parameters:
+            if len(parameter.text) <= _LONGEST and said.robot.purpose(parameter.span) is Purpose.ROBOT:
+                key = f"{file.source.basename} {parameter.block.name} {parameter.name}"
+                said.state("parameter", key, parameter.text, parameter.span)
