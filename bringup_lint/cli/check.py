@@ -134,9 +134,10 @@ def deliver(
     from bringup_lint.cli.reporting import report_of
     from bringup_lint.cli.reporting import save_baseline
     from bringup_lint.cli.reporting import wants_colour
+    from bringup_lint.report import DRAWN
     from bringup_lint.report import render
 
-    drawn = any(output.format == "html" for output in outputs)
+    drawn = any(output.format in DRAWN for output in outputs)
     report = report_of(outcome, robot, config, started, drawn=drawn)
     for told in report.notifications:
         if told.level == "note":

@@ -9,9 +9,11 @@ from bringup_lint.report.model import Report
 from bringup_lint.report.model import RuleDoc
 from bringup_lint.report.model import Target
 
-__all__ = ["FORMATS", "Notification", "Report", "RuleDoc", "Target", "render"]
+__all__ = ["DRAWN", "FORMATS", "Notification", "Report", "RuleDoc", "Target", "render"]
 
-FORMATS = ("text", "concise", "json", "sarif", "html")
+FORMATS = ("text", "concise", "json", "sarif", "html", "github", "gitlab", "junit", "markdown", "rdjson")
+DRAWN = ("html", "markdown")
+"""The formats that show the picture of the bring-up."""
 
 
 def render(output_format: str, report: Report) -> str:

@@ -91,7 +91,7 @@ class Report:
     known: tuple[Finding, ...] = ()
     """Findings that were left out because the baseline holds them."""
     picture: dict[str, Any] | None = None
-    """The robot as ``report.picture`` draws it, with these findings; only ``html`` shows it."""
+    """The robot as ``report.picture`` draws it, with these findings; only the formats in ``report.DRAWN`` show it."""
     colour: bool = False
     width: int = 80
 
@@ -106,6 +106,11 @@ class Report:
     def shown(self) -> Iterator[Finding]:
         """The findings that no comment suppresses."""
         return (finding for finding in self.findings if finding.suppression is None)
+
+    @property
+    def worst_first(self) -> list[Finding]:
+        """The findings that no comment suppresses, errors before warnings, for readers that stop early."""
+        return sorted(self.shown, key=lambda finding: -finding.severity)
 
     @property
     def files(self) -> int:

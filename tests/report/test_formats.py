@@ -25,6 +25,13 @@ CASES = {
     "clean.json": ("json", clean()),
     "report.sarif": ("sarif", sample()),
     "clean.sarif": ("sarif", clean()),
+    "github.txt": ("github", sample()),
+    "gitlab.json": ("gitlab", sample()),
+    "junit.xml": ("junit", sample()),
+    "junit_clean.xml": ("junit", clean()),
+    "markdown.md": ("markdown", sample()),
+    "markdown_clean.md": ("markdown", clean()),
+    "rdjson.json": ("rdjson", sample()),
 }
 
 

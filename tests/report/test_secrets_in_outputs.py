@@ -8,6 +8,7 @@ import pytest
 
 from bringup_lint.discover.kinds import HEAD_SIZE
 from bringup_lint.discover.kinds import kind_of
+from bringup_lint.report import FORMATS
 from bringup_lint.source import Source
 from bringup_lint.suppress.forms import form_of
 from tests.lint import lint
@@ -15,7 +16,7 @@ from tests.report.planted import Planted
 from tests.report.planted import planted
 
 OUTPUTS = (
-    *(("--output-format", name) for name in ("text", "concise", "json", "sarif", "html")),
+    *(("--output-format", name) for name in FORMATS),
     *(("graph", "--format", name) for name in ("dot", "mermaid", "json", "html")),
     ("--diff", "--unsafe-fixes", "--min-severity", "info"),
 )

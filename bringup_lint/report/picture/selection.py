@@ -6,6 +6,7 @@ import difflib
 from collections.abc import Callable
 from collections.abc import Collection
 from collections.abc import Iterable
+from collections.abc import Set as AbstractSet
 from typing import Any
 
 from bringup_lint.report.picture.arrows import arrows
@@ -33,6 +34,13 @@ def focused(document: Document, names: Iterable[str], depth: int | None = None) 
         for directed in (graph, graph.reverse(copy=False)):
             kept.update(networkx.single_source_shortest_path_length(directed, centre, cutoff=depth))
     return {**_part(document, lambda node: node["id"] in kept), "focus": sorted(centres)}
+
+
+def around(document: Document, ids: AbstractSet[str]) -> Document:
+    """The nodes of these ids, and those that one arrow ties to them."""
+    ties = [(arrow.source, arrow.target) for arrow in arrows(document)]
+    kept = {end for tie in ties for end in tie if not ids.isdisjoint(tie)} | set(ids)
+    return _part(document, lambda node: node["id"] in kept)
 
 
 def in_layers(document: Document, layers: Collection[str]) -> Document:

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import os
 import shlex
-from datetime import datetime
-from datetime import timezone
 from typing import Any
 
 from bringup_lint.finding.uri import file_uri
@@ -17,6 +14,7 @@ from bringup_lint.report.sarif.results import result
 from bringup_lint.report.sarif.rules import cwe_taxonomy
 from bringup_lint.report.sarif.rules import descriptor
 from bringup_lint.report.sarif.rules import documented
+from bringup_lint.report.times import utc
 
 HOME = "https://github.com/bringup-lint/bringup-lint"
 
@@ -77,8 +75,8 @@ def _invocation(report: Report, indexes: dict[str, int]) -> dict[str, Any]:
         invocation["commandLine"] = shlex.join(report.command)
         invocation["arguments"] = list(report.command[1:])
     if report.started is not None and report.ended is not None:
-        invocation["startTimeUtc"] = _utc(report.started)
-        invocation["endTimeUtc"] = _utc(report.ended)
+        invocation["startTimeUtc"] = utc(report.started)
+        invocation["endTimeUtc"] = utc(report.ended)
     if report.cwd:
         invocation["workingDirectory"] = {"uri": file_uri(report.cwd.rstrip("/") + "/")}
     return invocation
@@ -92,13 +90,3 @@ def _notification(told: Notification, report: Report, indexes: dict[str, int]) -
         where = {"physicalLocation": {"artifactLocation": location(told.path, report)}}
         notification["locations"] = [where]
     return notification
-
-
-def _utc(seconds: float) -> str:
-    """The time, or the one that reproducible builds ask for."""
-    fixed = os.environ.get("SOURCE_DATE_EPOCH", "")
-    try:
-        when = datetime.fromtimestamp(int(fixed[:20]) if fixed.isdecimal() else seconds, timezone.utc)
-    except (OverflowError, OSError, ValueError):
-        when = datetime.fromtimestamp(seconds, timezone.utc)
-    return when.isoformat(timespec="milliseconds").replace("+00:00", "Z")
