@@ -7,9 +7,9 @@ parsers, which ask here about the address inside.
 from __future__ import annotations
 
 import ipaddress
-import re
 from collections.abc import Iterator
 
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
 Address = ipaddress.IPv4Address | ipaddress.IPv6Address
@@ -21,9 +21,9 @@ HIGHEST_PORT = 65535
 PREFIX_LENGTH = {4: 32, 6: 128}
 """The longest prefix of each family."""
 
-_WITH_PORT = re.compile(r"(?P<host>\[[^\]]*\]|[^:\[\]]+)(?::(?P<port>[^:]*))?$")
-_SERVER = re.compile(r"\[?(?P<host>(?=[0-9a-fA-F]*:)[0-9a-fA-F:]+|[^:\[\];]+)\]?(?::\d+)?")
-_QUAD = re.compile(r"[0-9]{1,18}(?:\.[0-9]{1,18}){3}")
+_WITH_PORT = regex(r"(?P<host>\[[^\]]*\]|[^:\[\]]+)(?::(?P<port>[^:]*))?$")
+_SERVER = regex(r"\[?(?P<host>(?=[0-9a-fA-F]*:)[0-9a-fA-F:]+|[^:\[\];]+)\]?(?::\d+)?")
+_QUAD = regex(r"[0-9]{1,18}(?:\.[0-9]{1,18}){3}")
 
 
 def parse_address(text: str) -> Address | None:

@@ -20,6 +20,7 @@ from bringup_lint.discover.gitignore import pattern_of
 from bringup_lint.discover.reading import Unreadable
 from bringup_lint.discover.reading import read_bytes
 from bringup_lint.facts.ros import distros
+from bringup_lint.pattern import regex
 from bringup_lint.spelling import meant
 from bringup_lint.toml import read_toml
 
@@ -34,7 +35,7 @@ PURPOSES = ("robot", "development", "simulation", "test", "ci", "example", "arch
 OLDEST_SYSTEMD, NEWEST_SYSTEMD = 245, 257
 SIZE_LIMIT = 1024 * 1024
 """Bytes of a configuration file."""
-_TABLE = re.compile(r"^[ \t]*\[[ \t]*tool[ \t]*(?:\]|\.[ \t]*[\"']?bringup[-_]lint)", re.M)
+_TABLE = regex(r"^[ \t]*\[[ \t]*tool[ \t]*(?:\]|\.[ \t]*[\"']?bringup[-_]lint)", re.M)
 
 
 class ConfigError(Exception):

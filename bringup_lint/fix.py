@@ -19,12 +19,13 @@ from bringup_lint.finding import Codemod
 from bringup_lint.finding import Edit
 from bringup_lint.finding import Finding
 from bringup_lint.finding import Fix
+from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 from bringup_lint.writing import NotWritten
 from bringup_lint.writing import correct
 
 TOUCHES = "another fix changes the same place"
-_LONE_CR = re.compile(r"\r(?!\n)")
+_LONE_CR = regex(r"\r(?!\n)")
 
 
 @dataclass

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 
+from bringup_lint.pattern import regex
+
 TEMPLATE_SUFFIXES = {
     ".in": "configure",
     ".j2": "jinja",
@@ -18,15 +20,15 @@ TEMPLATE_SUFFIXES = {
 }
 
 _PLACEHOLDERS = (
-    ("jinja", "{", re.compile(r"\{\{(?:(?!\{\{|\}\}).)*\}\}|\{%(?:(?!\{%|%\}).)*%\}")),
-    ("configure", "@", re.compile(r"@[A-Za-z_][A-Za-z0-9_]*@")),
-    ("empy", "@", re.compile(r"@\((?:(?!@\()[^)])*\)|^@\[", re.M)),
-    ("erb", "<%", re.compile(r"<%(?:(?!<%|%>).)*%>")),
-    ("template", "", re.compile(r"__[A-Z][A-Z0-9_]*__|<[A-Z][A-Z0-9_]*>")),
+    ("jinja", "{", regex(r"\{\{(?:(?!\{\{|\}\}).)*\}\}|\{%(?:(?!\{%|%\}).)*%\}")),
+    ("configure", "@", regex(r"@[A-Za-z_][A-Za-z0-9_]*@")),
+    ("empy", "@", regex(r"@\((?:(?!@\()[^)])*\)|^@\[", re.M)),
+    ("erb", "<%", regex(r"<%(?:(?!<%|%>).)*%>")),
+    ("template", "", regex(r"__[A-Z][A-Z0-9_]*__|<[A-Z][A-Z0-9_]*>")),
 )
 """Language, what is in every placeholder of it, and a placeholder: a search begins anew at each place where one could
 begin, so that it must not run over the next such place."""
-_CONTROL = re.compile(r"\{%|^@\[|<%(?!=)|^(?:ifdef|ifelse|m4_)\b|^#(?:if|else|endif)\b", re.M)
+_CONTROL = regex(r"\{%|^@\[|<%(?!=)|^(?:ifdef|ifelse|m4_)\b|^#(?:if|else|endif)\b", re.M)
 
 
 def template_language(name: str, text: str) -> str:
@@ -58,14 +60,14 @@ def has_control_flow(text: str) -> bool:
     return bool(_CONTROL.search(text))
 
 
-_STAND_IN = re.compile(
+_STAND_IN = regex(
     r"[<\[({].*[>\])}]|\$\{?\w+\}?|[*x•.#_-]+|.*\{\{.*\}\}.*|@\w+@|%\w+%"
     r"|(?:your|insert|enter|put|replace|change|fill|todo|fixme|redacted)[-_ ]?(?:.*[-_ ])?"
     r"(?:me|this|here|it|in|with|by|password|passphrase|passwd|psk|key|secret|token|ssid|wifi|\W)*"
     r"|placeholder|todo|none|null|n/?a",
     re.IGNORECASE | re.DOTALL,
 )
-_EXAMPLE_FOLDER = re.compile(r"(?:^|/)(?:examples?|docs?|documentation|samples?|demo)/", re.IGNORECASE)
+_EXAMPLE_FOLDER = regex(r"(?:^|/)(?:examples?|docs?|documentation|samples?|demo)/", re.IGNORECASE)
 
 
 def is_stand_in(value: str) -> bool:

@@ -21,6 +21,7 @@ from bringup_lint.finding import Fix
 from bringup_lint.finding import Related
 from bringup_lint.finding import Severity
 from bringup_lint.finding import span_of
+from bringup_lint.pattern import regex
 from bringup_lint.robot import Robot
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
@@ -41,6 +42,7 @@ __all__ = [
     "finding",
     "fix",
     "note",
+    "regex",
     "rule",
 ]
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import re
-
 from bringup_lint.graph.nodes.edits import import_edits
 from bringup_lint.graph.nodes.edits import swap
 from bringup_lint.graph.nodes.edits import tried_shutdown
@@ -39,6 +37,7 @@ from bringup_lint.graph.topics.questions.undeclared import asked_in_vain
 from bringup_lint.graph.topics.questions.undeclared import unset
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import Timer
+from bringup_lint.pattern import regex
 
 __all__ = [
     "UNTIL_TIMEOUT",
@@ -80,7 +79,7 @@ __all__ = [
     "without_qos",
 ]
 
-_NODE_NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,254}\Z")
+_NODE_NAME = regex(r"[A-Za-z_][A-Za-z0-9_]{0,254}\Z")
 
 
 def valid_node_name(name: str) -> bool:

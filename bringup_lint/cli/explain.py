@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 from pathlib import Path
 
@@ -13,12 +12,13 @@ from bringup_lint.cli.options import rules_option
 from bringup_lint.cli.reporting import terminal_width
 from bringup_lint.cli.reporting import wants_colour
 from bringup_lint.finish import doc_of
+from bringup_lint.pattern import regex
 from bringup_lint.registry import Registry
 from bringup_lint.registry import Rule
 from bringup_lint.report.docs import plain
 from bringup_lint.spelling import meant
 
-_WORD = re.compile(r"[A-Za-z0-9_./=-]{2,}")
+_WORD = regex(r"[A-Za-z0-9_./=-]{2,}")
 _COMMON = frozenset(
     "no such the and for with was not has been from this that are error failed failure warning info to of in on at "
     "is it by "

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-import re
 from pathlib import Path
 
 import click
 
 from bringup_lint.cli.streams import complain
+from bringup_lint.pattern import regex
 from bringup_lint.registry import builtin_folder
 from bringup_lint.writing import NotWritten
 from bringup_lint.writing import create
 
-_ID = re.compile(r"[a-z][a-z0-9-]*/[a-z][a-z0-9-]*")
+_ID = regex(r"[a-z][a-z0-9-]*/[a-z][a-z0-9-]*")
 RULE = '''\
 """What is wrong, as one sentence.
 

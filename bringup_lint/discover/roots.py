@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import os
-import re
 from pathlib import Path
+
+from bringup_lint.pattern import regex
 
 VENDOR_FOLDERS = (
     "usr/local/lib/systemd",
@@ -33,7 +34,7 @@ PASSED_OVER = frozenset(
 )
 """Folders of a root file system that hold programs, data and state; the vendor's configuration there is context."""
 
-_OVERLAY = re.compile(r"(?:^|/)((?:etc|usr/lib|usr/local|lib/systemd|lib/udev|run/systemd|opt|home|root|var/lib)/.*)")
+_OVERLAY = regex(r"(?:^|/)((?:etc|usr/lib|usr/local|lib/systemd|lib/udev|run/systemd|opt|home|root|var/lib)/.*)")
 
 
 def is_root(folder: Path) -> bool:

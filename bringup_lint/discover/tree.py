@@ -25,12 +25,13 @@ from bringup_lint.discover.reading import read_bytes
 from bringup_lint.discover.reading import read_head
 from bringup_lint.discover.roots import overlay_path
 from bringup_lint.discover.roots import resolve_inside
+from bringup_lint.pattern import regex
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
 from bringup_lint.templates import template_language
 
 _MOST_NAMES = 50_000
-_SUBMODULE = re.compile(r"^[^\S\n]*path[^\S\n]*=[^\S\n]*(\S+)", re.M)
+_SUBMODULE = regex(r"^[^\S\n]*path[^\S\n]*=[^\S\n]*(\S+)", re.M)
 _ANY_ENCODING = frozenset({"cpp-node"})
 """Kinds that compilers read in whatever encoding their comments have."""
 

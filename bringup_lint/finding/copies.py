@@ -3,7 +3,6 @@ under another name, or in two udev rules files of one name, of which only one is
 
 from __future__ import annotations
 
-import re
 from collections.abc import Hashable
 from collections.abc import Iterable
 from collections.abc import Iterator
@@ -11,10 +10,11 @@ from dataclasses import replace
 
 from bringup_lint.finding import Finding
 from bringup_lint.finding import Related
+from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 from bringup_lint.templates import final_name
 
-_MADE = re.compile(r"(?:^|/)(?:deploy|dist|out|output|build|install|generated|release)/")
+_MADE = regex(r"(?:^|/)(?:deploy|dist|out|output|build|install|generated|release)/")
 """Folders for what is made of other files."""
 
 

@@ -15,6 +15,7 @@ from bringup_lint.finding import Related
 from bringup_lint.finding.place import inside
 from bringup_lint.finding.secrets import MERE_NAME
 from bringup_lint.finding.secrets import given_away
+from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 
@@ -22,7 +23,7 @@ SHORTEST = 6
 """A secret of fewer characters is masked where it is marked, not in every text that happens to hold it."""
 
 
-_WORD = re.compile(r"[A-Za-z]{1,11}")
+_WORD = regex(r"[A-Za-z]{1,11}")
 
 
 def mask_of(findings: Iterable[Finding], sources: Iterable[Source] = ()) -> Mask | None:

@@ -9,6 +9,8 @@ from __future__ import annotations
 import re
 from typing import NamedTuple
 
+from bringup_lint.pattern import regex
+
 
 class Form(NamedTuple):
     """One way to write a secret."""
@@ -37,7 +39,7 @@ _NEXT = r"(?:,|\n)\s{0,80}(?:\#[^\n]*\n\s{0,80})?"
 
 def _form(words: str, pattern: str, *, certain: bool = False, in_code: bool = True, cased: bool = False) -> Form:
     flags = re.VERBOSE | re.MULTILINE | (0 if cased else re.IGNORECASE)
-    return Form(tuple(words.split()) or _NAMES, re.compile(pattern, flags), certain, in_code)
+    return Form(tuple(words.split()) or _NAMES, regex(pattern, flags), certain, in_code)
 
 
 _SETTINGS = (

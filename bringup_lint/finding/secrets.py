@@ -6,12 +6,13 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.finding.secret_forms import FORMS
+from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 
-MERE_NAME = re.compile(r"pass(?:word|wd|phrase|wort)|secret|token", re.IGNORECASE)
+MERE_NAME = regex(r"pass(?:word|wd|phrase|wort)|secret|token", re.IGNORECASE)
 """A value that only repeats its name tells nothing, and masking it everywhere would mask prose."""
-_NO_SECRET = re.compile(
+_NO_SECRET = regex(
     r"\$[({a-z_]|\$\$?\{|\{\{|\{\w+\}$|@\w+@|%[a-z%]$|/(?:etc|run|var|home|opt|usr|srv|tmp|root|mnt|dev|proc)\b|[.~]{1,2}/"
     r"|file:|env:|pkcs11:|vault:|secret://|op://|!\w+$|<\w|\(|\["
     r"|\S+\.(?:pem|key|crt|p12|txt|env|ya?ml|json)$"
@@ -19,15 +20,15 @@ _NO_SECRET = re.compile(
     re.IGNORECASE,
 )
 _CODE = (".py", ".cpp", ".cc", ".cxx", ".hpp", ".h", ".hh")
-_MAPPED = re.compile(r"[:=][ \t]*[\"']?([^\s\"',]+)")
+_MAPPED = regex(r"[:=][ \t]*[\"']?([^\s\"',]+)")
 _BODY = r"[ \t]*(?:\#[^\n]*)?\n(?P<body>(?:(?P=indent)[ \t]+[^\n]*(?:\n|$))+)"
-_PASSWORDS = re.compile(
+_PASSWORDS = regex(
     rf"^(?P<indent>[ \t]*)[\"']?[\w-]*(?:passwords|passphrases|tokens)[\"']?[ \t]*:{_BODY}",
     re.MULTILINE | re.IGNORECASE,
 )
-_CHPASSWD = re.compile(rf"^(?P<indent>[ \t]*)list:[ \t]*[|>][-+]?{_BODY}", re.MULTILINE)
-_LINE = re.compile(r"^[ \t]*(?:-[ \t]+)?[\w.-]+:(\S+)", re.MULTILINE)
-_ENTRY = re.compile(r"^[ \t]*[\"']?[\w.@-]+[\"']?[ \t]*:[ \t]+[\"']?([^\s\"'#][^\n\"'#]*)", re.MULTILINE)
+_CHPASSWD = regex(rf"^(?P<indent>[ \t]*)list:[ \t]*[|>][-+]?{_BODY}", re.MULTILINE)
+_LINE = regex(r"^[ \t]*(?:-[ \t]+)?[\w.-]+:(\S+)", re.MULTILINE)
+_ENTRY = regex(r"^[ \t]*[\"']?[\w.@-]+[\"']?[ \t]*:[ \t]+[\"']?([^\s\"'#][^\n\"'#]*)", re.MULTILINE)
 
 
 def given_away(source: Source) -> Iterator[Span]:

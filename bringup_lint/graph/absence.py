@@ -8,14 +8,15 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from bringup_lint.model.package import Build
+from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
     from bringup_lint.discover.tree import Tree
 
 DESCRIPTIONS = 200
 """Build descriptions of one package that are searched."""
-_DESCRIBES = re.compile(r"(?:CMakeLists\.txt|\.cmake(?:\.in)?|setup\.py|setup\.cfg|pyproject\.toml|package\.xml)\Z")
-_FETCHES = re.compile(r"(?i)\b(?:ExternalProject_Add|FetchContent\w*|file\s*\(\s*DOWNLOAD|urlretrieve|git\s+clone)")
+_DESCRIBES = regex(r"(?:CMakeLists\.txt|\.cmake(?:\.in)?|setup\.py|setup\.cfg|pyproject\.toml|package\.xml)\Z")
+_FETCHES = regex(r"(?i)\b(?:ExternalProject_Add|FetchContent\w*|file\s*\(\s*DOWNLOAD|urlretrieve|git\s+clone)")
 DEPTH = 12
 """Folders below a package that are looked into."""
 

@@ -11,6 +11,7 @@ from typing import NamedTuple
 from bringup_lint.model.compose import is_variable
 from bringup_lint.model.dockerfile import Dockerfile
 from bringup_lint.model.dockerfile import Instruction
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
 if TYPE_CHECKING:
@@ -18,8 +19,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
     from bringup_lint.model.compose import Service
 
-_ELSEWHERE = re.compile(r"[$<]|://|^git@|\*\*|\[")
-_MAKERS = re.compile(r"(?:^|/)(?:[Mm]akefile|[Jj]ustfile|[^/]+\.(?:sh|bash|py|mk|md|rst|ya?ml|bat|ps1|repos))$")
+_ELSEWHERE = regex(r"[$<]|://|^git@|\*\*|\[")
+_MAKERS = regex(r"(?:^|/)(?:[Mm]akefile|[Jj]ustfile|[^/]+\.(?:sh|bash|py|mk|md|rst|ya?ml|bat|ps1|repos))$")
 _MOST_MAKERS = 500
 
 

@@ -14,16 +14,17 @@ from bringup_lint.model.compose import is_variable
 from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.model.yaml_node import Scalar
 from bringup_lint.model.yaml_node import Sequence
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
 if TYPE_CHECKING:
     from bringup_lint.graph.compose import Compose
     from bringup_lint.graph.files import Files
 
-_DEFAULT = re.compile(r"(?:docker-)?compose\.ya?ml")
+_DEFAULT = regex(r"(?:docker-)?compose\.ya?ml")
 """The names that ``docker compose`` reads by itself; other files may only be parts of a project."""
-_NAMED_VOLUME = re.compile(r"[A-Za-z0-9][\w.-]+")
-_EXTENSION = re.compile(r"\.(?:xml|ya?ml|json|toml|conf|cfg|ini|sh|bash|py|properties|launch|rules|urdf|xacro|rviz)$")
+_NAMED_VOLUME = regex(r"[A-Za-z0-9][\w.-]+")
+_EXTENSION = regex(r"\.(?:xml|ya?ml|json|toml|conf|cfg|ini|sh|bash|py|properties|launch|rules|urdf|xacro|rviz)$")
 """Of files that a program of the container reads."""
 
 

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import re
-
 from bringup_lint.graph.graph import Node
+from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 
-_OPEN = re.compile(r"[$%*?{}@\n]")
+_OPEN = regex(r"[$%*?{}@\n]")
 
 
 def file_node(kind: str, source: Source) -> Node:

@@ -22,6 +22,7 @@ from bringup_lint.graph.purpose import by_names
 from bringup_lint.graph.target import Target
 from bringup_lint.graph.target import find_target
 from bringup_lint.graph.variants import Variants
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
@@ -33,7 +34,7 @@ if TYPE_CHECKING:
 
 Model = TypeVar("Model")
 
-_CONFIGURES_MIDDLEWARE = re.compile(
+_CONFIGURES_MIDDLEWARE = regex(
     r"""CYCLONEDDS_URI["']?\s*[:=][^\n]*<|RMW_IMPLEMENTATION["']?\s*[:=]\s*["']?rmw_fastrtps_"""
 )
 _ROS_KINDS = (

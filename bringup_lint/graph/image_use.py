@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import os
-import re
 import shlex
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.graph.purpose import by_path
+from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
     from bringup_lint.graph.compose import Compose
@@ -19,9 +19,9 @@ if TYPE_CHECKING:
     from bringup_lint.model.dockerfile import Stage
 
 _SHELLS = frozenset("bash sh zsh fish dash".split())
-_TOOL = re.compile(r"(?:^|[/_.-])(?:builder|generator|toolchain)(?:\.?[Dd]ockerfile)?$")
-_DESKTOP = re.compile(r"(?:^|[/-])(?:baseimage-)?(?:kasmvnc|novnc|guacamole|xrdp|webtop)(?=[:/-]|$)")
-_RUNS = re.compile(r"\b(?:docker|podman|nerdctl)\s+(?:container\s+)?run\b")
+_TOOL = regex(r"(?:^|[/_.-])(?:builder|generator|toolchain)(?:\.?[Dd]ockerfile)?$")
+_DESKTOP = regex(r"(?:^|[/-])(?:baseimage-)?(?:kasmvnc|novnc|guacamole|xrdp|webtop)(?=[:/-]|$)")
+_RUNS = regex(r"\b(?:docker|podman|nerdctl)\s+(?:container\s+)?run\b")
 
 
 def is_deployed(compose: Compose, file: Dockerfile) -> bool:

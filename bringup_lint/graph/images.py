@@ -22,15 +22,16 @@ from bringup_lint.model.image_build import ImageName
 from bringup_lint.model.image_build import image_name
 from bringup_lint.parsers import bake
 from bringup_lint.parsers import build_commands
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
-_BAKE = re.compile(r"(?:^|/)docker-bake(?:\.[\w-]+)?\.hcl$")
-_COMMANDS = re.compile(
+_BAKE = regex(r"(?:^|/)docker-bake(?:\.[\w-]+)?\.hcl$")
+_COMMANDS = regex(
     r"(?:^|/)(?:(?:GNU)?[Mm]akefile|[Jj]ustfile|[^/]+\.(?:sh|bash|zsh|mk|md|rst|bat|ps1|py)|[^/.]*build[^/.]*"
     r"|\.github/workflows/[^/]+\.ya?ml|\.gitlab-ci\.yml)$"
 )
-_UNKNOWN = re.compile(r"[${<%]")
+_UNKNOWN = regex(r"[${<%]")
 _MOST_FILES = 500
 """How many files are looked through for build commands."""
 

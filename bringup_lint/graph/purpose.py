@@ -16,6 +16,7 @@ from enum import Enum
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
@@ -34,11 +35,11 @@ class Purpose(Enum):
 
 def _word(words: str) -> re.Pattern[str]:
     """One of the words as a part of a path, between slashes, dots, dashes or underscores."""
-    return re.compile(rf"(?:^|[/_.-])(?:{words})(?=[/_.-]|$)", re.I)
+    return regex(rf"(?:^|[/_.-])(?:{words})(?=[/_.-]|$)", re.I)
 
 
 def _folder(words: str) -> re.Pattern[str]:
-    return re.compile(rf"(?:^|/)(?:{words})/", re.I)
+    return regex(rf"(?:^|/)(?:{words})/", re.I)
 
 
 SIMULATION = _word(
@@ -49,35 +50,35 @@ SIMULATION = _word(
 
 PATHS: tuple[tuple[Purpose, re.Pattern[str]], ...] = (
     (Purpose.CI, _folder(r"\.github|\.gitlab|\.circleci|(?:[^/]*[._-])?ci|jenkins")),
-    (Purpose.CI, re.compile(r"[._-]ci(?=\.[a-z]+$|$)", re.I)),
+    (Purpose.CI, regex(r"[._-]ci(?=\.[a-z]+$|$)", re.I)),
     (Purpose.CI, _folder(r"(?:self[_-]?hosted|actions|github|gitlab|ci)[_-]runners?")),
     (Purpose.ARCHIVE, _folder(r"(?:[^/]+[_-])?(?:old|archived?|deprecated|obsolete|unused|attic|backups?)|legacy")),
-    (Purpose.ARCHIVE, re.compile(r"[_-](?:old|deprecated|archived)(?=(?:\.[a-z]+){0,3}$)|\.(?:old|bak|orig)$", re.I)),
+    (Purpose.ARCHIVE, regex(r"[_-](?:old|deprecated|archived)(?=(?:\.[a-z]+){0,3}$)|\.(?:old|bak|orig)$", re.I)),
     (Purpose.TEST, _folder(r"tests?|testing|test_[^/]*|[^/]*[_-]tests?|attack[^/]*")),
-    (Purpose.TEST, re.compile(r"(?:^|/)(?:test_[^/]*|attack[^/]*|[^/]*[_.-](?:tests?|testing))\.[a-z.]+$", re.I)),
+    (Purpose.TEST, regex(r"(?:^|/)(?:test_[^/]*|attack[^/]*|[^/]*[_.-](?:tests?|testing))\.[a-z.]+$", re.I)),
     (Purpose.TEST, _word("mitm|attacker|adversary")),
     (Purpose.DEVELOPMENT, _folder(r"\.?devcontainer|\.vscode")),
     (Purpose.DEVELOPMENT, _word("dev|devel|develop|development|devcontainer|laptop|workstation|docker[_-]pc|wsl2?")),
     (Purpose.DEVELOPMENT, _folder(r"(?:[^/]*[_-])?train(?:ing)?(?:[_-][^/]*)?|(?:torch|onnx)2trt")),
-    (Purpose.DEVELOPMENT, re.compile(r"(?:^|/)docker/(?:[^/]*[_-])?pc(?:[_-][^/]*)?/", re.I)),
+    (Purpose.DEVELOPMENT, regex(r"(?:^|/)docker/(?:[^/]*[_-])?pc(?:[_-][^/]*)?/", re.I)),
     (Purpose.SIMULATION, SIMULATION),
     (Purpose.EXAMPLE, _word("examples?|demos?|tutorials?|samples?")),
 )
 """The first pattern that a path matches decides."""
 
 SOURCES: tuple[tuple[Purpose, re.Pattern[str]], ...] = (
-    (Purpose.TEST, re.compile(r"(?:^|[/_-])tests?(?:[/_.-]|$)|(?:^|/)(?:testing|integration_tests?)/", re.I)),
-    (Purpose.EXAMPLE, re.compile(r"(?:^|[/_-])(?:examples?|demos?|tutorials?|samples?|benchmarks?)(?:[/_.-]|$)", re.I)),
+    (Purpose.TEST, regex(r"(?:^|[/_-])tests?(?:[/_.-]|$)|(?:^|/)(?:testing|integration_tests?)/", re.I)),
+    (Purpose.EXAMPLE, regex(r"(?:^|[/_-])(?:examples?|demos?|tutorials?|samples?|benchmarks?)(?:[/_.-]|$)", re.I)),
     (Purpose.EXAMPLE, _folder(r"docs?|tools?")),
     (
         Purpose.SIMULATION,
-        re.compile(r"(?:^|[/_-])(?:sim|simulation|simulator|gazebo|gz|mujoco|webots|isaac\w*)(?:[/_.-]|$)", re.I),
+        regex(r"(?:^|[/_-])(?:sim|simulation|simulator|gazebo|gz|mujoco|webots|isaac\w*)(?:[/_.-]|$)", re.I),
     ),
 )
 """The same for the path of a node's source in its package, where more folders hold what no robot runs."""
 
 
-_VERSION = re.compile(r"[vV]?\d{1,4}\.\d{1,4}\.\d{1,4}")
+_VERSION = regex(r"[vV]?\d{1,4}\.\d{1,4}\.\d{1,4}")
 
 
 def _version(name: str) -> tuple[int, ...]:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from bringup_lint.facts.ros import distros
 from bringup_lint.facts.systemd.directives import NEWEST
+from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 
 SYSTEMD_OF_OS = {
@@ -22,7 +23,7 @@ SYSTEMD_OF_OS = {
 DEFAULT_SYSTEMD = 249
 
 _DISTRO = "|".join(distros.supported())
-_MENTIONS = re.compile(
+_MENTIONS = regex(
     rf"/opt/ros/({_DISTRO})\b|\bROS_DISTRO[=:]\s*[\"']?({_DISTRO})\b|\bros:({_DISTRO})\b|\bros-({_DISTRO})-"
     rf"|\bimage:\s*[\"']?[\w./-]+:({_DISTRO})(?=[-.\s\"'@])"
     rf"|[\w./]/[\w.-]*(?:l4t|ros2?|focal|jammy|noble)[\w.]*-({_DISTRO})(?=[:@\s\"'-])"

@@ -26,6 +26,7 @@ from bringup_lint.model.launch_values import Value
 from bringup_lint.model.package import Build
 from bringup_lint.model.package import Install
 from bringup_lint.model.package import Manifest
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
@@ -36,14 +37,14 @@ if TYPE_CHECKING:
 SUBFOLDERS = 40
 """CMake folders of one package that are followed."""
 
-_VENDOR = re.compile(
+_VENDOR = regex(
     r"(?:^|/)(?:libs?|third[_-]?party|3rd[_-]?party|externals?|vendor(?:ed)?|upstream|submodules|deps|dependencies)/",
     re.IGNORECASE,
 )
 """Folders that keep the packages of others."""
 _CHANGE_LOGS = ("CHANGELOG.rst", "CHANGELOG.md")
 
-_WILDCARD = re.compile(r"[*?\[]")
+_WILDCARD = regex(r"[*?\[]")
 
 
 class Place(NamedTuple):

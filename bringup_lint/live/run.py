@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-import re
 import shutil
 import subprocess
 import sys
@@ -13,6 +12,7 @@ from math import ceil
 from typing import Any
 
 from bringup_lint.live import observe
+from bringup_lint.pattern import regex
 
 SLACK = 12.0
 """Seconds that a process gets beyond its wait: loading the middleware, asking for states, leaving."""
@@ -21,7 +21,7 @@ AT_MOST = 4
 AGAIN = 2.0
 """How many times as long the second look takes, before anything is called missing."""
 
-_FRILLS = re.compile(r"^\[\w+\] \[[\d.]+\] \[[\w.]+\]: |^\w+Error: |(?<![.,])[.,]* at /\S+:\d+$")
+_FRILLS = regex(r"^\[\w+\] \[[\d.]+\] \[[\w.]+\]: |^\w+Error: |(?<![.,])[.,]* at /\S+:\d+$")
 """Log prefixes, exception names, and the place in the library's sources."""
 
 

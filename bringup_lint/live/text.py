@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 from collections.abc import Iterator
 from typing import Any
 
-_PLAIN = re.compile(r"[A-Za-z/_][A-Za-z0-9/_]*")
+from bringup_lint.pattern import regex
+
+_PLAIN = regex(r"[A-Za-z/_][A-Za-z0-9/_]*")
 _WORDS = frozenset("y n yes no on off true false null".split())
 _SHORT = {"liveliness": "automatic"}
 """Policies that are left out where they are like this."""

@@ -18,19 +18,20 @@ from bringup_lint.model.yaml_node import Node
 from bringup_lint.model.yaml_node import Scalar
 from bringup_lint.model.yaml_node import Sequence
 from bringup_lint.model.yaml_node import YamlFile
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
 
-ROS_IMAGE = re.compile(r"(?:^|/)(?:ros|osrf/ros|ros2|ros-core|ros-base)(?::|$)|\bros2?[-_:]|(?:^|/)osrf/")
-ROS1_IMAGE = re.compile(r"noetic|melodic|kinetic|indigo")
-ROS2_VARIABLE = re.compile(
+ROS_IMAGE = regex(r"(?:^|/)(?:ros|osrf/ros|ros2|ros-core|ros-base)(?::|$)|\bros2?[-_:]|(?:^|/)osrf/")
+ROS1_IMAGE = regex(r"noetic|melodic|kinetic|indigo")
+ROS2_VARIABLE = regex(
     r"ROS_(?:DOMAIN_ID|SECURITY_\w+|LOCALHOST_ONLY|AUTOMATIC_DISCOVERY_RANGE|STATIC_PEERS|DISCOVERY_SERVER)|RMW_\w+"
     r"|CYCLONEDDS_URI|FAST(?:RTPS|DDS)_\w+|RCUTILS_\w+"
 )
 WordsOf = Callable[[Located], Iterable[Located]]
 """Splits a command line into words as a shell does."""
-_DURATION = re.compile(r"(?<!\d)(\d+(?:\.\d+)?)(us|ms|s|m|h)")
+_DURATION = regex(r"(?<!\d)(\d+(?:\.\d+)?)(us|ms|s|m|h)")
 _SECONDS = {"us": 1e-6, "ms": 1e-3, "s": 1.0, "m": 60.0, "h": 3600.0}
 
 
@@ -263,7 +264,7 @@ class Service:
         return any(re.search(r"(?:^|[\s/])ros2(?:\s|$)", word) for word in self.scripts)
 
 
-_GRAPHICS = re.compile(r"/dev/(?:dri|nvidia|nvhost|nvmap|kfd|fb\d|mali)")
+_GRAPHICS = regex(r"/dev/(?:dri|nvidia|nvhost|nvmap|kfd|fb\d|mali)")
 
 
 def reach(service: Service) -> str:

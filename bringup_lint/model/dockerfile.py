@@ -9,11 +9,12 @@ from dataclasses import dataclass
 from dataclasses import field
 from functools import cached_property
 
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
 
-_VARIABLE = re.compile(r"\$(?:\{(?P<braced>\w+)(?::-(?P<default>[^}]{0,400}))?\}|(?P<plain>\w+))")
+_VARIABLE = regex(r"\$(?:\{(?P<braced>\w+)(?::-(?P<default>[^}]{0,400}))?\}|(?P<plain>\w+))")
 
 
 @dataclass(eq=False, slots=True)
@@ -122,7 +123,7 @@ class Dockerfile:
         return _VARIABLE.sub(value, text)
 
 
-_EXEC = re.compile(r"(?:^|&&|;)\s*exec\s")
+_EXEC = regex(r"(?:^|&&|;)\s*exec\s")
 
 
 def stays_in_shell(stage: Stage, instruction: Instruction) -> bool:
@@ -133,7 +134,7 @@ def stays_in_shell(stage: Stage, instruction: Instruction) -> bool:
     return not any(each.last("SHELL") for each in stage.chain)
 
 
-_ROOT_IMAGE = re.compile(
+_ROOT_IMAGE = regex(
     r"(?:docker\.io/)?(?:library/)?(?:(?:arm64v8|amd64|arm32v7)/)?(?:ros|ubuntu|debian|python|osrf/ros2?)(?:[:@]|$)"
     r"|(?:docker\.io/)?(?:nvidia/cuda|dustynv/ros)(?:[:@]|$)|nvcr\.io/nvidia/(?:cuda|l4t-(?:base|cuda|jetpack))(?:[:@]|$)"
 )

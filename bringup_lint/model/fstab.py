@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
 from dataclasses import field
 
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 
-BLOCK_DEVICE = re.compile(r"/dev/|(?:UUID|LABEL|PARTUUID|PARTLABEL|ID)=")
+BLOCK_DEVICE = regex(r"/dev/|(?:UUID|LABEL|PARTUUID|PARTLABEL|ID)=")
 VIRTUAL = frozenset(("tmpfs", "ramfs", "proc", "sysfs", "devpts", "overlay", "none", "debugfs", "tracefs", "cgroup2"))
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from dataclasses import field
@@ -10,6 +9,7 @@ from typing import NamedTuple
 
 from bringup_lint.addresses import Interface
 from bringup_lint.addresses import parse_interface
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
@@ -19,8 +19,8 @@ ALIASES = {"802-3-ethernet": "ethernet", "802-11-wireless": "wifi", "802-11-wire
 TRUE = ("true", "1")
 FALSE = ("false", "0")
 """The booleans of GLib's key files: yes, no, on and off are none."""
-_ADDRESS_KEY = re.compile(r"address(?:es)?\d*")
-SECRETS = re.compile(r"psk|password|passwd|pin|private-key|wep-key\d|preshared-key|.*-password")
+_ADDRESS_KEY = regex(r"address(?:es)?\d*")
+SECRETS = regex(r"psk|password|passwd|pin|private-key|wep-key\d|preshared-key|.*-password")
 METRICS = {"ethernet": 100, "wifi": 600, "gsm": 700, "bridge": 425, "vlan": 400}
 """NetworkManager's own metrics of default routes, by the type of the connection."""
 

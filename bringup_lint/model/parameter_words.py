@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
-_HOLE = re.compile(r"%[-+ #0-9.]*[a-zA-Z]|\{[^{}]*\}")
+_HOLE = regex(r"%[-+ #0-9.]*[a-zA-Z]|\{[^{}]*\}")
 """Where a formatted text takes something in."""
 _JOINTS = "._/"
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
 from dataclasses import field
 from typing import Any
@@ -10,6 +9,7 @@ from typing import NamedTuple
 from typing import Union
 
 from bringup_lint.model.yaml_node import Node
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
@@ -22,7 +22,7 @@ TYPES = ("bool", "integer", "double", "string", "bool_array", "integer_array", "
 """The types of rcl, in the order in which one wins when a parameter was given several."""
 NOT_SET = "not_set"
 
-OPENING = re.compile(
+OPENING = regex(
     r"(?:\ufeff?(?:[ \t]*(?:#[^\n]*|\r)?|---[^\n]*|%[^\n]*|(?!---)[ \t]*[\w/*\"'-]+[ \t]*:[ \t]*(?:#[^\n]*|\r)?)\n)*"
     r"[ \t]+[\"']?ros__parameters[\"']?[ \t]*:"
 )

@@ -12,11 +12,12 @@ from typing import NamedTuple
 from bringup_lint.model.schema import Remark
 from bringup_lint.model.xml import Document
 from bringup_lint.model.xml import Element
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 
-_DATE_TIME = re.compile(r"(\d{4})-(\d\d)-(\d\d)T(\d\d):(\d\d):(\d\d)(?:\.\d+)?(?:Z|[+-]\d\d:\d\d)?", re.ASCII)
+_DATE_TIME = regex(r"(\d{4})-(\d\d)-(\d\d)T(\d\d):(\d\d):(\d\d)(?:\.\d+)?(?:Z|[+-]\d\d:\d\d)?", re.ASCII)
 
 
 class Range(NamedTuple):

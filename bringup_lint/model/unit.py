@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
 from dataclasses import field
 
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 
-_KEY = re.compile(r"(?:[A-Z]+[a-z]+)+[A-Z0-9]*")
+_KEY = regex(r"(?:[A-Z]+[a-z]+)+[A-Z0-9]*")
 
 
 @dataclass(frozen=True, slots=True)

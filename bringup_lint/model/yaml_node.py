@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from dataclasses import field
 
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
@@ -17,7 +17,7 @@ YAML11_BOOLEANS = {
     **dict.fromkeys(("no", "No", "NO", "false", "False", "FALSE", "off", "Off", "OFF"), False),
 }
 NULLS = frozenset(("", "~", "null", "Null", "NULL"))
-INTEGER = re.compile(r"[-+]?(?:0|[1-9][0-9]*)\Z")
+INTEGER = regex(r"[-+]?(?:0|[1-9][0-9]*)\Z")
 
 
 @dataclass(eq=False, slots=True)

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 
-_TOKEN = re.compile(r"\s*(?:(\d{1,9})|(\$?\{?[A-Za-z_]\w*\}?)|([-+*/%()]))")
-_NAME = re.compile(r"\$(?:\{(?P<braced>[A-Za-z_]\w*)(?::-(?P<default>[^}]{0,400}))?\}|(?P<plain>[A-Za-z_]\w*))\Z")
+from bringup_lint.pattern import regex
+
+_TOKEN = regex(r"\s*(?:(\d{1,9})|(\$?\{?[A-Za-z_]\w*\}?)|([-+*/%()]))")
+_NAME = regex(r"\$(?:\{(?P<braced>[A-Za-z_]\w*)(?::-(?P<default>[^}]{0,400}))?\}|(?P<plain>[A-Za-z_]\w*))\Z")
 _LIMIT = 200
 
 

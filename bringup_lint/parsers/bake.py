@@ -7,14 +7,15 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from bringup_lint.model.image_build import ImageBuild
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
-_BLOCK = re.compile(r'^[ \t]*(target|variable)[ \t]+"([\w-]+)"[ \t]*\{', re.M)
-_TEXT = re.compile(r'^[ \t]*(context|dockerfile|target|default)[ \t]*=[ \t]*"([^"\n]*)"', re.M)
-_LIST = re.compile(r"^[ \t]*(tags|inherits)[ \t]*=[ \t]*\[([^][]*)\]", re.M)
-_WORD = re.compile(r'"([^"\n]*)"')
-_VARIABLE = re.compile(r"\$\{(\w+)\}")
+_BLOCK = regex(r'^[ \t]*(target|variable)[ \t]+"([\w-]+)"[ \t]*\{', re.M)
+_TEXT = regex(r'^[ \t]*(context|dockerfile|target|default)[ \t]*=[ \t]*"([^"\n]*)"', re.M)
+_LIST = regex(r"^[ \t]*(tags|inherits)[ \t]*=[ \t]*\[([^][]*)\]", re.M)
+_WORD = regex(r'"([^"\n]*)"')
+_VARIABLE = regex(r"\$\{(\w+)\}")
 _DEEPEST = 8
 
 

@@ -6,14 +6,15 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.model.image_build import ImageBuild
+from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 
-_COMMAND = re.compile(r"\b(?:docker|podman|nerdctl)[ \t]+(?:buildx[ \t]+|image[ \t]+)?build\b((?:\\\r?\n|[^\n`;|&>])*)")
-_WORD = re.compile(r"""(?:"[^"\n]*"|'[^'\n]*'|[^\s"'])+""")
-_ASSIGNMENT = re.compile(
+_COMMAND = regex(r"\b(?:docker|podman|nerdctl)[ \t]+(?:buildx[ \t]+|image[ \t]+)?build\b((?:\\\r?\n|[^\n`;|&>])*)")
+_WORD = regex(r"""(?:"[^"\n]*"|'[^'\n]*'|[^\s"'])+""")
+_ASSIGNMENT = regex(
     r"""^[ \t]*(?:export[ \t]+|readonly[ \t]+)?(\w+)[ \t]*[:?]?=[ \t]*["']?([\w./:-]+)["']?[ \t]*$""", re.M
 )
-_VARIABLE = re.compile(r"\$(?:\{(\w+)\}|\((\w+)\)|(\w+))")
+_VARIABLE = regex(r"\$(?:\{(\w+)\}|\((\w+)\)|(\w+))")
 _VALUED = frozenset(
     "--add-host --build-arg --build-context --builder --cache-from --cache-to --cgroup-parent --file --iidfile --label"
     " --load --memory --metadata-file --network --no-cache-filter --output --platform --progress --secret --shm-size"

@@ -8,11 +8,12 @@ from __future__ import annotations
 
 import base64
 import binascii
-import re
 from datetime import date
 from typing import NamedTuple
 
-_PEM = re.compile(r"-----BEGIN (?:TRUSTED )?CERTIFICATE-----([A-Za-z0-9+/=\s]+)-----END")
+from bringup_lint.pattern import regex
+
+_PEM = regex(r"-----BEGIN (?:TRUSTED )?CERTIFICATE-----([A-Za-z0-9+/=\s]+)-----END")
 _COMMON_NAME = b"\x55\x04\x03"
 _CONTEXT_0 = 0xA0
 _UTC_TIME, _GENERALIZED_TIME = 0x17, 0x18

@@ -11,12 +11,13 @@ from typing import NamedTuple
 from bringup_lint import facts
 from bringup_lint.model.package import Build
 from bringup_lint.model.package import Install
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 
-_COMMAND = re.compile(r"([A-Za-z_]\w*)[ \t]*\(")
-_TOKEN = re.compile(
+_COMMAND = regex(r"([A-Za-z_]\w*)[ \t]*\(")
+_TOKEN = regex(
     r"(?P<skip>\s+|\#\[(?P<hash>=*)\[.*?(?:\](?P=hash)\]|\Z)|\#[^\n]*)"
     r"|\[(?P<eq>=*)\[(?P<bracket>.*?)\](?P=eq)\]"
     r'|"(?P<quoted>(?:[^"\\]|\\.)*)"'
@@ -24,9 +25,9 @@ _TOKEN = re.compile(
     r'|(?P<plain>(?:[^\s()\#"\\]|\\.)+)',
     re.S,
 )
-_SKIP = re.compile(r"(?:\s+|\#\[(?P<hash>=*)\[.*?(?:\](?P=hash)\]|\Z)|\#[^\n]*)+", re.S)
-_VARIABLE = re.compile(r"\$\{(\w+)\}")
-_CPP = re.compile(r"\.(?:cpp|cc|cxx|c\+\+|C)$")
+_SKIP = regex(r"(?:\s+|\#\[(?P<hash>=*)\[.*?(?:\](?P=hash)\]|\Z)|\#[^\n]*)+", re.S)
+_VARIABLE = regex(r"\$\{(\w+)\}")
+_CPP = regex(r"\.(?:cpp|cc|cxx|c\+\+|C)$")
 
 
 @cache

@@ -14,10 +14,11 @@ from bringup_lint.model.yaml_node import YamlFile
 from bringup_lint.parsers import compose_schema
 from bringup_lint.parsers import yaml_nodes
 from bringup_lint.parsers.shell import words
+from bringup_lint.pattern import regex
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
 
-_NAMED = re.compile(r"(?:^|/)(?:docker-)?compose(?:[._-][^/]*)?\.ya?ml$", re.I)
+_NAMED = regex(r"(?:^|/)(?:docker-)?compose(?:[._-][^/]*)?\.ya?ml$", re.I)
 
 
 def parse(source: Source) -> ComposeFile:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Iterator
 from functools import cache
 
@@ -20,6 +19,7 @@ from bringup_lint.model.yaml_node import YamlFile
 from bringup_lint.parsers.compose_values import bad_substitutions
 from bringup_lint.parsers.compose_values import fault
 from bringup_lint.parsers.compose_values import number_fault
+from bringup_lint.pattern import regex
 from bringup_lint.schema.shapes import Shape
 from bringup_lint.schema.shapes import shape
 from bringup_lint.schema.table import Schema
@@ -29,10 +29,10 @@ from bringup_lint.schema.walk import missing
 from bringup_lint.source import Located
 
 ROOT = "{root}"
-_NAMES = {"name": re.compile(r"[a-zA-Z0-9._-]+"), "lower": re.compile(r"[a-z]+"), "*": re.compile(r"(?s).*")}
-_INTEGER = re.compile(r"[-+]?(?:0b[01_]+|0o?[0-7_]+|0x[0-9a-fA-F_]+|[0-9][0-9_]*)")
-_NUMBER = re.compile(r"[-+]?(?:\.[0-9]+|[0-9][0-9_]*(?:\.[0-9_]*)?)(?:[eE][-+]?[0-9]+)?")
-_INFINITE = re.compile(r"[-+]?\.(?:inf|Inf|INF)|\.(?:nan|NaN|NAN)")
+_NAMES = {"name": regex(r"[a-zA-Z0-9._-]+"), "lower": regex(r"[a-z]+"), "*": regex(r"(?s).*")}
+_INTEGER = regex(r"[-+]?(?:0b[01_]+|0o?[0-7_]+|0x[0-9a-fA-F_]+|[0-9][0-9_]*)")
+_NUMBER = regex(r"[-+]?(?:\.[0-9]+|[0-9][0-9_]*(?:\.[0-9_]*)?)(?:[eE][-+]?[0-9]+)?")
+_INFINITE = regex(r"[-+]?\.(?:inf|Inf|INF)|\.(?:nan|NaN|NAN)")
 _TRUTHS = frozenset("true True TRUE false False FALSE".split())
 _NULLS = frozenset(("", "~", "null", "Null", "NULL"))
 _LEFT_OUT = ("!reset", "!override")

@@ -17,26 +17,27 @@ from bringup_lint.model.compose import split
 from bringup_lint.model.schema import Code
 from bringup_lint.model.schema import Fault
 from bringup_lint.model.schema import Item
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
-_DURATION = re.compile(r"[-+]?(?:(?:\d+(?:\.\d*)?|\.\d+)(?:ns|us|µs|μs|ms|s|m|h|d|w))+|0")
-_SIZE = re.compile(r"(?:\d+(?:\.\d+)?|\.\d+) ?(?:[kmgtp](?:i?b)?|b)?|-1", re.I)
+_DURATION = regex(r"[-+]?(?:(?:\d+(?:\.\d*)?|\.\d+)(?:ns|us|µs|μs|ms|s|m|h|d|w))+|0")
+_SIZE = regex(r"(?:\d+(?:\.\d+)?|\.\d+) ?(?:[kmgtp](?:i?b)?|b)?|-1", re.I)
 _TRUTH = frozenset("true false y yes on n no off".split())
-_WHOLE = re.compile(r"[-+]?\d+")
-_DECIMAL = re.compile(r"[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?")
-_RESTART = re.compile(r"no|always|unless-stopped|on-failure(?::\d+)?|")
-_PULL = re.compile(r"always|never|build|if_not_present|missing|refresh|daily|weekly|every_(?:\d+[wdhms])+")
-_PROJECT = re.compile(r"[a-z0-9][a-z0-9_-]*")
-_CONTAINER = re.compile(r"[a-zA-Z0-9][a-zA-Z0-9_.-]+")
-_PORTS = re.compile(r"(?P<first>\d{1,5})(?:-(?P<last>\d{1,5}))?")
-_PROTOCOL = re.compile(r"tcp|udp|sctp", re.I)
-_PERMISSIONS = re.compile(r"[rwm]{1,3}")
-_SIGNAL = re.compile(r"(?:SIG)?[A-Z]+\d*(?:[-+]\d+)?|\d+")
+_WHOLE = regex(r"[-+]?\d+")
+_DECIMAL = regex(r"[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?")
+_RESTART = regex(r"no|always|unless-stopped|on-failure(?::\d+)?|")
+_PULL = regex(r"always|never|build|if_not_present|missing|refresh|daily|weekly|every_(?:\d+[wdhms])+")
+_PROJECT = regex(r"[a-z0-9][a-z0-9_-]*")
+_CONTAINER = regex(r"[a-zA-Z0-9][a-zA-Z0-9_.-]+")
+_PORTS = regex(r"(?P<first>\d{1,5})(?:-(?P<last>\d{1,5}))?")
+_PROTOCOL = regex(r"tcp|udp|sctp", re.I)
+_PERMISSIONS = regex(r"[rwm]{1,3}")
+_SIGNAL = regex(r"(?:SIG)?[A-Z]+\d*(?:[-+]\d+)?|\d+")
 _MOUNT_OPTIONS = frozenset(
     "ro rw nocopy z Z cached delegated consistent private rprivate shared rshared slave rslave U O".split()
 )
-_NAME = re.compile(r"[_a-zA-Z]\w*", re.ASCII)
-_OPERATOR = re.compile(r":?[-+?]")
+_NAME = regex(r"[_a-zA-Z]\w*", re.ASCII)
+_OPERATOR = regex(r":?[-+?]")
 
 
 def fault(item: Item, text: Located) -> Fault | None:

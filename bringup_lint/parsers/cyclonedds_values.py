@@ -9,6 +9,7 @@ from bringup_lint.model.schema import Code
 from bringup_lint.model.schema import Fault
 from bringup_lint.model.schema import Item
 from bringup_lint.parsers.cyclonedds_schema import bare_unit
+from bringup_lint.pattern import regex
 
 DURATIONS = {
     "ns": 1,
@@ -26,12 +27,12 @@ _BITS = {"": 1, "K": 1 << 10, "k": 10**3, "M": 10**6, "Mi": 1 << 20, "G": 10**9,
 THREADS = ("recv", "tev", "gc", "lease", "dq.builtins", "xmit.user", "dq.user", "debmon", "fsm")
 """The names a Thread may have."""
 
-_INTEGER = re.compile(r"[ \t\n\v\f\r]*([+-]?[0-9]+)")
-_REAL = re.compile(
+_INTEGER = regex(r"[ \t\n\v\f\r]*([+-]?[0-9]+)")
+_REAL = regex(
     r"[ \t\n\v\f\r]*([+-]?(?:0[xX](?:[0-9a-fA-F]+\.?[0-9a-fA-F]*|\.[0-9a-fA-F]+)(?:[pP][+-]?[0-9]+)?"
     r"|(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?|(?i:inf(?:inity)?|nan)))"
 )
-_RANGE = re.compile(r"(-?[0-9]+)\.\.(-?[0-9]+)$")
+_RANGE = regex(r"(-?[0-9]+)\.\.(-?[0-9]+)$")
 _INT64 = (1 << 63) - 1
 
 

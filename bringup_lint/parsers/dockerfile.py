@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.model.dockerfile import Dockerfile
@@ -11,6 +10,7 @@ from bringup_lint.model.dockerfile import Stage
 from bringup_lint.model.shell import Command
 from bringup_lint.parsers.shell import commands
 from bringup_lint.parsers.systemd_values import split_words
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
@@ -38,10 +38,10 @@ NAMES = frozenset(
         "WORKDIR",
     }
 )
-_DIRECTIVE = re.compile(r"#\s*(\w+)\s*=\s*(\S(?:.*\S)?)\s*$")
-_KEYWORD = re.compile(r"\s*([A-Za-z]+)(?:\s+|$)")
-_FLAG = re.compile(r"--[a-z][\w-]*(?:=(?:\"[^\"]*\"|\S*))?(?:\s+|$)")
-_HEREDOC = re.compile(r"(?<![<\w$(])<<(?P<dash>-?)(?P<quote>[\"']?)(?P<word>\w+)(?P=quote)")
+_DIRECTIVE = regex(r"#\s*(\w+)\s*=\s*(\S(?:.*\S)?)\s*$")
+_KEYWORD = regex(r"\s*([A-Za-z]+)(?:\s+|$)")
+_FLAG = regex(r"--[a-z][\w-]*(?:=(?:\"[^\"]*\"|\S*))?(?:\s+|$)")
+_HEREDOC = regex(r"(?<![<\w$(])<<(?P<dash>-?)(?P<quote>[\"']?)(?P<word>\w+)(?P=quote)")
 
 
 def parse(source: Source) -> Dockerfile:

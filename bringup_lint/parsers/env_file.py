@@ -12,14 +12,15 @@ import re
 from bringup_lint.model.env_file import Entry
 from bringup_lint.model.env_file import EnvFile
 from bringup_lint.parsers.matching import end_of
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
 
-_NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
+_NAME = regex(r"[A-Za-z_][A-Za-z0-9_]*")
 _BLANK = " \t\r\n"
-_LINE = re.compile(r"[^\r\n]*")
-_COMMENT = re.compile(r"(?:\\.|[^\\\r\n])*", re.S)
+_LINE = regex(r"[^\r\n]*")
+_COMMENT = regex(r"(?:\\.|[^\\\r\n])*", re.S)
 """A backslash at the end of a comment joins the next line to it."""
 _ESCAPED_IN_QUOTES = '"\\`$'
 

@@ -6,7 +6,6 @@ that all errors are found at once. Types are not read: they describe data, not t
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.model.fastdds import Profile
@@ -24,6 +23,7 @@ from bringup_lint.parsers.fastdds_values import fault_of
 from bringup_lint.parsers.fastdds_values import first_text
 from bringup_lint.parsers.fastdds_values import hidden_by_comment
 from bringup_lint.parsers.xml import parse as parse_xml
+from bringup_lint.pattern import regex
 from bringup_lint.schema.walk import level
 from bringup_lint.schema.walk import missing
 from bringup_lint.source import Located
@@ -66,9 +66,9 @@ TOLERATED = frozenset(
 """XML problems that TinyXML-2 does not mind."""
 STRICT_ATTRIBUTES = ("builtinTransports", "{ThreadSettings}")
 _DURATION_WORDS = ("DURATION_INFINITY", "DURATION_INFINITE_SEC", "DURATION_INFINITE_NSEC")
-_DIGITS = re.compile(r"\s*([0-9]+)")
+_DIGITS = regex(r"\s*([0-9]+)")
 """As much of a number as the library reads."""
-_SIZE = re.compile(r"[0-9]+ *(?:[a-zA-Z]+)?")
+_SIZE = regex(r"[0-9]+ *(?:[a-zA-Z]+)?")
 
 
 def parse(source: Source, version: str = DEFAULT_VERSION) -> Profiles:

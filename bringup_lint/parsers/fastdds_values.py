@@ -9,13 +9,14 @@ from bringup_lint.model.schema import Code
 from bringup_lint.model.schema import Fault
 from bringup_lint.model.schema import Item
 from bringup_lint.model.xml import Element
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
-_NUMBER = re.compile(r"[ \t\n\v\f\r]*([+-]?)(0[xX][0-9a-fA-F]+|[0-9]+)")
+_NUMBER = regex(r"[ \t\n\v\f\r]*([+-]?)(0[xX][0-9a-fA-F]+|[0-9]+)")
 _OCTET = r"(?:0+|0*[1-9a-fA-F][0-9a-fA-F]?)"
-_OCTETS = re.compile(rf"[ \t\n\v\f\r]*\+?(?:0[xX])?{_OCTET}(?:\.{_OCTET})*")
-_GUID = re.compile(r"[0-9a-fA-F]{1,2}(?:\.[0-9a-fA-F]{1,2}){11}")
-_VARIABLE = re.compile(r"\$\{[^}]{0,400}\}")
+_OCTETS = regex(rf"[ \t\n\v\f\r]*\+?(?:0[xX])?{_OCTET}(?:\.{_OCTET})*")
+_GUID = regex(r"[0-9a-fA-F]{1,2}(?:\.[0-9a-fA-F]{1,2}){11}")
+_VARIABLE = regex(r"\$\{[^}]{0,400}\}")
 LIMITS = {"uint8": 255, "uint16": 65535, "int16": 32767}
 
 

@@ -10,18 +10,19 @@ from bringup_lint.model.firewall import Opening
 from bringup_lint.model.shell import Command
 from bringup_lint.parsers.arithmetic import evaluate
 from bringup_lint.parsers.shell import commands
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
 IPTABLES = frozenset(("iptables", "ip6tables", "iptables-legacy", "iptables-nft"))
-_PORTS = re.compile(r"(?P<first>.+?)(?:[:-](?P<last>.+))?\Z")
-_UFW_PORTS = re.compile(r"(?P<ports>[^/\s]+)(?:/(?P<protocol>tcp|udp))?\Z")
-_NFT_UDP = re.compile(
+_PORTS = regex(r"(?P<first>.+?)(?:[:-](?P<last>.+))?\Z")
+_UFW_PORTS = regex(r"(?P<ports>[^/\s]+)(?:/(?P<protocol>tcp|udp))?\Z")
+_NFT_UDP = regex(
     r"(?P<protocol>udp|tcp)\s+dport\s+(?:\{(?P<set>[^{}]*)\}|(?P<one>[\w-]+))(?P<rest>[^\n;}]{0,400})\baccept\b"
 )
-_NFT_INPUT = re.compile(r"hook\s+input\b[^;]*;(?:\s*policy\s+(?P<policy>\w+)\s*;)?")
-_NFT_WHOLE = re.compile(r"^[^\S\n]*(?:(?:iif|iifname)\s+(?!\"?lo\b)\S+|ip\s+saddr\s+\S+)\s+accept\b", re.M)
-_SAVED = re.compile(r"^(?::(?P<chain>\S+)\s+(?P<policy>\S+)|-A\s+(?P<rule>.+))", re.M)
+_NFT_INPUT = regex(r"hook\s+input\b[^;]*;(?:\s*policy\s+(?P<policy>\w+)\s*;)?")
+_NFT_WHOLE = regex(r"^[^\S\n]*(?:(?:iif|iifname)\s+(?!\"?lo\b)\S+|ip\s+saddr\s+\S+)\s+accept\b", re.M)
+_SAVED = regex(r"^(?::(?P<chain>\S+)\s+(?P<policy>\S+)|-A\s+(?P<rule>.+))", re.M)
 Variables = dict[str, str]
 
 

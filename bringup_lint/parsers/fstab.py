@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import re
-
 from bringup_lint.model.fstab import Fstab
 from bringup_lint.model.fstab import Mount
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
-_LINE = re.compile(r"[^\n]+")
-_ESCAPE = re.compile(r"\\([0-3][0-7]{2})")
+_LINE = regex(r"[^\n]+")
+_ESCAPE = regex(r"\\([0-3][0-7]{2})")
 
 
 def parse(source: Source) -> Fstab:

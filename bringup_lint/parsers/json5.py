@@ -5,14 +5,15 @@ from __future__ import annotations
 import re
 
 from bringup_lint.parsers.matching import end_of
+from bringup_lint.pattern import regex
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
 
-_BLANK = re.compile(r"(?:[\s\ufeff]+|//[^\n\r\u2028\u2029]*|/\*.*?\*/)*", re.S)
+_BLANK = regex(r"(?:[\s\ufeff]+|//[^\n\r\u2028\u2029]*|/\*.*?\*/)*", re.S)
 _STRING = r'"(?:[^"\\\n\r]|\\(?:\r\n|.))*"|\'(?:[^\'\\\n\r]|\\(?:\r\n|.))*\''
 _NUMBER = r"[+-]?(?:0[xX][0-9a-fA-F]+|(?:(?:0|[1-9]\d*)(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?|Infinity|NaN)(?![\w$.])"
-_SCALAR = re.compile(rf"{_STRING}|{_NUMBER}|(?:true|false|null)(?![\w$])", re.S)
-_KEY = re.compile(rf"{_STRING}|(?:[^\W\d]|[$])[\w$\u200c\u200d]*", re.S)
+_SCALAR = regex(rf"{_STRING}|{_NUMBER}|(?:true|false|null)(?![\w$])", re.S)
+_KEY = regex(rf"{_STRING}|(?:[^\W\d]|[$])[\w$\u200c\u200d]*", re.S)
 _CLOSING = {"{": "}", "[": "]"}
 
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
-_TOKEN = re.compile(
+_TOKEN = regex(
     r"//[^\n]*|/\*[\s\S]*?(?:\*/|\Z)|\"(?P<text>(?:[^\"\\\n]|\\.)*)\"(?P<key>\s*:)?|(?P<open>[{\[])|(?P<close>[}\]])"
 )
 

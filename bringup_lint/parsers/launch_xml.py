@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import re
-
 from bringup_lint.model.launch import LaunchFile
 from bringup_lint.model.launch_tag import Tag
 from bringup_lint.model.launch_tag import Written
@@ -12,12 +10,13 @@ from bringup_lint.parsers import xml
 from bringup_lint.parsers.launch_frontend.actions import Builder
 from bringup_lint.parsers.launch_frontend.entity import Attribute
 from bringup_lint.parsers.launch_frontend.entity import Entity
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
 
 DEPTH = 60
-_LINES = re.compile(r"\r\n|[\t\r\n]")
+_LINES = regex(r"\r\n|[\t\r\n]")
 
 
 def parse(source: Source) -> LaunchFile:

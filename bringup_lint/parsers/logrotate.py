@@ -19,6 +19,7 @@ from bringup_lint.parsers.logrotate_values import SPACE
 from bringup_lint.parsers.logrotate_values import check_value
 from bringup_lint.parsers.logrotate_values import owners
 from bringup_lint.parsers.logrotate_values import split_words
+from bringup_lint.pattern import regex
 from bringup_lint.schema.table import load
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
@@ -26,9 +27,9 @@ from bringup_lint.source import Source
 
 HARMLESS = frozenset({"unknown-directive", "text-after-brace", "unclosed"})
 """Problems that cost at most their own line."""
-_WORD = re.compile(r"[ \t]*([A-Za-z]*)")
+_WORD = regex(r"[ \t]*([A-Za-z]*)")
 _SCRIPTS = frozenset({"prerotate", "postrotate", "firstaction", "lastaction", "preremove"})
-_COMMENT_LINE = re.compile(r"^[ \t]*#[^\n]*", re.M)
+_COMMENT_LINE = regex(r"^[ \t]*#[^\n]*", re.M)
 
 
 @cache

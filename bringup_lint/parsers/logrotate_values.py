@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import re
-
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 
 SPACE = " \t\n\v\f\r"
-_NUMBER = re.compile(r"[ \t\v\f\r]*([+-]?)(?:0[xX][0-9a-fA-F]+|0[0-7]*|[1-9][0-9]*)")
-_MODE = re.compile(r"\s*[+-]?[0-7]+")
-_WEEKDAY = re.compile(r"[ \t\v\f\r]*\+?0*[0-7]")
+_NUMBER = regex(r"[ \t\v\f\r]*([+-]?)(?:0[xX][0-9a-fA-F]+|0[0-7]*|[1-9][0-9]*)")
+_MODE = regex(r"\s*[+-]?[0-7]+")
+_WEEKDAY = regex(r"[ \t\v\f\r]*\+?0*[0-7]")
 
 
 def check_value(kind: str, value: Located) -> Problem | None:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import re
-
 from bringup_lint.model.netplan import Definition
 from bringup_lint.model.netplan import NetplanFile
 from bringup_lint.model.schema import Code
@@ -15,13 +13,14 @@ from bringup_lint.parsers import yaml_nodes
 from bringup_lint.parsers.netplan_schema import mapping_of
 from bringup_lint.parsers.netplan_values import NAME
 from bringup_lint.parsers.netplan_values import check
+from bringup_lint.pattern import regex
 from bringup_lint.schema.walk import level
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 
-NAMED = re.compile(r"\{(?P<key>\w+):(?P<value>[\w-]+)\}\Z")
+NAMED = regex(r"\{(?P<key>\w+):(?P<value>[\w-]+)\}\Z")
 
 
 def parse(source: Source) -> NetplanFile:

@@ -11,13 +11,14 @@ from bringup_lint.addresses import is_plain_address
 from bringup_lint.model.schema import Code
 from bringup_lint.model.schema import Fault
 from bringup_lint.model.yaml_node import Scalar
+from bringup_lint.pattern import regex
 
 TRUE = frozenset(("true", "on", "yes", "y"))
 FALSE = frozenset(("false", "off", "no", "n"))
-MAC = re.compile(r"[0-9a-fA-F]{2}(?::[0-9a-fA-F]{2}){5}(?:(?::[0-9a-fA-F]{2}){14})?\Z")
-NAME = re.compile(r"[!-~]+\Z")
-HOST_LABEL = re.compile(r"[a-z0-9](?:[a-z0-9-]*[a-z0-9])?\Z", re.IGNORECASE)
-DIGITS = re.compile(r"[\t\n\v\f\r ]*[-+]?([0-9]+)")
+MAC = regex(r"[0-9a-fA-F]{2}(?::[0-9a-fA-F]{2}){5}(?:(?::[0-9a-fA-F]{2}){14})?\Z")
+NAME = regex(r"[!-~]+\Z")
+HOST_LABEL = regex(r"[a-z0-9](?:[a-z0-9-]*[a-z0-9])?\Z", re.IGNORECASE)
+DIGITS = regex(r"[\t\n\v\f\r ]*[-+]?([0-9]+)")
 LARGEST_UINT = 2**32 - 1
 
 

@@ -16,6 +16,7 @@ from bringup_lint.model.schema import Code
 from bringup_lint.model.schema import Fault
 from bringup_lint.model.schema import Item
 from bringup_lint.model.schema import Remark
+from bringup_lint.pattern import regex
 from bringup_lint.schema.table import Schema
 from bringup_lint.schema.table import listed
 from bringup_lint.schema.table import load
@@ -24,9 +25,9 @@ from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
 
-_GROUP = re.compile(r"\[([^\[\]]+)\][ \t]*")
-_NUMBERED = re.compile(r"(address|addresses|route|routes|routing-rule)\d+(?:_options)?")
-_INTEGER = re.compile(r"[+-]?(?:0[xX][0-9a-fA-F]+|[0-9]+)")
+_GROUP = regex(r"\[([^\[\]]+)\][ \t]*")
+_NUMBERED = regex(r"(address|addresses|route|routes|routing-rule)\d+(?:_options)?")
+_INTEGER = regex(r"[+-]?(?:0[xX][0-9a-fA-F]+|[0-9]+)")
 
 
 @cache

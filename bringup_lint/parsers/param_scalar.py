@@ -6,17 +6,18 @@ import re
 from fractions import Fraction
 
 from bringup_lint.model.params import Value
+from bringup_lint.pattern import regex
 
 TRUE = frozenset(("Y", "y", "yes", "Yes", "YES", "true", "True", "TRUE", "on", "On", "ON"))
 FALSE = frozenset(("N", "n", "no", "No", "NO", "false", "False", "FALSE", "off", "Off", "OFF"))
 BLANK = " \t\n\v\f\r"
 STRING_TAG = "tag:yaml.org,2002:str"
 
-_INTEGER = re.compile(r"([+-]?)(?:0[xX]([0-9a-fA-F]+)|0([0-7]*)|([1-9][0-9]*))\Z")
-_DECIMAL = re.compile(r"[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?\Z")
-_HEXADECIMAL = re.compile(r"[+-]?0[xX](?:[0-9a-fA-F]+(?:\.[0-9a-fA-F]*)?|\.[0-9a-fA-F]+)(?:[pP][+-]?[0-9]+)?\Z")
-_WORD = re.compile(r"[+-]?(?:inf|infinity|nan|nan\([0-9A-Za-z_]*\))\Z", re.I)
-_YAML_WORD = re.compile(r"(?:\.(?:nan|NaN|NAN)|[+-]?\.(?:inf|Inf|INF))\Z")
+_INTEGER = regex(r"([+-]?)(?:0[xX]([0-9a-fA-F]+)|0([0-7]*)|([1-9][0-9]*))\Z")
+_DECIMAL = regex(r"[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?\Z")
+_HEXADECIMAL = regex(r"[+-]?0[xX](?:[0-9a-fA-F]+(?:\.[0-9a-fA-F]*)?|\.[0-9a-fA-F]+)(?:[pP][+-]?[0-9]+)?\Z")
+_WORD = regex(r"[+-]?(?:inf|infinity|nan|nan\([0-9A-Za-z_]*\))\Z", re.I)
+_YAML_WORD = regex(r"(?:\.(?:nan|NaN|NAN)|[+-]?\.(?:inf|Inf|INF))\Z")
 _FIRST = frozenset("0123456789+-.iInN" + BLANK)
 SMALLEST = 2.2250738585072014e-308
 """The smallest normal double; what is rounded below it is out of range for strtod."""

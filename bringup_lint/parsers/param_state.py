@@ -7,15 +7,15 @@ they are.
 
 from __future__ import annotations
 
-import re
 from bisect import insort
 from typing import NamedTuple
 
 from bringup_lint.model.params import Entry
 from bringup_lint.model.params import Value
+from bringup_lint.pattern import regex
 
 HEADER = "ros__parameters"
-_NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*\Z")
+_NAME = regex(r"[A-Za-z_][A-Za-z0-9_]*\Z")
 LONGEST_NAME = 255
 LONGEST_NAMESPACE = 245
 

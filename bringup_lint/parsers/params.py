@@ -24,16 +24,17 @@ from bringup_lint.parsers.param_state import HEADER
 from bringup_lint.parsers.param_state import Refused
 from bringup_lint.parsers.param_state import Saved
 from bringup_lint.parsers.param_state import State
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 
 LIMITS = ("too-deep",)
-MISSPELT = re.compile(r"ros?_{1,4}para?m[a-z]{0,8}\Z", re.I)
+MISSPELT = regex(r"ros?_{1,4}para?m[a-z]{0,8}\Z", re.I)
 """A node key that can only mean ``ros__parameters``."""
-_STAR = re.compile(r"[ \t]*(\*[^\s:]*)[ \t]*:(?:[ \t\r\n]|\Z)")
-_VERSION = re.compile(r"^%YAML[ \t]+(?!1\.1[ \t]*(?:#|$))[^\r\n]*", re.M)
+_STAR = regex(r"[ \t]*(\*[^\s:]*)[ \t]*:(?:[ \t\r\n]|\Z)")
+_VERSION = regex(r"^%YAML[ \t]+(?!1\.1[ \t]*(?:#|$))[^\r\n]*", re.M)
 
 
 def parse(source: Source) -> ParameterFile:

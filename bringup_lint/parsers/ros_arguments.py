@@ -9,21 +9,22 @@ import re
 from collections.abc import Iterator
 from collections.abc import Sequence
 
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
 
 _TOKEN = r"(?:(?!\w*__)[A-Za-z_]\w*)"
 _PATH = rf"{_TOKEN}(?:/{_TOKEN})*"
-_REMAP = re.compile(
+_REMAP = regex(
     rf"(?:{_TOKEN}:)?(?:__ns:=/(?:{_PATH})?/?|__(?:node|name):={_TOKEN}"
     rf"|(?:ros(?:service|topic):(?://)?)?(?:~?/)?{_PATH}:=(?:~?/)?{_PATH})\Z",
     re.ASCII,
 )
-_PARAMETER = re.compile(rf"(?:{_TOKEN}:)?/?{_TOKEN}(?:[./]{_TOKEN})*:=(?P<value>.*)\Z", re.ASCII | re.S)
-_LEVEL = re.compile(r"(?:.+:=)?(?:unset|debug|info|warn|error|fatal)\Z", re.I | re.S)
-_NESTED = re.compile(r"\[\s*\[")
-_PLAIN = re.compile(r"[^\[{&*!|>'\"%@`:?-]|- ")
+_PARAMETER = regex(rf"(?:{_TOKEN}:)?/?{_TOKEN}(?:[./]{_TOKEN})*:=(?P<value>.*)\Z", re.ASCII | re.S)
+_LEVEL = regex(r"(?:.+:=)?(?:unset|debug|info|warn|error|fatal)\Z", re.I | re.S)
+_NESTED = regex(r"\[\s*\[")
+_PLAIN = regex(r"[^\[{&*!|>'\"%@`:?-]|- ")
 FLAGS = {
     "-r": "remap",
     "--remap": "remap",

@@ -3,8 +3,9 @@
 
 from __future__ import annotations
 
-import re
 from typing import NamedTuple
+
+from bringup_lint.pattern import regex
 
 MAX_DOMAIN = 232
 """The last domain whose ports fit below 65536 (RTPS 9.6.2.3)."""
@@ -38,7 +39,7 @@ FORMAT_TOKENS_SINCE = {"short_file_name": "kilted"}
 ULONG_MAX = 2**64 - 1
 """As a domain, it means the default."""
 
-_STRTOUL = re.compile(
+_STRTOUL = regex(
     r"[ \t\n\v\f\r]*(?P<sign>[+-]?)(?:0[xX](?P<hex>[0-9a-fA-F]+)|0(?P<octal>[0-7]*)|(?P<decimal>[1-9][0-9]*))"
 )
 

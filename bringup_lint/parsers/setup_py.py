@@ -29,13 +29,14 @@ from bringup_lint.parsers.launch_python.state import Evaluator
 from bringup_lint.parsers.launch_python.state import State
 from bringup_lint.parsers.launch_python.statements import run
 from bringup_lint.parsers.python_syntax import Positions
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 
 _SETUP = ("setuptools.setup", "distutils.core.setup", "setup")
 _GLOB = ("glob.glob", "glob.iglob", "glob")
-_SCRIPT = re.compile(r"^[^\S\n]*([\w.-]+)[ \t]*=[ \t]*([\w.]*(?::[\w.]*)?)", re.M)
+_SCRIPT = regex(r"^[^\S\n]*([\w.-]+)[ \t]*=[ \t]*([\w.]*(?::[\w.]*)?)", re.M)
 
 
 def parse(source: Source) -> Build:

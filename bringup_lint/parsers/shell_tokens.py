@@ -3,19 +3,19 @@ expanded; what cannot be read is passed over."""
 
 from __future__ import annotations
 
-import re
 from typing import NamedTuple
 
 from bringup_lint.model.shell import HereDocument
 from bringup_lint.model.shell import Word
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
-ASSIGNMENT = re.compile(r"[A-Za-z_][A-Za-z0-9_]*\+?=")
-_OPERATOR = re.compile(r"&&|\|\||;;&?|;&|\|&|&>>?|<<<|<<-?|<>|<&|>&|>>|>\||[;&|<>()\n]")
+ASSIGNMENT = regex(r"[A-Za-z_][A-Za-z0-9_]*\+?=")
+_OPERATOR = regex(r"&&|\|\||;;&?|;&|\|&|&>>?|<<<|<<-?|<>|<&|>&|>>|>\||[;&|<>()\n]")
 HERE = frozenset({"<<", "<<-"})
 REDIRECTS = frozenset({"<", ">", ">>", "<&", ">&", "<>", ">|", "&>", "&>>", "<<<"})
-_DELIMITER = re.compile(r"[ \t]*(?:'([^'\n]*)'|\"([^\"\n]*)\"|\\?([^ \t\r\n;&|<>()]*))")
-_PLAIN = re.compile(r"[^ \t\r\n\\'\"`$;&|<>()#]+")
+_DELIMITER = regex(r"[ \t]*(?:'([^'\n]*)'|\"([^\"\n]*)\"|\\?([^ \t\r\n;&|<>()]*))")
+_PLAIN = regex(r"[^ \t\r\n\\'\"`$;&|<>()#]+")
 
 
 class Token(NamedTuple):

@@ -19,13 +19,14 @@ from bringup_lint.model.xml import Document
 from bringup_lint.model.xml import Element
 from bringup_lint.parsers.sros2_schema import check
 from bringup_lint.parsers.xml import parse as parse_xml
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
 
-_SIGNED = re.compile(r"\.(?:p7s|smime|p7m)$", re.I)
-_PAYLOAD = re.compile(r"(?:<\?xml\b[^>]*>\s*)?<(?:\w+:)?dds\b.*?</(?:\w+:)?dds\s*>", re.S)
-_VISIBLE = re.compile(r"[^\r\n]")
+_SIGNED = regex(r"\.(?:p7s|smime|p7m)$", re.I)
+_PAYLOAD = regex(r"(?:<\?xml\b[^>]*>\s*)?<(?:\w+:)?dds\b.*?</(?:\w+:)?dds\s*>", re.S)
+_VISIBLE = regex(r"[^\r\n]")
 
 
 def is_signed(source: Source) -> bool:

@@ -10,6 +10,7 @@ from bringup_lint.model.sshd import Match
 from bringup_lint.model.sshd import Option
 from bringup_lint.model.sshd import SshdFile
 from bringup_lint.parsers.sshd_values import judge
+from bringup_lint.pattern import regex
 from bringup_lint.schema.names import FOLDED
 from bringup_lint.schema.names import find
 from bringup_lint.schema.table import load
@@ -17,8 +18,8 @@ from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
 
-_KEYWORD = re.compile(r"[^ \t\r\n\"=]+")
-_GAP = re.compile(r"[ \t\r]*=?[ \t\r]*")
+_KEYWORD = regex(r"[^ \t\r\n\"=]+")
+_GAP = regex(r"[ \t\r]*=?[ \t\r]*")
 _CRITERIA = frozenset({"user", "group", "host", "address", "localaddress", "localport", "rdomain"})
 _BARE_CRITERIA = frozenset({"all", "invalid-user"})
 

@@ -9,13 +9,14 @@ from functools import cache
 
 from bringup_lint import facts
 from bringup_lint.addresses import is_port
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
-_TIME = re.compile(r"\d+(?:[smhdwSMHDW]\d+)*[smhdwSMHDW]?")
-_INTEGER = re.compile(r"\+?\d{1,10}")
-_REKEY = re.compile(r"\d+(?:\.\d+)?[kKmMgGtTbB]?")
-_STARTUPS = re.compile(r"([+-]?\d+)(?::([+-]?\d+):([+-]?\d+))?")
-_NETBLOCK = re.compile(r"([+-]?\d+)(?::([+-]?\d+))?")
+_TIME = regex(r"\d+(?:[smhdwSMHDW]\d+)*[smhdwSMHDW]?")
+_INTEGER = regex(r"\+?\d{1,10}")
+_REKEY = regex(r"\d+(?:\.\d+)?[kKmMgGtTbB]?")
+_STARTUPS = regex(r"([+-]?\d+)(?::([+-]?\d+):([+-]?\d+))?")
+_NETBLOCK = regex(r"([+-]?\d+)(?::([+-]?\d+))?")
 _LEVELS = frozenset(["SILENT", "QUIET", "FATAL", "ERROR", "INFO", "VERBOSE", "DEBUG", "DEBUG1", "DEBUG2", "DEBUG3"])
 _FACILITIES = frozenset(
     [

@@ -6,15 +6,16 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.model.supervisord import Program
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
-_HEADER = re.compile(r"[ \t]*\[program:(?P<name>[^\]\r\n]*)\]")
-_OTHER_HEADER = re.compile(r"[ \t]*\[[^\]\r\n]*\]")
-_SETTING = re.compile(r"(?P<key>[^\s=:;#\[][^=:\r\n]*?)[ \t]*[=:][ \t]*(?P<value>[^\r\n]*)")
-_CONTINUED = re.compile(r"\n(?:[ \t]*[;#][^\n]*|[ \t\r]*(?=\n|\Z)|[ \t]+\S[^\n]*)")
+_HEADER = regex(r"[ \t]*\[program:(?P<name>[^\]\r\n]*)\]")
+_OTHER_HEADER = regex(r"[ \t]*\[[^\]\r\n]*\]")
+_SETTING = regex(r"(?P<key>[^\s=:;#\[][^=:\r\n]*?)[ \t]*[=:][ \t]*(?P<value>[^\r\n]*)")
+_CONTINUED = regex(r"\n(?:[ \t]*[;#][^\n]*|[ \t\r]*(?=\n|\Z)|[ \t]+\S[^\n]*)")
 """A comment, an empty line, or an indented one: none of them ends a value."""
-_COMMENT = re.compile(r"(?:(?<=\s)|^)[;#][^\n]*", re.M)
+_COMMENT = regex(r"(?:(?<=\s)|^)[;#][^\n]*", re.M)
 
 
 def parse(source: Source) -> list[Program]:

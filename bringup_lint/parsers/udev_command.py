@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
 from functools import cache
 
 from bringup_lint import facts
 from bringup_lint.model.udev import Token
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
-_WORD = re.compile(r"(?:[^\s'\"]+|'[^']*(?:'|\Z)|\"[^\"]*(?:\"|\Z))+")
-_OPERATOR = re.compile(r"&&|\|\|?|;|&|[0-9]?>>?(?:&[0-9])?(?:/\S*)?|<")
+_WORD = regex(r"(?:[^\s'\"]+|'[^']*(?:'|\Z)|\"[^\"]*(?:\"|\Z))+")
+_OPERATOR = regex(r"&&|\|\|?|;|&|[0-9]?>>?(?:&[0-9])?(?:/\S*)?|<")
 _SHELLS = frozenset({"sh", "bash", "dash", "ash", "zsh", "busybox", "su", "runuser", "sudo"})
 
 

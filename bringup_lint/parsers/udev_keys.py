@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from functools import cache
 from typing import NamedTuple
@@ -10,11 +9,12 @@ from typing import NamedTuple
 from bringup_lint import facts
 from bringup_lint.model.udev import Token
 from bringup_lint.parsers.udev_substitutions import substitution_problems
+from bringup_lint.pattern import regex
 from bringup_lint.source import Problem
 from bringup_lint.spelling import nearest
 
-_MODE = re.compile(r"[0-7]+\Z")
-_INTEGER = re.compile(r"[ \t]*[-+]?(?:0[xX][0-9a-fA-F]+|0[bB][01]+|0[oO]?[0-7]*|[1-9][0-9]*)\Z")
+_MODE = regex(r"[0-7]+\Z")
+_INTEGER = regex(r"[ \t]*[-+]?(?:0[xX][0-9a-fA-F]+|0[bB][01]+|0[oO]?[0-7]*|[1-9][0-9]*)\Z")
 
 DROPPING = frozenset(
     {

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
@@ -14,7 +14,7 @@ BLANKS = " \t\n\r"
 MAXIMUM_LENGTH = 16 * 1024
 """Longest line that udev reads, in bytes (``UDEV_LINE_SIZE``)."""
 
-_LINE = re.compile(r"([^\n\r\0]*)(?:\r\n|\n\r|[\n\r\0]|\Z)")
+_LINE = regex(r"([^\n\r\0]*)(?:\r\n|\n\r|[\n\r\0]|\Z)")
 
 
 class LogicalLine(NamedTuple):

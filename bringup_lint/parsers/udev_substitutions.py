@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from functools import cache
 from typing import NamedTuple
 
 from bringup_lint import facts
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 
-_MARK = re.compile(r"[$%]")
-_NUMBER = re.compile(r"[0-9]+\+?\Z")
+_MARK = regex(r"[$%]")
+_NUMBER = regex(r"[0-9]+\+?\Z")
 
 
 class Substitution(NamedTuple):

@@ -7,19 +7,20 @@ from typing import NamedTuple
 
 from bringup_lint.model.udev import Token
 from bringup_lint.parsers.udev_lines import BLANKS
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 
-_DELIMITERS = re.compile(r"[ \t\n\r,]*")
-_KEY = re.compile(r"(?:(?![-+!:]=)[^ \t\n\r={])*")
-_OPERATOR = re.compile(r"[ \t\n\r]*(==|!=|\+=|-=|:=|=)[ \t\n\r]*")
-_VALUE = re.compile(r"([ei]{0,2})\"")
-_PLAIN_END = re.compile(r"(?:[^\"\\]|\\\"|\\(?!\"))*")
-_ESCAPED_END = re.compile(r"(?:[^\"\\]|\\.)*", re.DOTALL)
-_RESUME = re.compile(r"[ \t,](?=[A-Za-z]+(?:\{[^}\"]*\})?[ \t]*(?:==|!=|\+=|-=|:=|=))")
-_SINGLE_QUOTED = re.compile(r"'([^'\"]*)'(?=[ \t\r\n,]|\Z)")
-_ESCAPE = re.compile(r"\\(x[0-9A-Fa-f]{2}|u[0-9A-Fa-f]{4}|U[0-9A-Fa-f]{8}|[0-7]{3}|[abfnrtv\\\"'s])|\\")
-_QUOTE = re.compile(r"\\\"")
+_DELIMITERS = regex(r"[ \t\n\r,]*")
+_KEY = regex(r"(?:(?![-+!:]=)[^ \t\n\r={])*")
+_OPERATOR = regex(r"[ \t\n\r]*(==|!=|\+=|-=|:=|=)[ \t\n\r]*")
+_VALUE = regex(r"([ei]{0,2})\"")
+_PLAIN_END = regex(r"(?:[^\"\\]|\\\"|\\(?!\"))*")
+_ESCAPED_END = regex(r"(?:[^\"\\]|\\.)*", re.DOTALL)
+_RESUME = regex(r"[ \t,](?=[A-Za-z]+(?:\{[^}\"]*\})?[ \t]*(?:==|!=|\+=|-=|:=|=))")
+_SINGLE_QUOTED = regex(r"'([^'\"]*)'(?=[ \t\r\n,]|\Z)")
+_ESCAPE = regex(r"\\(x[0-9A-Fa-f]{2}|u[0-9A-Fa-f]{4}|U[0-9A-Fa-f]{8}|[0-7]{3}|[abfnrtv\\\"'s])|\\")
+_QUOTE = regex(r"\\\"")
 _SIMPLE = dict(zip("abfnrtvs\\\"'", "\a\b\f\n\r\t\v \\\"'", strict=True))
 
 

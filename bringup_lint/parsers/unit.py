@@ -7,13 +7,13 @@ line without its leading blanks; a blank line ends a continuation.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.model.unit import Assignment
 from bringup_lint.model.unit import Section
 from bringup_lint.model.unit import UnitFile
 from bringup_lint.parsers.matching import end_of
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
@@ -21,9 +21,9 @@ from bringup_lint.templates import final_name
 from bringup_lint.templates import has_control_flow
 from bringup_lint.templates import has_placeholder
 
-_LINE = re.compile(r"[^\r\n]*")
+_LINE = regex(r"[^\r\n]*")
 _BLANK = " \t\n\r"
-_TEMPLATE_LINE = re.compile(r"\{%.*%\}|\{#.*#\}|@\[.*\]|(?:m4_)?(?:ifdef|ifelse|dnl|divert)\b|<%|#(?:if|else|endif)\b")
+_TEMPLATE_LINE = regex(r"\{%.*%\}|\{#.*#\}|@\[.*\]|(?:m4_)?(?:ifdef|ifelse|dnl|divert)\b|<%|#(?:if|else|endif)\b")
 
 
 def parse(source: Source) -> UnitFile:

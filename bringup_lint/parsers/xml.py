@@ -26,6 +26,7 @@ from bringup_lint.parsers.xml_tags import StartTag
 from bringup_lint.parsers.xml_tags import start_tag
 from bringup_lint.parsers.xml_text import FORBIDDEN
 from bringup_lint.parsers.xml_text import decode
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
@@ -38,8 +39,8 @@ MAX_ELEMENTS = 30_000
 MAX_PROBLEMS = 50
 
 _BLANK = " \t\r\n"
-_END_TAG = re.compile(r"</([^ \t\r\n<>]*)[ \t\r\n]*(>?)")
-_DECLARATION = re.compile(
+_END_TAG = regex(r"</([^ \t\r\n<>]*)[ \t\r\n]*(>?)")
+_DECLARATION = regex(
     r"<\?xml[ \t\r\n]+version[ \t\r\n]*=[ \t\r\n]*(?:\"1\.[0-9]+\"|'1\.[0-9]+')"
     r"(?:[ \t\r\n]+encoding[ \t\r\n]*=[ \t\r\n]*"
     r"(?:\"(?P<double>[A-Za-z][\w.-]*)\"|'(?P<single>[A-Za-z][\w.-]*)'))?"
@@ -47,7 +48,7 @@ _DECLARATION = re.compile(
     re.ASCII,
 )
 _TEXT_ENCODINGS = {"utf-8", "utf8", "us-ascii", "ascii"}
-_DOCTYPE_MARK = re.compile(r"[\[\]<>\"']")
+_DOCTYPE_MARK = regex(r"[\[\]<>\"']")
 
 
 def parse(source: Source, start: int = 0, end: int | None = None) -> Document:

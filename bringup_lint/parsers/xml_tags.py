@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from typing import NamedTuple
 
 from bringup_lint.model.xml import Attribute
 from bringup_lint.parsers.xml_text import Report
 from bringup_lint.parsers.xml_text import decode
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
@@ -17,13 +17,13 @@ _START = (
     ":A-Z_a-z\xc0-\xd6\xd8-\xf6\xf8-\u02ff\u0370-\u037d\u037f-\u1fff\u200c-\u200d\u2070-\u218f"
     "\u2c00-\u2fef\u3001-\ud7ff\uf900-\ufdcf\ufdf0-\ufffd\U00010000-\U000effff"
 )
-NAME = re.compile(f"[{_START}][{_START}\\-.0-9\xb7\u0300-\u036f\u203f-\u2040]*")
-_BLANKS = re.compile(r"[ \t\r\n]*")
-_EQUALS = re.compile(r"[ \t\r\n]*=[ \t\r\n]*")
-_QUOTED = re.compile(r"\"[^\"<]*\"|'[^'<]*'")
-_BARE = re.compile(r"[^ \t\r\n<>\"'/=]+")
-_JUNK = re.compile(r"(?:[^ \t\r\n<>/]|/(?!>))+")
-_OPEN_VALUE = re.compile(r"[\"'][^<>\r\n]*")
+NAME = regex(f"[{_START}][{_START}\\-.0-9\xb7\u0300-\u036f\u203f-\u2040]*")
+_BLANKS = regex(r"[ \t\r\n]*")
+_EQUALS = regex(r"[ \t\r\n]*=[ \t\r\n]*")
+_QUOTED = regex(r"\"[^\"<]*\"|'[^'<]*'")
+_BARE = regex(r"[^ \t\r\n<>\"'/=]+")
+_JUNK = regex(r"(?:[^ \t\r\n<>/]|/(?!>))+")
+_OPEN_VALUE = regex(r"[\"'][^<>\r\n]*")
 
 
 class StartTag(NamedTuple):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.source import Span
@@ -13,8 +14,8 @@ Report = Callable[[str, int, int, str], None]
 """Takes a problem: code, start and end offset, detail."""
 
 PREDEFINED = {"lt": "<", "gt": ">", "amp": "&", "apos": "'", "quot": '"'}
-_REFERENCE = re.compile(r"&(?:#(?P<decimal>[0-9]+);|#x(?P<hex>[0-9a-fA-F]+);|(?P<name>[^\s&;<>\"'#=,]{1,80});)?")
-FORBIDDEN = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+_REFERENCE = regex(r"&(?:#(?P<decimal>[0-9]+);|#x(?P<hex>[0-9a-fA-F]+);|(?P<name>[^\s&;<>\"'#=,]{1,80});)?")
+FORBIDDEN = regex("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
 def decode(source: Source, start: int, end: int, report: Report) -> Located:

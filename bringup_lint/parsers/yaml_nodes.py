@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from typing import Protocol
 
@@ -16,6 +15,7 @@ from bringup_lint.model.yaml_node import Scalar
 from bringup_lint.model.yaml_node import Sequence
 from bringup_lint.model.yaml_node import YamlFile
 from bringup_lint.parsers.yaml_text import content
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
@@ -27,7 +27,7 @@ HOPELESS = 10 * DEEPEST
 """Levels of nesting at which reading ends: the time that libyaml takes for a token grows with them."""
 LARGEST = 100_000
 """Nodes that aliases may add, counted as if each were copied; then an alias stays empty (``alias-bomb``)."""
-FORBIDDEN = re.compile("[^\t\n\r\x20-\x7e\x85\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+FORBIDDEN = regex("[^\t\n\r\x20-\x7e\x85\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 LOADER = getattr(yaml, "CLoader", yaml.Loader)
 

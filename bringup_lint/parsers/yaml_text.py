@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import re
 
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 
-PROPERTIES = re.compile(r"(?:[&!]\S*(?:\s|#[^\n]*\n)*)+")
-BLOCK_HEADER = re.compile(r"[|>][^\n]*(?:\r\n|[\n\r\x85\u2028\u2029]|\Z)")
-BREAK = re.compile(r"\r\n|[\n\r\x85\u2028\u2029]")
-FOLD = re.compile(r"[ \t]*(?:(?:\r\n|[\n\r\x85\u2028\u2029])[ \t]*)+")
+PROPERTIES = regex(r"(?:[&!]\S*(?:\s|#[^\n]*\n)*)+")
+BLOCK_HEADER = regex(r"[|>][^\n]*(?:\r\n|[\n\r\x85\u2028\u2029]|\Z)")
+BREAK = regex(r"\r\n|[\n\r\x85\u2028\u2029]")
+FOLD = regex(r"[ \t]*(?:(?:\r\n|[\n\r\x85\u2028\u2029])[ \t]*)+")
 ESCAPE_LENGTH = {"x": 4, "u": 6, "U": 10}
 
 Pieces = list[tuple[int, int]]

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from itertools import islice
 from typing import NamedTuple
 
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.suppress.reach import head_end
@@ -19,7 +20,7 @@ from bringup_lint.suppress.reach import statement_after
 
 MARK = "bringup-lint:"
 
-_MARK = re.compile(r"bringup-lint:[ \t]*(?P<what>ignore(?:-file)?)[ \t]*\[(?P<names>[^\[\]\n]*)\]")
+_MARK = regex(r"bringup-lint:[ \t]*(?P<what>ignore(?:-file)?)[ \t]*\[(?P<names>[^\[\]\n]*)\]")
 _OPENS = ("#", ";", "//", "<!--")
 _SEPARATORS = ("--", ":", "–", "—")
 LIMIT = 5000

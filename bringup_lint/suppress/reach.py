@@ -7,9 +7,9 @@ all of it. Lines are counted from 1.
 from __future__ import annotations
 
 import ast
-import re
 from functools import lru_cache
 
+from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 from bringup_lint.suppress.forms import PYTHON_KINDS
 from bringup_lint.suppress.forms import SHELL_KINDS
@@ -19,14 +19,14 @@ from bringup_lint.suppress.forms import starts_of
 
 LIMIT = 500
 """Lines, and twenty times as many characters: no longer statement is looked for."""
-_PROLOG = re.compile(r"#!|<\?|<!DOCTYPE|---|#cloud-config|# *syntax *=|# *-\*-|\ufeff")
-_TAG = re.compile(r"""\s*<[^<>"']*(?:(?:"[^"]*"|'[^']*')[^<>"']*)*>?[^<]*""")
-_YAML_LINE = re.compile(
+_PROLOG = regex(r"#!|<\?|<!DOCTYPE|---|#cloud-config|# *syntax *=|# *-\*-|\ufeff")
+_TAG = regex(r"""\s*<[^<>"']*(?:(?:"[^"]*"|'[^']*')[^<>"']*)*>?[^<]*""")
+_YAML_LINE = regex(
     r"(?P<lead> *(?:- +)*)"
     r"(?P<key>(?:[^\s#\[{\"'][^\n#]*?|[\"'][^\"'\n]*[\"']):(?:[ \t]+|$))?"
     r"(?P<value>[^\s#]?)"
 )
-_HERE = re.compile(r"<<-?[ \t]*\\?[\"']?(\w+)")
+_HERE = regex(r"<<-?[ \t]*\\?[\"']?(\w+)")
 
 
 def is_comment(source: Source, line: int) -> bool:

@@ -28,18 +28,18 @@ When the device is fixed inside the robot and never loses power separately.
 - https://github.com/moby/moby/issues/46608, https://github.com/moby/moby/issues/35359
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.compose import Device
 
-REPLUGGED = re.compile(r"/dev/(?:tty(?:USB|ACM)\d+|serial/by-(?:id|path)/.+)")
-SERIAL = re.compile(r"/dev/tty(?:USB|ACM)\d+")
+REPLUGGED = regex(r"/dev/(?:tty(?:USB|ACM)\d+|serial/by-(?:id|path)/.+)")
+SERIAL = regex(r"/dev/tty(?:USB|ACM)\d+")
 
 
 @rule("warning", symptoms=["error gathering device information while adding custom device"])

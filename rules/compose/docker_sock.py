@@ -27,15 +27,15 @@ When the service is the fleet's own update agent and nothing else runs in its co
 - CWE-250
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-MANAGES = re.compile(
+MANAGES = regex(
     r"(?:^|/)(?:watchtower|portainer(?:-[a-z]+)?|dozzle|diun|autoheal|docker-autoheal|lazydocker)(?=[:@]|$)"
 )
 """Images that do nothing but manage containers, and work only through the socket."""

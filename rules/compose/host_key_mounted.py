@@ -27,15 +27,15 @@ When the key is made for this container alone and opens nothing else.
 - CWE-522
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-KEY = re.compile(r"(?:.*/)?\.ssh(?:/(?:id_(?:rsa|dsa|ecdsa|ed25519)(?:_sk)?)?)?|/etc/ssh(?:/(?:ssh_host_\w+_key)?)?")
+KEY = regex(r"(?:.*/)?\.ssh(?:/(?:id_(?:rsa|dsa|ecdsa|ed25519)(?:_sk)?)?)?|/etc/ssh(?:/(?:ssh_host_\w+_key)?)?")
 
 
 @rule("warning", tags=["CWE-522"])

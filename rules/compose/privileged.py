@@ -41,11 +41,12 @@ from bringup_lint.api import Robot
 from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.compose import Service
 from bringup_lint.api.compose import is_workplace
 
-REASON = re.compile(r"\bprivileged\b.*\b(?:to|because|so that|for|since|as)\b.*(?:\bdevices?\b|\busb\b|/dev\b)", re.I)
+REASON = regex(r"\bprivileged\b.*\b(?:to|because|so that|for|since|as)\b.*(?:\bdevices?\b|\busb\b|/dev\b)", re.I)
 
 
 @rule("warning", tags=["CWE-250"])

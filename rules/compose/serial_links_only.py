@@ -28,19 +28,19 @@ When the container only lists the names.
 - udev(7), "SYMLINK"
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.compose import Service
 
 LINKS = {
-    re.compile(r"/dev/serial(?:/by-(?:id|path))?/?"): re.compile(r"/dev/?$|/dev/(?:tty|serial)|.*\$"),
-    re.compile(r"/dev/v4l(?:/by-(?:id|path))?/?"): re.compile(r"/dev/?$|/dev/(?:video|v4l|media)|.*\$"),
+    regex(r"/dev/serial(?:/by-(?:id|path))?/?"): regex(r"/dev/?$|/dev/(?:tty|serial)|.*\$"),
+    regex(r"/dev/v4l(?:/by-(?:id|path))?/?"): regex(r"/dev/?$|/dev/(?:video|v4l|media)|.*\$"),
 }
 """Folders of links -> what brings a device that they may lead to."""
 

@@ -30,18 +30,18 @@ When a wrapper in the image translates SIGTERM into SIGINT.
 - https://github.com/ros2/launch/issues/666
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.docker import Stage
 from bringup_lint.api.yaml import first_key
 
-LAUNCH = re.compile(r"\bros2[\s\",\[\]]+launch\b")
+LAUNCH = regex(r"\bros2[\s\",\[\]]+launch\b")
 
 
 @rule("warning", fix="unsafe", symptoms=["exited with code 137"])

@@ -30,9 +30,10 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-NAME = re.compile(r"[A-Za-z0-9_-]+")
+NAME = regex(r"[A-Za-z0-9_-]+")
 
 
 @rule("error")

@@ -29,10 +29,11 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
 FIELD = r"[\w*/,@~-]+"
-JOB = re.compile(rf"^[ \t]*(?:@\w+|{FIELD}(?:[ \t]+{FIELD}){{4}})[ \t]+(\S+)", re.M)
+JOB = regex(rf"^[ \t]*(?:@\w+|{FIELD}(?:[ \t]+{FIELD}){{4}})[ \t]+(\S+)", re.M)
 COMMANDS = frozenset(
     (
         "bash",

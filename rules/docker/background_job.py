@@ -32,19 +32,19 @@ When the program restarts itself, and nothing has to be told at the stop.
 - bash(1), "wait"
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.docker import Runner
 from bringup_lint.api.shell import Job
 from bringup_lint.api.shell import background_jobs
 
-IDLE = re.compile(r"\bsleep\s+(?:infinity|inf)\b|\btail\s+-[fF]\b")
+IDLE = regex(r"\bsleep\s+(?:infinity|inf)\b|\btail\s+-[fF]\b")
 
 
 @rule("warning")

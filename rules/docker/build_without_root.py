@@ -28,7 +28,6 @@ When the user has the id 0 under another name.
 - https://docs.docker.com/reference/dockerfile/#user
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -36,15 +35,16 @@ from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.docker import Stage
 from bringup_lint.api.docker import commands_of
 from bringup_lint.api.docker import commands_of_run
 from bringup_lint.api.shell import Command
 
-ROOT = re.compile(r"(?:root|0+)(?::.*)?$")
+ROOT = regex(r"(?:root|0+)(?::.*)?$")
 ACCOUNTS = ("useradd", "groupadd", "usermod", "adduser", "addgroup")
-SYSTEM = re.compile(r"/(?:etc|usr|opt)/")
+SYSTEM = regex(r"/(?:etc|usr|opt)/")
 OPENS = ("chown", "chmod", "setfacl")
 
 

@@ -27,17 +27,17 @@ When the runtime sets the complete ROS environment, for example through an env f
 - docker-library ros image, ros_entrypoint.sh
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.ros import distros_since
 
-OFFICIAL = re.compile(rf"(?:^|/)(?:osrf/)?ros:(?:{'|'.join(distros_since('humble'))})")
-SOURCES = re.compile(r"setup\.(?:ba|z)?sh|ros_entrypoint\.sh")
+OFFICIAL = regex(rf"(?:^|/)(?:osrf/)?ros:(?:{'|'.join(distros_since('humble'))})")
+SOURCES = regex(r"setup\.(?:ba|z)?sh|ros_entrypoint\.sh")
 
 
 @rule("info")

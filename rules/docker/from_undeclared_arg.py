@@ -33,10 +33,11 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-VARIABLE = re.compile(r"\$(?:\{(\w+)\}|(\w+))")
-PLATFORM = re.compile(r"(?:BUILD|TARGET)(?:PLATFORM|OS|ARCH|VARIANT)")
+VARIABLE = regex(r"\$(?:\{(\w+)\}|(\w+))")
+PLATFORM = regex(r"(?:BUILD|TARGET)(?:PLATFORM|OS|ARCH|VARIANT)")
 
 
 @rule("error", symptoms=["invalid reference format", "base name", "should not be blank"])

@@ -37,13 +37,13 @@ When every deployment sets `user:` or `--user` for this image.
 - CWE-250
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.compose import Service
 from bringup_lint.api.compose import reach
@@ -52,8 +52,8 @@ from bringup_lint.api.docker import can_be_pulled
 from bringup_lint.api.docker import is_deployed
 from bringup_lint.api.docker import runs_as_root
 
-DROPS = re.compile(r"\b(?:gosu|su-exec|setpriv|runuser|fixuid)\b")
-SYSTEMD = re.compile(r"/(?:s?bin/init|lib/systemd/systemd)\b")
+DROPS = regex(r"\b(?:gosu|su-exec|setpriv|runuser|fixuid)\b")
+SYSTEMD = regex(r"/(?:s?bin/init|lib/systemd/systemd)\b")
 
 
 @rule("warning", tags=["CWE-250"])

@@ -37,13 +37,14 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.docker import Runner
 from bringup_lint.api.systemd import Ros
 from bringup_lint.api.systemd import Step
 
-GROUP = re.compile(r"dumb-init|tini\b.*\s-g\b")
-FOREVER = re.compile(r"\bsleep\s+(?:infinity|inf)\b|\btail\s+-[fF]\b")
+GROUP = regex(r"dumb-init|tini\b.*\s-g\b")
+FOREVER = regex(r"\bsleep\s+(?:infinity|inf)\b|\btail\s+-[fF]\b")
 
 
 @rule("warning", symptoms=["exited with code 137"])

@@ -29,7 +29,6 @@ When a step outside of the repository makes the script executable.
 - git-update-index(1), --chmod
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -38,10 +37,11 @@ from bringup_lint.api import Robot
 from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.docker import Runner
 
-CHMOD = re.compile(r"\b(?:chmod|--chmod)\b")
+CHMOD = regex(r"\b(?:chmod|--chmod)\b")
 
 
 @rule("error", confidence="medium", symptoms=["permission denied", "exited with code 126"])

@@ -26,21 +26,21 @@ When the image never leaves the machine that built it.
 - CWE-522: Insufficiently Protected Credentials
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.docker import Stage
 from bringup_lint.api.docker import commands_of_run
 from bringup_lint.api.shell import Command
 
-KEY = re.compile(r"(?:^|/)(?:id_(?:rsa|dsa|ecdsa|ed25519)\w*|\.ssh/?)$")
-SECRET = re.compile(r"/run/secrets/\S+")
-GONE = re.compile(r"/(?:tmp|run|dev/shm|var/tmp)/")
+KEY = regex(r"(?:^|/)(?:id_(?:rsa|dsa|ecdsa|ed25519)\w*|\.ssh/?)$")
+SECRET = regex(r"/run/secrets/\S+")
+GONE = regex(r"/(?:tmp|run|dev/shm|var/tmp)/")
 
 
 @rule("error", tags=["CWE-522", "CWE-538"])

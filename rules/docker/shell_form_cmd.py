@@ -27,18 +27,18 @@ When the container runs with `--init` and a script that forwards signals, or whe
 - verified with dash 0.5.12
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.docker import is_deployed
 from bringup_lint.api.docker import stays_in_shell
 
-ROS = re.compile(r"\bros2\s|/ros_entrypoint\.sh|\.launch\.(?:py|xml)")
+ROS = regex(r"\bros2\s|/ros_entrypoint\.sh|\.launch\.(?:py|xml)")
 
 
 @rule("warning", fix="unsafe")

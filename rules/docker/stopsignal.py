@@ -27,18 +27,18 @@ When the deployment always sets the stop signal, for example with `docker run --
 - https://github.com/ros2/launch/issues/666
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.docker import is_deployed
 from bringup_lint.api.docker import stays_in_shell
 
-LAUNCH = re.compile(r"\bros2[\s\",\[\]]+launch\b")
+LAUNCH = regex(r"\bros2[\s\",\[\]]+launch\b")
 
 
 @rule("warning", fix="unsafe", symptoms=["exited with code 137"])

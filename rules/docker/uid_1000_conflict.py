@@ -27,19 +27,19 @@ When the base image is your own rebuild without the user `ubuntu`, under the nam
 - https://bugs.launchpad.net/cloud-images/+bug/2005129
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.docker import commands_of
 from bringup_lint.api.ros import distros_since
 from bringup_lint.api.shell import Command
 
-UBUNTU_24 = re.compile(
+UBUNTU_24 = regex(
     r"(?:^|/)(?:ubuntu:(?:2[3-9]\.|noble|questing|plucky|resolute|latest)|ubuntu$"
     rf"|(?:osrf/)?ros:(?:{'|'.join(distros_since('jazzy'))})\b)"
 )

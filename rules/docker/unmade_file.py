@@ -34,11 +34,12 @@ from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.docker import Stage
 
-READ = re.compile(r"(?<![\w./-])(?:cat|source|\.)[ \t]+(?P<path>/tmp/[\w.-]+)(?![\w./*?$-])")
-FILLED = re.compile(r"(?:^|[ \"])/tmp/?[\"\]]*$|/tmp/?[ \"]")
+READ = regex(r"(?<![\w./-])(?:cat|source|\.)[ \t]+(?P<path>/tmp/[\w.-]+)(?![\w./*?$-])")
+FILLED = regex(r"(?:^|[ \"])/tmp/?[\"\]]*$|/tmp/?[ \"]")
 
 
 @rule("warning", symptoms=["cat: /tmp/"])

@@ -41,13 +41,14 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.environment import RosProcess
 from bringup_lint.api.systemd import Unit
 from bringup_lint.api.systemd import Variable
 
 _OF_SHELL = ("export", "shell", "declare", "typeset", "readonly")
-BRIDGE = re.compile(r"(?<!ros)(?<!ros[-_])bridge|domain", re.I)
+BRIDGE = regex(r"(?<!ros)(?<!ros[-_])bridge|domain", re.I)
 """Names of what may join two domains; rosbridge only talks to browsers."""
 
 

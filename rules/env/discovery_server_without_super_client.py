@@ -36,16 +36,15 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.addresses import host_of
 from bringup_lint.api.addresses import is_loopback
 
 SERVER = "ROS_DISCOVERY_SERVER"
-SEES = re.compile(r"^[^#\n]*\b(?:ROS_SUPER_CLIENT|FAST(?:RTPS|DDS)_DEFAULT_PROFILES_FILE)=", re.M)
-SETS = re.compile(r"^[^#\n]*\bROS_DISCOVERY_SERVER=([^\s#]+)", re.M)
-STARTS = re.compile(
-    r"fastdds[\s\"',]+discovery|fast-discovery-server|discovery_server|discoveryProtocol>(?:SERVER|BACKUP)<"
-)
+SEES = regex(r"^[^#\n]*\b(?:ROS_SUPER_CLIENT|FAST(?:RTPS|DDS)_DEFAULT_PROFILES_FILE)=", re.M)
+SETS = regex(r"^[^#\n]*\bROS_DISCOVERY_SERVER=([^\s#]+)", re.M)
+STARTS = regex(r"fastdds[\s\"',]+discovery|fast-discovery-server|discovery_server|discoveryProtocol>(?:SERVER|BACKUP)<")
 
 
 @rule("warning", symptoms=["ros2 topic list shows nothing"])

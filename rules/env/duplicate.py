@@ -37,11 +37,12 @@ from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.environment import UsedEnvFile
 from bringup_lint.api.systemd import Unit
 
-_SECRET = re.compile(r"PASS|SECRET|TOKEN|KEY|PSK", re.I)
+_SECRET = regex(r"PASS|SECRET|TOKEN|KEY|PSK", re.I)
 
 
 @rule("warning")

@@ -36,12 +36,13 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.systemd import Unit
 from bringup_lint.api.systemd import Units
 
 PATH = "/etc/environment"
-OF_ROS = re.compile(r"(?:ROS|RMW|CYCLONEDDS|FASTRTPS|FASTDDS|RCUTILS)_|AMENT_PREFIX_PATH$")
+OF_ROS = regex(r"(?:ROS|RMW|CYCLONEDDS|FASTRTPS|FASTDDS|RCUTILS)_|AMENT_PREFIX_PATH$")
 
 
 @rule("warning")

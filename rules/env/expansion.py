@@ -36,11 +36,12 @@ from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.environment import UsedEnvFile
 
-_SHELL = re.compile(r"\$(?:\{[A-Za-z_][^}]{0,400}\}|[A-Za-z_]\w*|\()|`[^`]+`")
-_SECRET = re.compile(r"PASS|SECRET|TOKEN|KEY|PSK", re.I)
+_SHELL = regex(r"\$(?:\{[A-Za-z_][^}]{0,400}\}|[A-Za-z_]\w*|\()|`[^`]+`")
+_SECRET = regex(r"PASS|SECRET|TOKEN|KEY|PSK", re.I)
 _EXPANDED_BY_READER = ("CYCLONEDDS_URI",)
 
 

@@ -36,15 +36,16 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.environment import Setting
 from bringup_lint.api.ros import variables
 from bringup_lint.api.spelling import nearest
 
 VALUES = {
-    "domain": re.compile(r"\d{1,3}|\$\{?\w+(?::?-\d{1,3}\}|\}?)"),
-    "rmw": re.compile(r"rmw_\w+"),
-    "file": re.compile(r"(?:file://)?[^\s<]+\.(?:xml|json5?|env)|<\S.*", re.S),
+    "domain": regex(r"\d{1,3}|\$\{?\w+(?::?-\d{1,3}\}|\}?)"),
+    "rmw": regex(r"rmw_\w+"),
+    "file": regex(r"(?:file://)?[^\s<]+\.(?:xml|json5?|env)|<\S.*", re.S),
 }
 
 

@@ -34,7 +34,6 @@ When the program is a wrapper with the same name that sources the setup file its
 - ROS 2 documentation, "Configuring environment"
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -43,6 +42,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.systemd import Process
 from bringup_lint.api.systemd import Ros
@@ -50,10 +50,10 @@ from bringup_lint.api.systemd import Step
 from bringup_lint.api.systemd import Unit
 
 ENOUGH = ("AMENT_PREFIX_PATH", "PYTHONPATH", "LD_LIBRARY_PATH", "BASH_ENV")
-INTERPRETER = re.compile(r"python[0-9.]*$")
+INTERPRETER = regex(r"python[0-9.]*$")
 EXITS = "it exits with \"No module named 'ros2cli'\""
 FINDS_NOTHING = "it finds no ROS packages or libraries"
-DISTRO = re.compile(r"/opt/ros/[a-z]+")
+DISTRO = regex(r"/opt/ros/[a-z]+")
 
 
 @rule(

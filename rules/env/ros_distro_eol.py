@@ -26,7 +26,6 @@ When you get security updates from a vendor with extended support, or the robot 
 - REP 2000
 """
 
-import re
 from collections.abc import Iterable
 from collections.abc import Iterator
 
@@ -34,12 +33,13 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.docker import is_deployed
 from bringup_lint.api.ros import distro_end
 
-LOOKING = re.compile(r"\bros2 +(?:topic|node|param|service|action|interface|doctor|lifecycle)\b")
-RUNNING = re.compile(r"\bros2 +(?:run|launch)\b|\bcolcon\b|\bapt(?:-get)? ")
+LOOKING = regex(r"\bros2 +(?:topic|node|param|service|action|interface|doctor|lifecycle)\b")
+RUNNING = regex(r"\bros2 +(?:run|launch)\b|\bcolcon\b|\bapt(?:-get)? ")
 OLDER = ("eloquent", "dashing", "crystal")
 
 

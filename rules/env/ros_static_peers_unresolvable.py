@@ -34,10 +34,11 @@ from bringup_lint.api import Robot
 from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.addresses import hosts_in
 
-NAME = re.compile(r"[A-Za-z][A-Za-z0-9-]*")
+NAME = regex(r"[A-Za-z][A-Za-z0-9-]*")
 
 
 @rule("warning", confidence="medium", symptoms=["Unable to resolve peer"])

@@ -36,10 +36,11 @@ from bringup_lint.api import Robot
 from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.shell import shell_commands
 
-SETUP = re.compile(r"(?:^|/)(?:local_)?setup\.(?:bash|sh)$")
+SETUP = regex(r"(?:^|/)(?:local_)?setup\.(?:bash|sh)$")
 
 
 @rule("error", symptoms=["unbound variable", "AMENT_TRACE_SETUP_FILES"])

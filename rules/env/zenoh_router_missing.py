@@ -30,17 +30,17 @@ When the router runs in a container or on an image that is not in the tree.
 - https://github.com/ros2/rmw_zenoh/issues/439
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
 ELSEWHERE = ("ZENOH_ROUTER_CHECK_ATTEMPTS", "ZENOH_SESSION_CONFIG_URI", "ZENOH_CONFIG_OVERRIDE")
-ROUTER = re.compile(r"zenohd\b|zenoh[-_]router(?!-missing)")
+ROUTER = regex(r"zenohd\b|zenoh[-_]router(?!-missing)")
 """A router, and not the name of this rule in a comment that silences it."""
 
 

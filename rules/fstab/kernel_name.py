@@ -24,15 +24,15 @@ When the board has exactly one disk port and no USB.
 - fstab(5)
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-KERNEL_NAME = re.compile(r"/dev/[sh]d[a-z]\d*")
+KERNEL_NAME = regex(r"/dev/[sh]d[a-z]\d*")
 
 
 @rule("info")

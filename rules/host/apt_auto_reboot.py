@@ -31,9 +31,10 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-REBOOT = re.compile(r"^[ \t]*Unattended-Upgrade::Automatic-Reboot[ \t]+\"?(\w+)\"?[ \t]*;", re.M | re.I)
+REBOOT = regex(r"^[ \t]*Unattended-Upgrade::Automatic-Reboot[ \t]+\"?(\w+)\"?[ \t]*;", re.M | re.I)
 
 
 @rule("error", fix="unsafe")

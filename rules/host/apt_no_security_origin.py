@@ -35,14 +35,15 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-BLOCK = re.compile(
+BLOCK = regex(
     r"^[ \t]*Unattended-Upgrade::(?:Allowed-Origins|Origins-Pattern)[ \t]*"
     r'\{((?:"[^"\n]*"|[^{}"])*)\}',
     re.M,
 )
-COMMENT = re.compile(r"(?://|#)[^\n]*|/\*.*?(?:\*/|\Z)", re.S)
+COMMENT = regex(r"(?://|#)[^\n]*|/\*.*?(?:\*/|\Z)", re.S)
 
 
 @rule("info")

@@ -31,9 +31,10 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-WATCH = re.compile(r"^[ \t]*-w[ \t]+(\S+)", re.M)
+WATCH = regex(r"^[ \t]*-w[ \t]+(\S+)", re.M)
 
 
 @rule("warning")

@@ -34,10 +34,11 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
 NAMES = {"ssh": "22"}
-PORT = re.compile(r"^[ \t]*Port[ \t=]+(\d+)", re.M | re.I)
+PORT = regex(r"^[ \t]*Port[ \t=]+(\d+)", re.M | re.I)
 
 
 @rule("warning", fix="unsafe")

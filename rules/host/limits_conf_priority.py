@@ -33,9 +33,10 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-LINE = re.compile(r"^[ \t]*[^#\s]\S*[ \t]+(?:-|soft|hard)[ \t]+(priority)[ \t]+(\d+)", re.M)
+LINE = regex(r"^[ \t]*[^#\s]\S*[ \t]+(?:-|soft|hard)[ \t]+(priority)[ \t]+(\d+)", re.M)
 
 
 @rule("warning")

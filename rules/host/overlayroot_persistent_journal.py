@@ -32,9 +32,10 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-OVERLAY = re.compile(r"^[ \t]*overlayroot=[\"']?(tmpfs)", re.M)
+OVERLAY = regex(r"^[ \t]*overlayroot=[\"']?(tmpfs)", re.M)
 
 
 @rule("warning")

@@ -31,7 +31,6 @@ If only trusted machines are on the network of the robot, or a firewall or a pro
 - Jupyter Server, "Running a public Jupyter server"; Xvnc(1), SecurityTypes; mosquitto.conf(5), allow_anonymous
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -39,9 +38,10 @@ from bringup_lint.api import Robot
 from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-DRIVES = re.compile(r"cmd_vel")
+DRIVES = regex(r"cmd_vel")
 TEXTS = {
     "shell": ("runs programs of everybody who reaches its port", "set a password, or listen on 127.0.0.1"),
     "desktop": ("gives the desktop to everybody who reaches its port", "set a password, or add -localhost"),

@@ -37,11 +37,10 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-OPTIONAL = re.compile(
-    r"optional|if (?:it is )?(?:not set|unset|empty)|(?:leave|left) empty|empty (?:=|means|for)", re.I
-)
+OPTIONAL = regex(r"optional|if (?:it is )?(?:not set|unset|empty)|(?:leave|left) empty|empty (?:=|means|for)", re.I)
 """What a description says of an argument that may be empty."""
 
 

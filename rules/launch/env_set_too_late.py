@@ -31,7 +31,6 @@ A scoped group shows that intention better.
 - launch, `SetEnvironmentVariable`
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -40,12 +39,13 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import launch
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.python import move_before
 
 PREFIXES = ("ROS_", "RMW_", "CYCLONEDDS_", "FASTRTPS_", "FASTDDS_", "RCUTILS_", "RCL_", "ZENOH_")
 
-LOGS = re.compile(r"LOG|CONSOLE|COLORIZED")
+LOGS = regex(r"LOG|CONSOLE|COLORIZED")
 """Variables of the logs: without them the nodes run as with them."""
 
 

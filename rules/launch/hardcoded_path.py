@@ -26,16 +26,16 @@ breaks a path below `/opt/ros`.
 - launch_ros, `FindPackageShare`
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-PATH = re.compile(r"(?:^|(?<=[=: ,'\"]))/(?:home/[\w.-]+|root|opt/ros/(?!\$)\w+)/[\w./-]+")
+PATH = regex(r"(?:^|(?<=[=: ,'\"]))/(?:home/[\w.-]+|root|opt/ros/(?!\$)\w+)/[\w./-]+")
 
 PLACEHOLDERS = ("/home/livox/livox_test.lvx",)
 """Values that drivers ask for and use only to replay a recording: livox_ros_driver2 with ``data_src`` 0."""

@@ -24,16 +24,16 @@ Never: rmw rejects such a namespace in every distribution.
 - rmw, `rmw_validate_namespace`
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-VALID = re.compile(r"/?(?:[A-Za-z_][A-Za-z0-9_]*(?:/[A-Za-z_][A-Za-z0-9_]*)*/?)?\Z")
+VALID = regex(r"/?(?:[A-Za-z_][A-Za-z0-9_]*(?:/[A-Za-z_][A-Za-z0-9_]*)*/?)?\Z")
 
 
 @rule(

@@ -32,9 +32,10 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import launch
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-VALID = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,254}\Z")
+VALID = regex(r"[A-Za-z_][A-Za-z0-9_]{0,254}\Z")
 
 
 @rule("error", fix="unsafe", symptoms=["node name must not contain characters other than alphanumerics or '_'"])

@@ -26,7 +26,6 @@ When the program takes its arguments apart before it gives them to ROS.
 - rcl, `rcl_parse_arguments`
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -35,6 +34,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import launch
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.ros import ros_arguments
 from bringup_lint.api.spelling import nearest
@@ -55,7 +55,7 @@ WRONG = {
     "ros-flag": "is no ROS argument",
 }
 KNOWN = (*ros_arguments.FLAGS, *ros_arguments.SWITCHES, "--ros-args")
-UNKNOWN = re.compile(r"[$`%*]")
+UNKNOWN = regex(r"[$`%*]")
 """What a shell, systemd or a template fills in."""
 
 

@@ -32,12 +32,12 @@ Never: logrotate skips the stanza, whatever else it says.
 - logrotate: "found error in /var/log/ros2/*.log, skipping"
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.logrotate import LogrotateFile
 from bringup_lint.api.schema import wrong_value
@@ -55,7 +55,7 @@ WHAT = {
     "bad-options": "{name} cannot be split into words: '{value}'",
     "global-only": "{name} is not allowed inside a stanza",
 }
-SIZE = re.compile(r"(\d+)\s*([kKmMgG])(?:i?[bB])?")
+SIZE = regex(r"(\d+)\s*([kKmMgG])(?:i?[bB])?")
 
 
 @rule(

@@ -41,13 +41,14 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.logrotate import Script
 from bringup_lint.api.logrotate import Stanza
 from bringup_lint.api.shell import Command
 
-HUP = re.compile(r"(?:-|--signal[= ]|-s ?)(?:SIG)?HUP\b|(?<=\s)-1\b", re.I)
-ROS = re.compile(r"\bros2\b|/opt/ros/|_node\b|\bros2?_")
+HUP = regex(r"(?:-|--signal[= ]|-s ?)(?:SIG)?HUP\b|(?<=\s)-1\b", re.I)
+ROS = regex(r"\bros2\b|/opt/ros/|_node\b|\bros2?_")
 KILLERS = frozenset({"kill", "killall", "pkill", "systemctl"})
 
 

@@ -30,7 +30,6 @@ When the writer reopens its log after the rotation, or when the nodes never run 
 - logrotate(8), "copytruncate"
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -39,9 +38,10 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-RESTARTS = re.compile(r"\b(?:try-restart|restart|reload-or-restart|stop)\b")
+RESTARTS = regex(r"\b(?:try-restart|restart|reload-or-restart|stop)\b")
 
 
 @rule("warning", fix="unsafe")

@@ -34,9 +34,10 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-BOARD = re.compile(r"net\.ifnames=0|raspberry|raspi|rpi|\bjetson\b|tegra|nvidia-l4t", re.IGNORECASE)
+BOARD = regex(r"net\.ifnames=0|raspberry|raspi|rpi|\bjetson\b|tegra|nvidia-l4t", re.IGNORECASE)
 
 
 @rule("info", confidence="medium")

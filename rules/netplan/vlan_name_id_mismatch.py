@@ -30,9 +30,10 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-NUMBERED = re.compile(r"(?:vlan[._-]?|.+\.)0*([1-9]\d*|0)", re.IGNORECASE)
+NUMBERED = regex(r"(?:vlan[._-]?|.+\.)0*([1-9]\d*|0)", re.IGNORECASE)
 
 
 @rule("info")

@@ -35,9 +35,10 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-CONTROL = re.compile(r"(?:^|[^a-z])(?:control|ctrl|motion|safety|estop|e-stop)(?:$|[^a-z])", re.IGNORECASE)
+CONTROL = regex(r"(?:^|[^a-z])(?:control|ctrl|motion|safety|estop|e-stop)(?:$|[^a-z])", re.IGNORECASE)
 
 
 @rule("warning", confidence="medium")

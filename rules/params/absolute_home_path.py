@@ -29,18 +29,18 @@ itself.
 - launch_ros, `ParameterFile(allow_substs=True)`
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.templates import is_example
 
-_HOME = re.compile(r"(?:file://)?(/home/[^/\s<>${}]+/|/root/)\S*\Z")
-_TILDE = re.compile(r"~/\S+\.[A-Za-z0-9]{1,8}\Z")
-_PATH_KEY = re.compile(r"(?:path|file|filename|dir|directory|folder)\Z")
+_HOME = regex(r"(?:file://)?(/home/[^/\s<>${}]+/|/root/)\S*\Z")
+_TILDE = regex(r"~/\S+\.[A-Za-z0-9]{1,8}\Z")
+_PATH_KEY = regex(r"(?:path|file|filename|dir|directory|folder)\Z")
 
 
 @rule("warning")

@@ -28,7 +28,6 @@ When the declaration that the linter found belongs to another node than the one 
 - https://github.com/ros2/rclcpp/issues/979
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -36,9 +35,10 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-_WHOLE = re.compile(r"([+-]?(?:0|[1-9][0-9]*))\.0*\Z")
+_WHOLE = regex(r"([+-]?(?:0|[1-9][0-9]*))\.0*\Z")
 
 
 @rule("warning", fix="safe", symptoms=["InvalidParameterTypeException", "of type {double}", "expecting type {integer}"])

@@ -30,7 +30,6 @@ When the component declares the parameter as a string and converts it itself.
 - rcl_yaml_param_parser, `get_value`
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -38,9 +37,10 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-_EXPONENT = re.compile(r"([+-]?)([0-9]+)(\.[0-9]*)?[eE]([+-]?)([0-9]+)\Z")
+_EXPONENT = regex(r"([+-]?)([0-9]+)(\.[0-9]*)?[eE]([+-]?)([0-9]+)\Z")
 
 
 @rule("warning", fix="safe", symptoms=["InvalidParameterTypeException"])

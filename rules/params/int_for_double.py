@@ -29,7 +29,6 @@ When the declaration that the linter found belongs to another node than the one 
 - https://github.com/ros-controls/ros2_controllers/issues/136
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -37,9 +36,10 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-_DECIMAL = re.compile(r"[+-]?(?:0|[1-9][0-9]*)\Z")
+_DECIMAL = regex(r"[+-]?(?:0|[1-9][0-9]*)\Z")
 
 
 @rule("warning", fix="safe", symptoms=["InvalidParameterTypeException", "of type {integer}", "expecting type {double}"])

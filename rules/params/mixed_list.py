@@ -31,16 +31,16 @@ When the node parses the file itself and rcl never reads it.
 - rcl_yaml_param_parser, `parse_value`
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-_DECIMAL = re.compile(r"[+-]?(?:0|[1-9][0-9]*)\Z")
+_DECIMAL = regex(r"[+-]?(?:0|[1-9][0-9]*)\Z")
 
 
 @rule("error", fix="safe", symptoms=["Sequence should be of same type"])

@@ -27,16 +27,16 @@ When the value is meant as octal, such as a file mode.
 - rcl_yaml_param_parser, `get_value` (strtoll with base 0)
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-_OCTAL = re.compile(r"[+-]?0+[1-9][0-9]*\Z")
+_OCTAL = regex(r"[+-]?0+[1-9][0-9]*\Z")
 
 
 @rule("warning", fix="unsafe")

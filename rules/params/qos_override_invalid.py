@@ -35,7 +35,6 @@ When the node reads the parameters below `qos_overrides` itself. rcl does not ap
 - rclpy, `qos_overriding_options`
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -43,12 +42,13 @@ from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import Span
 from bringup_lint.api import finding
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.params import Parameter
 from bringup_lint.api.params import ParameterFile
 from bringup_lint.api.spelling import nearest
 
-_ENTITY = re.compile(r"(?:publisher|subscription)(?:_\w+)?\Z")
+_ENTITY = regex(r"(?:publisher|subscription)(?:_\w+)?\Z")
 _BEST = ("system_default", "best_available")
 _WORDS = {
     "history": ("keep_last", "keep_all", "system_default"),

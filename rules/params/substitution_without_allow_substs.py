@@ -37,9 +37,10 @@ from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-_SUBSTITUTION = re.compile(
+_SUBSTITUTION = regex(
     r"\$\((?:env|optenv|var|find-pkg-share|find-pkg-prefix|find-exec|exec-in-pkg|exec-in-package|dirname|filename|eval|command|anon"
     r"|not|and|or|equals|not-equals|if|log_dir)\b[^)]*\)"
 )

@@ -27,16 +27,16 @@ When the node declares a string and parses the number itself, in a place that th
 - rcl_yaml_param_parser, `get_value`
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-_NUMBER = re.compile(r"0o[0-7]+|0b[01]+|[+-]?[1-9][0-9]{0,2}(?:_[0-9]{3})+(?:\.[0-9]+)?")
+_NUMBER = regex(r"0o[0-7]+|0b[01]+|[+-]?[1-9][0-9]{0,2}(?:_[0-9]{3})+(?:\.[0-9]+)?")
 
 
 @rule("warning", fix="unsafe", symptoms=["InvalidParameterTypeException"])

@@ -31,10 +31,11 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
 LOGIN_FILES = (".bashrc", ".bash_aliases", ".profile", ".bash_profile", ".zshrc", "bash.bashrc", "profile.d")
-ALIAS = re.compile(
+ALIAS = regex(
     r"^[ \t]*alias[ \t]+(?P<name>[\w-]+)=(?P<value>[^\s\"'$\\{}]+)[ \t]+(?P<next>[\w./-]+)(?![\w./-]*=)", re.M
 )
 

@@ -36,12 +36,13 @@ from bringup_lint.api import Robot
 from bringup_lint.api import Source
 from bringup_lint.api import Span
 from bringup_lint.api import finding
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.shell import Run
 
-PAIR = re.compile(r"^(?P<user>[a-z_][\w-]*):(?P<password>[^\s:{}$]+)$", re.M)
-TWICE = re.compile(r"(?P<password>[^\s{}$]+)\n(?P=password)\n?")
-EXPIRES = re.compile(r"\bchage\s+(?:-d\s*0|--lastday[= ]0)|passwd\s+(?:-e|--expire)\b")
+PAIR = regex(r"^(?P<user>[a-z_][\w-]*):(?P<password>[^\s:{}$]+)$", re.M)
+TWICE = regex(r"(?P<password>[^\s{}$]+)\n(?P=password)\n?")
+EXPIRES = regex(r"\bchage\s+(?:-d\s*0|--lastday[= ]0)|passwd\s+(?:-e|--expire)\b")
 
 
 @rule("error", tags=["CWE-798", "CWE-259"])

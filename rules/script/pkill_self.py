@@ -36,11 +36,12 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.shell import unwrapped
 
 VALUED = ("-u", "-U", "-g", "-G", "-P", "-s", "-t", "--signal", "--euid", "--uid")
-LITERAL = re.compile(r"[\w ./:@=+-]+")
+LITERAL = regex(r"[\w ./:@=+-]+")
 
 
 @rule("warning", symptoms=["Terminated", "exited with code 143", "exited with code 137"])

@@ -27,16 +27,16 @@ When the vendor offers no other way and the transport is protected.
 - CWE-494: Download of Code Without Integrity Check
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
 SHELLS = ("sh", "bash", "zsh", "dash", "python3", "python")
-INSECURE = re.compile(r"http://(?!localhost|127\.)\S+")
+INSECURE = regex(r"http://(?!localhost|127\.)\S+")
 UNCHECKED = ("-k", "--insecure", "--no-check-certificate")
 
 

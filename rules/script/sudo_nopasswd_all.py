@@ -31,9 +31,10 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-RULE = re.compile(
+RULE = regex(
     r"^[ \t]*(?P<who>[%+\w.{}-]+(?: +[%+\w.{}-]+)*?)[ \t]+\S+[ \t]*=[ \t]*(?:\((?:ALL|root)[^)\n]*\)[ \t]*)?"
     r"(?P<what>NOPASSWD:[ \t]*ALL)[ \t]*$",
     re.M,

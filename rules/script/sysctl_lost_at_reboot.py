@@ -28,18 +28,18 @@ When something that the tree does not hold runs the script at every boot.
 - sysctl.d(5)
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.shell import Run
 
-TUNED = re.compile(r"(net\.core\.(?:[rw]mem_(?:max|default)|netdev_max_backlog)|net\.ipv4\.ipfrag_\w+)=")
-DONE_HERE = re.compile(r"sysctl\.(?:conf|d)\b")
+TUNED = regex(r"(net\.core\.(?:[rw]mem_(?:max|default)|netdev_max_backlog)|net\.ipv4\.ipfrag_\w+)=")
+DONE_HERE = regex(r"sysctl\.(?:conf|d)\b")
 
 
 @rule("warning", tags=["CWE-1188"])

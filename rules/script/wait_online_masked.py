@@ -38,10 +38,11 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.systemd import too_early
 
-WAITER = re.compile(r"(?P<daemon>systemd-networkd|NetworkManager)-wait-online(?:\.service)?")
+WAITER = regex(r"(?P<daemon>systemd-networkd|NetworkManager)-wait-online(?:\.service)?")
 ONLINE = "network-online.target"
 
 

@@ -34,15 +34,16 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.shell import Run
 
-OPEN = re.compile(r"0?[0-7]?[0-7][0-7][2367]|(?:[ugo]*[ao][ugo]*)?\+r?wx?X?|[ugo]*[ao][ugo]*=r?wx?X?")
-STICKY = re.compile(r"[1357][0-7]{3}|0[1357][0-7]{3}")
-TRUSTED = re.compile(
+OPEN = regex(r"0?[0-7]?[0-7][0-7][2367]|(?:[ugo]*[ao][ugo]*)?\+r?wx?X?|[ugo]*[ao][ugo]*=r?wx?X?")
+STICKY = regex(r"[1357][0-7]{3}|0[1357][0-7]{3}")
+TRUSTED = regex(
     r"/(?:etc|usr|boot|lib|opt)/.+|(?:/home/[^/]+|/root|~|\{\{ HOME \}\})/\.[^/]+.*|.*/id_(?:rsa|ed25519|ecdsa)"
 )
-NO_MATTER = re.compile(r"/(?:logs?|tmp|cache|run|data)(?:/|$)|\.log$|\.Xauth|\.docker\.xauth")
+NO_MATTER = regex(r"/(?:logs?|tmp|cache|run|data)(?:/|$)|\.log$|\.Xauth|\.docker\.xauth")
 
 
 @rule("warning", tags=["CWE-732"])

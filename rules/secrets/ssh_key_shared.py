@@ -35,11 +35,10 @@ from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-KEY = re.compile(
-    r"^(?!#).*?\b(?:ssh-(?:rsa|dss|ed25519)|ecdsa-sha2-\w+|sk-[\w@.-]+)[ \t]+(AAAA[A-Za-z0-9+/=]{30,})", re.M
-)
+KEY = regex(r"^(?!#).*?\b(?:ssh-(?:rsa|dss|ed25519)|ecdsa-sha2-\w+|sk-[\w@.-]+)[ \t]+(AAAA[A-Za-z0-9+/=]{30,})", re.M)
 
 
 @rule("warning", tags=["CWE-321"])

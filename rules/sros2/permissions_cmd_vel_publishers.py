@@ -37,9 +37,10 @@ from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-FORWARDS = re.compile(r"bridge|mux|relay|gate|smoother|collision|arbiter|filter|proxy")
+FORWARDS = regex(r"bridge|mux|relay|gate|smoother|collision|arbiter|filter|proxy")
 
 
 @rule("warning")

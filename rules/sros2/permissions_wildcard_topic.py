@@ -36,7 +36,6 @@ robot.
 - OMG DDS Security 1.1, clause 9.4.1.3
 """
 
-import re
 from collections.abc import Iterable
 from collections.abc import Iterator
 from typing import NamedTuple
@@ -46,6 +45,7 @@ from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.sros2 import Grant
 from bringup_lint.api.sros2 import PolicyEnclave
@@ -54,9 +54,9 @@ TOPICS = "publish '{}', which is every topic of the robot, including /cmd_vel"
 CALLS = "call '{}', which is every service of the robot, including set_parameters of every node"
 ANSWERS = "answer '{}', which is every service of the robot"
 OF_GRANTS = {
-    re.compile(r"(?:rt/)?\*+$"): TOPICS,
-    re.compile(r"rq/\*+(?:Request)?$"): CALLS,
-    re.compile(r"rr/\*+(?:Reply)?$"): ANSWERS,
+    regex(r"(?:rt/)?\*+$"): TOPICS,
+    regex(r"rq/\*+(?:Request)?$"): CALLS,
+    regex(r"rr/\*+(?:Reply)?$"): ANSWERS,
 }
 OF_POLICIES = {("topic", "publish"): TOPICS, ("service", "request"): CALLS, ("service", "reply"): ANSWERS}
 ALL = ("*", "/*", "/**")

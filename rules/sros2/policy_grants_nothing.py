@@ -41,10 +41,11 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.sros2 import Right
 
-PREFIXED = re.compile(r"/?r[tqr]/(.+)")
+PREFIXED = regex(r"/?r[tqr]/(.+)")
 
 
 @rule("error", fix="unsafe", symptoms=["Not Allowed By Security"])

@@ -33,16 +33,16 @@ If the keys are renewed from outside, for example by the fleet management or by 
 - sros2, utilities: certificates for 3650 days
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-ROTATES = re.compile(r"ros2[\s\"',]+security|create_enclave|create_permission|openssl|certbot|step\s+ca|vault")
+ROTATES = regex(r"ros2[\s\"',]+security|create_enclave|create_permission|openssl|certbot|step\s+ca|vault")
 
 
 @rule("warning", confidence="medium", tags=["CWE-324"])

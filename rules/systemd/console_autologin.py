@@ -30,17 +30,17 @@ display.
 - agetty(8), "--autologin"
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.systemd import Process
 
-SERIAL = re.compile(r"(?:/dev/)?tty(?:S|AMA|THS|USB|ACM|GS|mxc|PS)\d")
+SERIAL = regex(r"(?:/dev/)?tty(?:S|AMA|THS|USB|ACM|GS|mxc|PS)\d")
 
 
 @rule("warning", tags=["CWE-287"], symptoms=["automatic login"])

@@ -34,15 +34,15 @@ lidar on Ethernet.
 - systemd.device(5), systemd.unit(5)
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-DRIVER = re.compile(
+DRIVER = regex(
     r"(?:^|[-_.@])(?:drivers?|lidar|laser|cameras?|imu|motors?|gps|gnss|sensors?|hardware|hw|can)(?=[-_.@]|$)"
 )
 PATH_CHECKS = tuple(

@@ -32,9 +32,10 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-MEANT = re.compile(
+MEANT = regex(
     r"(?:\.(?:disabled?|off|examples?|sample|dist|default|orig|old|save[d]?|md|rst|license|template|tpl)|~)$|^\.",
     re.I,
 )

@@ -40,10 +40,11 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-VARIABLE = re.compile(r"\$\$|\$\{([A-Za-z_]\w*)\}|^\$([A-Za-z_]\w*)$")
-OF_SYSTEMD = re.compile(
+VARIABLE = regex(r"\$\$|\$\{([A-Za-z_]\w*)\}|^\$([A-Za-z_]\w*)$")
+OF_SYSTEMD = regex(
     r"(?:PATH|LANG|LC_\w+|LANGUAGE|USER|LOGNAME|HOME|SHELL|INVOCATION_ID|XDG_\w+|MAINPID|MANAGERPID|SYSTEMD_\w+|TERM|NOTIFY_SOCKET"
     r"|JOURNAL_STREAM|SERVICE_RESULT|EXIT_CODE|EXIT_STATUS|PIDFILE|REMOTE_\w+|RUNTIME_DIRECTORY|STATE_DIRECTORY|LOGS_DIRECTORY"
     r"|CACHE_DIRECTORY|CONFIGURATION_DIRECTORY|CREDENTIALS_DIRECTORY|(?:WATCHDOG|MONITOR|LISTEN|TRIGGER|MEMORY_PRESSURE|FDSTORE)\w*)$"

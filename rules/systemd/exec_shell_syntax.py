@@ -30,7 +30,6 @@ shell.
 - systemd.service(5), "Command lines": redirection, pipes and background jobs are not supported
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -39,11 +38,12 @@ from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.systemd import Command
 
-_OPERATOR = re.compile(r"&&|\|\|?|&|[0-9]?>{1,2}(?:&[0-9]|[\w./-]+)?|&>{1,2}[\w./-]*|<<?[\w./-]*")
-_SUBSTITUTION = re.compile(r"\$\([^)]|`")
+_OPERATOR = regex(r"&&|\|\|?|&|[0-9]?>{1,2}(?:&[0-9]|[\w./-]+)?|&>{1,2}[\w./-]*|<<?[\w./-]*")
+_SUBSTITUTION = regex(r"\$\([^)]|`")
 _SHELLS = ("sh", "bash", "dash", "zsh", "ksh")
 _HANDS_ON = (
     "ssh",

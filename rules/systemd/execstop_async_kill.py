@@ -36,10 +36,11 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.systemd import delete_lines
 
-SIGNAL = re.compile(r"-{1,2}(?:s|signal|n)?=?\s*((?:SIG)?[A-Z][A-Z0-9]+|\d+)$")
+SIGNAL = regex(r"-{1,2}(?:s|signal|n)?=?\s*((?:SIG)?[A-Z][A-Z0-9]+|\d+)$")
 
 
 @rule("info", fix="unsafe", symptoms=["user interrupted with ctrl-c (SIGINT) again, ignoring"])

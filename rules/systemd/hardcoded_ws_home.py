@@ -29,7 +29,6 @@ On a development robot where the other user's home is readable on purpose.
 - adduser.conf(5), "DIR_MODE"
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -37,10 +36,11 @@ from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.systemd import Unit
 
-HOME = re.compile(r"/home/([^/$%]+)/")
+HOME = regex(r"/home/([^/$%]+)/")
 
 
 @rule("info")

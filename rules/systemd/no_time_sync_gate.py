@@ -46,6 +46,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.systemd import Unit
 from bringup_lint.api.systemd import Units
@@ -59,8 +60,8 @@ DAEMONS = (
     "/etc/ntpsec/ntp.conf",
     "/etc/linuxptp/ptp4l.conf",
 )
-WAITS = re.compile(r"waitsync|time-wait-sync|ntp-wait|ntpwait|NTPSynchronized|pmc\s|check_clock")
-SIMULATED = re.compile(r"use_sim_time:=[Tt]rue|(?:^|[-_/])(?:sim|simulation|gazebo|gz)(?:[-_./]|$)")
+WAITS = regex(r"waitsync|time-wait-sync|ntp-wait|ntpwait|NTPSynchronized|pmc\s|check_clock")
+SIMULATED = regex(r"use_sim_time:=[Tt]rue|(?:^|[-_/])(?:sim|simulation|gazebo|gz)(?:[-_./]|$)")
 
 
 @rule(

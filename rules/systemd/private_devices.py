@@ -36,7 +36,6 @@ service.
 - systemd.exec(5), PrivateDevices=; systemd.resource-control(5), DevicePolicy= and DeviceAllow=
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -45,12 +44,13 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.supervision import devices_opened_by
 from bringup_lint.api.systemd import Unit
 from bringup_lint.api.systemd import delete_lines
 
-PSEUDO = re.compile(
+PSEUDO = regex(
     r"/dev/(?:null|zero|full|u?random|tty|ptmx|pts|shm|mqueue|hugepages|log|std(?:in|out|err)|fd|console)(?:/|$)"
 )
 

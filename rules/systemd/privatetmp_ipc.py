@@ -38,10 +38,11 @@ from bringup_lint.api import Robot
 from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.systemd import Unit
 
-SHARED = re.compile(r"<SharedMemory\b[^>]*>(?:(?!</SharedMemory>).)*?<Enable>\s*true\s*</Enable>", re.S | re.I)
+SHARED = regex(r"<SharedMemory\b[^>]*>(?:(?!</SharedMemory>).)*?<Enable>\s*true\s*</Enable>", re.S | re.I)
 
 
 @rule("warning", symptoms=["Timeout registering at RouDi", "RouDi not found"])

@@ -33,7 +33,6 @@ When the process is a bridge that uses two distributions on purpose, such as ros
 - REP 2000, releases and target platforms
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -41,13 +40,14 @@ from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.systemd import Process
 from bringup_lint.api.systemd import Step
 from bringup_lint.api.systemd import Unit
 from bringup_lint.api.systemd import Variable
 
-DISTRO = re.compile(r"/opt/ros/([a-z]+)(?:/|$)")
+DISTRO = regex(r"/opt/ros/([a-z]+)(?:/|$)")
 
 
 @rule("error", symptoms=["undefined symbol: _ZN", "Package not found"])

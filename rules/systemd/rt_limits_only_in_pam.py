@@ -40,7 +40,6 @@ or locked memory.
 - <https://github.com/systemd/systemd/issues/27893>
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -48,13 +47,14 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.systemd import Unit
 from bringup_lint.api.systemd import limit_line
 from bringup_lint.api.systemd import missing_limits
 from bringup_lint.api.systemd import sets_priority
 
-CONTROL = re.compile(r"ros2_control_node|controller_manager|ros2_control")
+CONTROL = regex(r"ros2_control_node|controller_manager|ros2_control")
 
 
 @rule(

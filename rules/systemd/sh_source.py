@@ -27,7 +27,6 @@ When `/bin/sh` on the robot is bash, as on Fedora or in some Yocto images.
 - dash(1)
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -37,12 +36,13 @@ from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.systemd import Process
 from bringup_lint.api.systemd import Step
 
-OF_BASH = re.compile(r"\.(?:bash|bashrc|bash_profile)$")
-SHEBANG = re.compile(r"#!\s*(/(?:usr/)?bin/(?:da)?sh)\b")
+OF_BASH = regex(r"\.(?:bash|bashrc|bash_profile)$")
+SHEBANG = regex(r"#!\s*(/(?:usr/)?bin/(?:da)?sh)\b")
 
 
 @rule("error", fix="safe", symptoms=["source: not found", 'Syntax error: "(" unexpected'])

@@ -39,12 +39,13 @@ from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.systemd import Command
 from bringup_lint.api.systemd import Line
 
-_USE = re.compile(r"(?<!\$)(?:\$\$)*\$\{([^}:]*)\}")
-_NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
+_USE = regex(r"(?<!\$)(?:\$\$)*\$\{([^}:]*)\}")
+_NAME = regex(r"[A-Za-z_][A-Za-z0-9_]*")
 _SET = (
     r"(?:^|[\s;&|({{])(?:(?:export|local|readonly|declare|typeset)\s+(?:-\w+\s+)*)?{0}\+?="
     r"|\bfor\s+{0}\b|\bread\s[^;|&]*\b{0}\b"

@@ -34,10 +34,11 @@ from fnmatch import fnmatchcase
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-TO_FILE = re.compile(r"(?:append|file):(/\S+)$")
-PATTERN = re.compile(r"^[ \t]*[\"']?(/[^\s\"'{]+)", re.M)
+TO_FILE = regex(r"(?:append|file):(/\S+)$")
+PATTERN = regex(r"^[ \t]*[\"']?(/[^\s\"'{]+)", re.M)
 SINKS = ("/dev/", "/proc/", "/run/")
 
 

@@ -27,16 +27,16 @@ enable-linger`.
 - loginctl(1), "enable-linger"
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-HOME = re.compile(r"/home/([^/]+)/")
+HOME = regex(r"/home/([^/]+)/")
 LINGER = "/var/lib/systemd/linger"
 
 

@@ -35,16 +35,16 @@ connected.
 """
 
 import itertools
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-WAITER = re.compile(r"(?:^|/)systemd-networkd-wait-online$")
-FOREVER = re.compile(r"--timeout=0$")
+WAITER = regex(r"(?:^|/)systemd-networkd-wait-online$")
+FOREVER = regex(r"--timeout=0$")
 
 
 @rule("warning", symptoms=["A start job is running for Wait for Network to be Configured"])

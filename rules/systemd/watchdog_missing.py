@@ -32,15 +32,15 @@ When something else detects the hang, for example the motor controller's own com
 - systemd.service(5), WatchdogSec=
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-CRITICAL = re.compile(
+CRITICAL = regex(
     r"(?:^|[-_.@])(?:drivers?|motors?|base|actuators?|safety|e?-?stop|estop|watchdog|hardware|hw|control(?:ler)?)(?=[-_.@]|$)"
 )
 

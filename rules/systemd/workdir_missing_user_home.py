@@ -29,16 +29,16 @@ When the directory is created at the first boot, or is shared with the service's
 - systemd.exec(5), "WorkingDirectory="
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-HOME = re.compile(r"(/home/[^/]+)(?:/|$)")
+HOME = regex(r"(/home/[^/]+)(?:/|$)")
 
 
 @rule("info", symptoms=["status=200/CHDIR", "Changing to the requested working directory failed"])

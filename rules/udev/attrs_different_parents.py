@@ -40,6 +40,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.udev import Token
 from bringup_lint.api.udev import UdevRule
@@ -49,7 +50,7 @@ _PLACE = {
     "usb_interface": "a USB interface",
     "usb-serial": "the port below the interface",
 }
-_INTERFACE = re.compile(r"(?<!\d)(\d+-[\d.]+):\d+\.\d+")
+_INTERFACE = regex(r"(?<!\d)(\d+-[\d.]+):\d+\.\d+")
 
 
 @rule("error", fix="safe")

@@ -30,9 +30,10 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-_LEFTOVER = re.compile(r"~$|\.(?:bak|orig|rej|swp|save|old|disabled|off|dpkg-\w+|rpm\w+|ucf-\w+|\d+)$", re.I)
+_LEFTOVER = regex(r"~$|\.(?:bak|orig|rej|swp|save|old|disabled|off|dpkg-\w+|rpm\w+|ucf-\w+|\d+)$", re.I)
 
 
 @rule("warning")

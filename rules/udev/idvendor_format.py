@@ -25,7 +25,6 @@ Never: sysfs always shows four lower-case digits, and udev compares them as text
 - Linux ABI documentation, sysfs-bus-usb: idVendor
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -33,6 +32,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.udev import Token
 
@@ -41,7 +41,7 @@ _KEYS = {
     "ATTRS": ("idVendor", "idProduct"),
     "ENV": ("ID_VENDOR_ID", "ID_MODEL_ID"),
 }
-_NUMBER = re.compile(r"(?:0[xX])?([0-9a-fA-F]{1,4})")
+_NUMBER = regex(r"(?:0[xX])?([0-9a-fA-F]{1,4})")
 
 
 @rule("error", fix="safe")

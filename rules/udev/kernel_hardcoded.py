@@ -25,16 +25,16 @@ If the robot can have only one device of this kind, now and later, so that the n
 - udev(7), ATTRS
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.udev import Token
 
-_NUMBERED = re.compile(r"ttyUSB\d+|ttyACM\d+|video\d")
+_NUMBERED = regex(r"ttyUSB\d+|ttyACM\d+|video\d")
 _OF_BUS = {"busnum": "bus number", "devnum": "device number"}
 _IDENTIFIED = ("SYMLINK", "NAME", "ENV", "RUN", "ATTR")
 

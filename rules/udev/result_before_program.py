@@ -24,15 +24,15 @@ installs.
 - udev(7), PROGRAM and RESULT
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-_RESULT = re.compile(r"(?<![%$])(?:%c|\$result)(?![a-z])")
+_RESULT = regex(r"(?<![%$])(?:%c|\$result)(?![a-z])")
 
 
 @rule("warning")

@@ -28,25 +28,25 @@ events of the device wait for it.
 - systemd.device(5), SYSTEMD_WANTS=
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
 _LASTING = (
     (
-        re.compile(r"\bros2\s+(?:launch|run)\b|\broslaunch\b|\brosrun\b|\S+\.launch(?:\.py|\.xml|\.yaml)?\b"),
+        regex(r"\bros2\s+(?:launch|run)\b|\broslaunch\b|\brosrun\b|\S+\.launch(?:\.py|\.xml|\.yaml)?\b"),
         "a ROS program",
     ),
-    (re.compile(r"\bnohup\b|\bsetsid\b|\bdisown\b"), "a detached process"),
-    (re.compile(r"(?<!&)&\s*(?:['\"]?\s*)\Z"), "a background process"),
-    (re.compile(r"\bsleep\s+(?:[1-9]\d+|[6-9])\b"), "a long sleep"),
-    (re.compile(r"\bsystemd-run\b(?=.*--scope)"), "a systemd-run --scope command"),
+    (regex(r"\bnohup\b|\bsetsid\b|\bdisown\b"), "a detached process"),
+    (regex(r"(?<!&)&\s*(?:['\"]?\s*)\Z"), "a background process"),
+    (regex(r"\bsleep\s+(?:[1-9]\d+|[6-9])\b"), "a long sleep"),
+    (regex(r"\bsystemd-run\b(?=.*--scope)"), "a systemd-run --scope command"),
 )
-_HANDED_OVER = re.compile(
+_HANDED_OVER = regex(
     r"\bsystemd-run\b(?!.*--scope)|\bsystemctl\b.{0,400}--no-block|--no-block\b.{0,400}\bsystemctl\b|\bat\s+now\b"
 )
 

@@ -26,15 +26,15 @@ reach, such as `ttyUSB99`.
 - udev(7), SYMLINK
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-_KERNEL_NAME = re.compile(r"/dev/(?:ttyUSB|ttyACM|video|hidraw|media|input/(?:js|event|mouse))\d+|/dev/sd[a-z]\d*")
+_KERNEL_NAME = regex(r"/dev/(?:ttyUSB|ttyACM|video|hidraw|media|input/(?:js|event|mouse))\d+|/dev/sd[a-z]\d*")
 
 
 @rule("error", symptoms=["conflicting device node", "Not replacing existing device node"])

@@ -63,6 +63,7 @@ LAYERS = (
     {"model", "finding", "facts", "fleet.summary"},
     {"addresses"},
     {"budget", "source", "spelling", "templates", "toml"},
+    {"pattern"},
     {""},
 )
 """From the top down. The layers of one line do not import each other; ``""`` is the version of the package."""

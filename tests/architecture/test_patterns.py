@@ -23,6 +23,7 @@ from typing import NamedTuple
 import pytest
 
 import bringup_lint
+from bringup_lint.pattern import Uncompiled
 from bringup_lint.registry import Registry
 from bringup_lint.registry import load
 
@@ -89,10 +90,18 @@ def uses() -> dict[str, Use]:
     for space in spaces:
         asked = methods(space["__file__"])
         for name, value in list(space.items()):
-            if isinstance(value, re.Pattern) and isinstance(value.pattern, str):
+            pattern = compiled(value)
+            if pattern is not None:
                 for method in asked.get(name, ()):
-                    found[f"{value.pattern!r} {value.flags} {method}"] = Use(value, method)
+                    found[f"{pattern.pattern!r} {pattern.flags} {method}"] = Use(pattern, method)
     return found
+
+
+def compiled(value: object) -> re.Pattern[str] | None:
+    """The pattern of text that a module holds, compiled or not yet."""
+    if not isinstance(value, (re.Pattern, Uncompiled)) or not isinstance(value.pattern, str):
+        return None
+    return re.compile(value.pattern, value.flags)
 
 
 @functools.cache

@@ -46,6 +46,7 @@ def page() -> str:
         HEAD,
         "## Findings\n",
         *_entries(functions(PACKAGE / "api/__init__.py", ("rule", "finding", "note", "fix"))),
+        *_entries(functions(PACKAGE / "pattern.py", ("regex",))),
     ]
     parts += ["\n## The robot\n", robot.doc, ""]
     for name, entry in robot.members.items():

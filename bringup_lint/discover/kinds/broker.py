@@ -6,9 +6,10 @@ import re
 
 from bringup_lint.discover.kinds import Head
 from bringup_lint.discover.kinds import Kind
+from bringup_lint.pattern import regex
 
-_NAME = re.compile(r"(?:^|/)mosquitto[^/]*\.conf(?:\.default)?$|(?:^|/)mosquitto/(?:conf\.d|config)/[^/]+\.conf$")
-_KEY = re.compile(r"^(?:listener|port|allow_anonymous|password_file|persistence|include_dir)\b", re.M)
+_NAME = regex(r"(?:^|/)mosquitto[^/]*\.conf(?:\.default)?$|(?:^|/)mosquitto/(?:conf\.d|config)/[^/]+\.conf$")
+_KEY = regex(r"^(?:listener|port|allow_anonymous|password_file|persistence|include_dir)\b", re.M)
 
 
 def _is_mosquitto(path: str, head: Head) -> bool:

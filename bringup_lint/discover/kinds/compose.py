@@ -6,14 +6,15 @@ import re
 
 from bringup_lint.discover.kinds import Head
 from bringup_lint.discover.kinds import Kind
+from bringup_lint.pattern import regex
 
-_YAML = re.compile(r"\.ya?ml$")
-_NAMED = re.compile(r"(?:^|[/._-])compose(?:[._-][^/]*)?\.ya?ml$", re.I)
-_DEFAULT = re.compile(r"(?:^|/)(?:docker-)?compose\.ya?ml$")
+_YAML = regex(r"\.ya?ml$")
+_NAMED = regex(r"(?:^|[/._-])compose(?:[._-][^/]*)?\.ya?ml$", re.I)
+_DEFAULT = regex(r"(?:^|/)(?:docker-)?compose\.ya?ml$")
 """The names that docker compose looks for itself."""
-_LIKE = re.compile(r"^(?:services?|version|include|networks|volumes)[ \t]*:", re.M)
-_SERVICES = re.compile(r"^services:[ \t]*(?:[#{].*)?\r?$", re.M)
-_RUNS = re.compile(r"^[ \t]+(?:image|build):", re.M)
+_LIKE = regex(r"^(?:services?|version|include|networks|volumes)[ \t]*:", re.M)
+_SERVICES = regex(r"^services:[ \t]*(?:[#{].*)?\r?$", re.M)
+_RUNS = regex(r"^[ \t]+(?:image|build):", re.M)
 
 
 def _is_compose(path: str, head: Head) -> bool:

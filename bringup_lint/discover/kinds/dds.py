@@ -6,11 +6,12 @@ import re
 
 from bringup_lint.discover.kinds import Head
 from bringup_lint.discover.kinds import Kind
+from bringup_lint.pattern import regex
 
-_XML = re.compile(r"\.xml(?:\.(?:in|j2|jinja|jinja2|em|tmpl|tpl|template|erb))?$", re.I)
-_PROLOG = re.compile(r"(?:\ufeff|\s|<\?.*?(?:\?>|$)|<!--.*?(?:-->|$)|<![A-Z][^>\[]*(?:\[.*?\]\s*)?>)*", re.S)
-_TAG = re.compile(r"<([A-Za-z_][\w.-]*:)?([A-Za-z_][\w.-]*)([^>]*)")
-_NOISE = re.compile(r"<!--.*?(?:-->|$)|<\?.*?(?:\?>|$)", re.S)
+_XML = regex(r"\.xml(?:\.(?:in|j2|jinja|jinja2|em|tmpl|tpl|template|erb))?$", re.I)
+_PROLOG = regex(r"(?:\ufeff|\s|<\?.*?(?:\?>|$)|<!--.*?(?:-->|$)|<![A-Z][^>\[]*(?:\[.*?\]\s*)?>)*", re.S)
+_TAG = regex(r"<([A-Za-z_][\w.-]*:)?([A-Za-z_][\w.-]*)([^>]*)")
+_NOISE = regex(r"<!--.*?(?:-->|$)|<\?.*?(?:\?>|$)", re.S)
 _CYCLONE_GROUPS = {
     "domain",
     "general",

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import re
-
 from bringup_lint.discover.kinds import Head
 from bringup_lint.discover.kinds import Kind
+from bringup_lint.pattern import regex
 
-_PATH = re.compile(r"(?:^|/)(?:\.devcontainer/(?:[^/]+/)?devcontainer|\.devcontainer)\.json$")
+_PATH = regex(r"(?:^|/)(?:\.devcontainer/(?:[^/]+/)?devcontainer|\.devcontainer)\.json$")
 
 
 def _is_devcontainer(path: str, head: Head) -> bool:

@@ -6,11 +6,12 @@ import re
 
 from bringup_lint.discover.kinds import Head
 from bringup_lint.discover.kinds import Kind
+from bringup_lint.pattern import regex
 
-_NAME = re.compile(r"/[^/]*\.env(?:\.[\w-]+)?$|/etc/environment$")
-_MAYBE = re.compile(r"/env(?:ironment)?$|/etc/(?:default|robot|ros\d?)/[^/]+$|/environment\.d/[^/]+\.conf$")
-_ENTRY = re.compile(r"^[ \t]*(?:export[ \t]+)?[A-Za-z_]\w*[ \t]*=", re.M)
-_VARIABLE = re.compile(r"^[^\S\n]*(?:export\s+)?(?:ROS_|RMW_|CYCLONEDDS_|FASTRTPS_|FASTDDS_|RCUTILS_|ZENOH_)\w*=", re.M)
+_NAME = regex(r"/[^/]*\.env(?:\.[\w-]+)?$|/etc/environment$")
+_MAYBE = regex(r"/env(?:ironment)?$|/etc/(?:default|robot|ros\d?)/[^/]+$|/environment\.d/[^/]+\.conf$")
+_ENTRY = regex(r"^[ \t]*(?:export[ \t]+)?[A-Za-z_]\w*[ \t]*=", re.M)
+_VARIABLE = regex(r"^[^\S\n]*(?:export\s+)?(?:ROS_|RMW_|CYCLONEDDS_|FASTRTPS_|FASTDDS_|RCUTILS_|ZENOH_)\w*=", re.M)
 
 
 def _is_env_file(path: str, head: Head) -> bool:

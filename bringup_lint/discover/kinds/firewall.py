@@ -5,11 +5,12 @@ from __future__ import annotations
 import re
 
 from bringup_lint.discover.kinds import Kind
+from bringup_lint.pattern import regex
 
-_SAVED_NAME = re.compile(r"(?:^|/)(?:rules\.v[46]|iptables\.(?:rules|conf)|ip6?tables\.up\.rules)$")
-_SAVED = re.compile(r"^\*filter\b", re.M)
-_NFT_NAME = re.compile(r"(?:^|/)nftables(?:\.d/[^/]+)?\.conf$|\.nft$")
-_NFT = re.compile(r"^[^\S\n]*table\s+(?:inet|ip6?|bridge|netdev)\s+\w+", re.M)
+_SAVED_NAME = regex(r"(?:^|/)(?:rules\.v[46]|iptables\.(?:rules|conf)|ip6?tables\.up\.rules)$")
+_SAVED = regex(r"^\*filter\b", re.M)
+_NFT_NAME = regex(r"(?:^|/)nftables(?:\.d/[^/]+)?\.conf$|\.nft$")
+_NFT = regex(r"^[^\S\n]*table\s+(?:inet|ip6?|bridge|netdev)\s+\w+", re.M)
 
 
 KINDS = (

@@ -7,18 +7,19 @@ from collections.abc import Callable
 
 from bringup_lint.discover.kinds import Head
 from bringup_lint.discover.kinds import Kind
+from bringup_lint.pattern import regex
 
-_FSTAB = re.compile(r"(?:^|/)fstab(?:\.(?!d/)[\w-]+)?$|\.fstab$")
-_BACKUP = re.compile(r"(?:~|\.(?:bak|orig|old|rej|swp|save|md|dpkg-\w+|rpm\w+|ucf-\w+))$")
-_CRON = re.compile(r"(?:^|/)(?:cron\.d/[^/]+|etc/crontab)$")
-_AUDIT = re.compile(r"(?:^|/)audit/(?:rules\.d/[^/]+\.rules|audit\.rules)$")
-_APT = re.compile(r"(?:^|/)apt(?:\.conf\.d/[^/]+|/apt\.conf)$")
-_FAIL2BAN = re.compile(r"(?:^|/)fail2ban/(?:jail\.(?:conf|local)|jail\.d/[^/]+\.(?:conf|local))$")
-_LIMITS = re.compile(r"(?:^|/)(?:security/)?limits(?:\.conf|\.d/[^/]+\.conf)$")
-_LIMIT_LINE = re.compile(r"^[^\S\n]*[@*%\w][\w@:.*%-]*\s+(?:soft|hard|-)\s+\w+\s+\S+", re.M)
-_TMPFILES = re.compile(r"(?:^|/)(?:user-)?tmpfiles\.d/[^/]+\.conf$")
-_WATCHDOG = re.compile(r"(?:^|/)watchdog\.conf$(?<!\.conf\.d/watchdog\.conf)")
-_OVERLAYROOT = re.compile(r"(?:^|/)overlayroot(?:\.local)?\.conf$")
+_FSTAB = regex(r"(?:^|/)fstab(?:\.(?!d/)[\w-]+)?$|\.fstab$")
+_BACKUP = regex(r"(?:~|\.(?:bak|orig|old|rej|swp|save|md|dpkg-\w+|rpm\w+|ucf-\w+))$")
+_CRON = regex(r"(?:^|/)(?:cron\.d/[^/]+|etc/crontab)$")
+_AUDIT = regex(r"(?:^|/)audit/(?:rules\.d/[^/]+\.rules|audit\.rules)$")
+_APT = regex(r"(?:^|/)apt(?:\.conf\.d/[^/]+|/apt\.conf)$")
+_FAIL2BAN = regex(r"(?:^|/)fail2ban/(?:jail\.(?:conf|local)|jail\.d/[^/]+\.(?:conf|local))$")
+_LIMITS = regex(r"(?:^|/)(?:security/)?limits(?:\.conf|\.d/[^/]+\.conf)$")
+_LIMIT_LINE = regex(r"^[^\S\n]*[@*%\w][\w@:.*%-]*\s+(?:soft|hard|-)\s+\w+\s+\S+", re.M)
+_TMPFILES = regex(r"(?:^|/)(?:user-)?tmpfiles\.d/[^/]+\.conf$")
+_WATCHDOG = regex(r"(?:^|/)watchdog\.conf$(?<!\.conf\.d/watchdog\.conf)")
+_OVERLAYROOT = regex(r"(?:^|/)overlayroot(?:\.local)?\.conf$")
 
 
 def _named(pattern: re.Pattern[str]) -> Callable[[str, Head], bool]:

@@ -6,26 +6,27 @@ import re
 
 from bringup_lint.discover.kinds import Head
 from bringup_lint.discover.kinds import Kind
+from bringup_lint.pattern import regex
 
 LAUNCH = ("launch-python", "launch-xml", "launch-yaml")
 """The launch files of ROS 2."""
 
-_PYTHON = re.compile(r"(?:[._-]launch\.py|/launch/(?:[^/]+/)*[^/]+\.py)$")
-_XML = re.compile(r"[._-]launch\.xml$|/launch/[^/]+\.xml$")
-_YAML = re.compile(r"[._-]launch\.ya?ml$|/launch/[^/]+\.ya?ml$")
-_ENTRY = re.compile(r"^[^\S\n]*(?:async\s+)?def generate_(?:launch|test)_description\b", re.M)
-_LAUNCH_IMPORT = re.compile(r"^[^\S\n]*(?:from|import)\s+launch(?:_ros)?\b", re.M)
-_ROOT = re.compile(r"^\s*(?:<\?xml(?:(?!\?>).)*\?>\s*)?(?:<!--(?:(?!-->).)*-->\s*|<!DOCTYPE[^>]*>\s*)*<launch\b", re.S)
-_ROS1 = re.compile(
+_PYTHON = regex(r"(?:[._-]launch\.py|/launch/(?:[^/]+/)*[^/]+\.py)$")
+_XML = regex(r"[._-]launch\.xml$|/launch/[^/]+\.xml$")
+_YAML = regex(r"[._-]launch\.ya?ml$|/launch/[^/]+\.ya?ml$")
+_ENTRY = regex(r"^[^\S\n]*(?:async\s+)?def generate_(?:launch|test)_description\b", re.M)
+_LAUNCH_IMPORT = regex(r"^[^\S\n]*(?:from|import)\s+launch(?:_ros)?\b", re.M)
+_ROOT = regex(r"^\s*(?:<\?xml(?:(?!\?>).)*\?>\s*)?(?:<!--(?:(?!-->).)*-->\s*|<!DOCTYPE[^>]*>\s*)*<launch\b", re.S)
+_ROS1 = regex(
     r"\$\((?:arg|find|optenv)\s|<rosparam\b|<machine\b|<node\b[^<>]*\stype\s*=|<include\b[^<>]*\sns\s*=|<test\b"
 )
-_ROS2 = re.compile(
+_ROS2 = regex(
     r"\$\((?:var|find-pkg-share|find-pkg-prefix|dirname|exec-in-pkg)\b|<node\b[^<>]*\sexec\s*=|<let\b|<executable\b"
     r"|<push[-_]ros[-_]namespace\b|<node_container\b|<set_parameter\b|<load_composable_node\b"
 )
-_YAML_ROOT = re.compile(r"^launch\s*:", re.M)
-_PACKAGE = re.compile(r"<package\b")
-_SETUP = re.compile(r"\bsetup\s*\(")
+_YAML_ROOT = regex(r"^launch\s*:", re.M)
+_PACKAGE = regex(r"<package\b")
+_SETUP = regex(r"\bsetup\s*\(")
 
 
 def _is_python(path: str, head: Head) -> bool:

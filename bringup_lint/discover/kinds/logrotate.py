@@ -6,16 +6,17 @@ import re
 
 from bringup_lint.discover.kinds import Head
 from bringup_lint.discover.kinds import Kind
+from bringup_lint.pattern import regex
 from bringup_lint.templates import final_name
 
-_FOLDER = re.compile(r"/logrotate\.d/(?P<name>[^/]+)$")
-_NAME = re.compile(r"/logrotate\.conf$|\.logrotate$|/logrotate$")
-_TABOO = re.compile(
+_FOLDER = regex(r"/logrotate\.d/(?P<name>[^/]+)$")
+_NAME = regex(r"/logrotate\.conf$|\.logrotate$|/logrotate$")
+_TABOO = regex(
     r"(?:,v|\.(?:bak|cfsaved|disabled|dpkg-(?:bak|del|dist|new|old|tmp)|rhn-cfg-tmp-.*|rpm(?:new|orig|save)|swp"
     r"|ucf-(?:dist|new|old))|~)$"
 )
 """The endings that logrotate passes over in included folders (tabooext in logrotate(8))."""
-_STANZA = re.compile(r"^[ \t]*[\"'/~][^\n{]*(?:\n\s*)?\{", re.M)
+_STANZA = regex(r"^[ \t]*[\"'/~][^\n{]*(?:\n\s*)?\{", re.M)
 
 
 def _is_logrotate(path: str, head: Head) -> bool:

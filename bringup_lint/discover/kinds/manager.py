@@ -7,13 +7,14 @@ from collections.abc import Callable
 
 from bringup_lint.discover.kinds import Head
 from bringup_lint.discover.kinds import Kind
+from bringup_lint.pattern import regex
 from bringup_lint.templates import final_name
 
-_FOLDER = re.compile(r"/systemd/(?:system|journald|logind)\.conf(?:\.d/[^/]+)?$")
-_MAIN = re.compile(r"/(?P<daemon>system|journald|logind)\.conf$")
-_DROPIN = re.compile(r"/(?P<daemon>system|journald|logind)\.conf\.d/(?P<name>[^/]+)$")
+_FOLDER = regex(r"/systemd/(?:system|journald|logind)\.conf(?:\.d/[^/]+)?$")
+_MAIN = regex(r"/(?P<daemon>system|journald|logind)\.conf$")
+_DROPIN = regex(r"/(?P<daemon>system|journald|logind)\.conf\.d/(?P<name>[^/]+)$")
 _SECTION = {"system": "Manager", "journald": "Journal", "logind": "Login"}
-_LINE = re.compile(r"^[ \t]*(?:#[ \t]*)?[A-Z]\w+[ \t]*=", re.M)
+_LINE = regex(r"^[ \t]*(?:#[ \t]*)?[A-Z]\w+[ \t]*=", re.M)
 
 
 def _claims(daemon: str) -> Callable[[str, Head], bool]:

@@ -6,20 +6,21 @@ import re
 
 from bringup_lint.discover.kinds import Head
 from bringup_lint.discover.kinds import Kind
+from bringup_lint.pattern import regex
 
-_FOLDER = re.compile(r"/(?:etc|run|lib)/netplan/[^/]+\.ya?ml$")
-_YAML = re.compile(r"\.ya?ml$")
-_CLOUD = re.compile(r"/(?:user-data|network-config|cloud\.cfg\.d/[^/]+\.cfg)(?:\.ya?ml)?$")
+_FOLDER = regex(r"/(?:etc|run|lib)/netplan/[^/]+\.ya?ml$")
+_YAML = regex(r"\.ya?ml$")
+_CLOUD = regex(r"/(?:user-data|network-config|cloud\.cfg\.d/[^/]+\.cfg)(?:\.ya?ml)?$")
 _TYPES = "ethernets|wifis|bonds|bridges|vlans|tunnels|vrfs|modems|dummy-devices|virtual-ethernets|nm-devices"
-_NETPLAN = re.compile(
+_NETPLAN = regex(
     r"^network:[ \t]*(?:#[^\n]*|\r)?\n(?:[ \t]*(?:#[^\n]*|\r)?\n)*"
     rf"[ \t]+(?:version:[ \t]*[\"']?2\b|renderer:|(?:{_TYPES}):)"
     rf"|^network:[ \t]*\{{[ \t\r\n]*(?:version[ \t]*:[ \t]*2\b|renderer[ \t]*:|(?:{_TYPES})[ \t]*:)",
     re.M,
 )
-_TOP_KEY = re.compile(r"^[\"']?([A-Za-z_][\w.-]*(?: +[\w.-]+)*) *(?:[\"'\t][ \t]*)?:(?:[ \t]|\r?$)", re.M)
+_TOP_KEY = regex(r"^[\"']?([A-Za-z_][\w.-]*(?: +[\w.-]+)*) *(?:[\"'\t][ \t]*)?:(?:[ \t]|\r?$)", re.M)
 """Other keys beside ``network:`` mark a file of another tool that borrows netplan's format."""
-_CLOUD_NETWORK = re.compile(r"^network:|^version:[ \t]*[12]\b", re.M)
+_CLOUD_NETWORK = regex(r"^network:|^version:[ \t]*[12]\b", re.M)
 
 
 def _is_cloud_init(path: str, head: Head) -> bool:

@@ -6,9 +6,10 @@ import re
 
 from bringup_lint.discover.kinds import Head
 from bringup_lint.discover.kinds import Kind
+from bringup_lint.pattern import regex
 
-_NAME = re.compile(r"\.(?:network|netdev|link)$|\.(?:network|netdev|link)\.d/[^/]+\.conf$")
-_SECTION = re.compile(r"^\[(?:Match|Network|NetDev|Link|CAN|Address|Route)\]", re.M)
+_NAME = regex(r"\.(?:network|netdev|link)$|\.(?:network|netdev|link)\.d/[^/]+\.conf$")
+_SECTION = regex(r"^\[(?:Match|Network|NetDev|Link|CAN|Address|Route)\]", re.M)
 
 
 def _is_networkd(path: str, head: Head) -> bool:

@@ -6,9 +6,10 @@ import re
 
 from bringup_lint.discover.kinds import Head
 from bringup_lint.discover.kinds import Kind
+from bringup_lint.pattern import regex
 
-_FOLDER = re.compile(r"/NetworkManager/system-connections/[^/]+$")
-_SECTION = re.compile(r"^\[connection\]", re.M)
+_FOLDER = regex(r"/NetworkManager/system-connections/[^/]+$")
+_SECTION = regex(r"^\[connection\]", re.M)
 
 
 def _is_profile(path: str, head: Head) -> bool:

@@ -6,12 +6,13 @@ import re
 
 from bringup_lint.discover.kinds import Head
 from bringup_lint.discover.kinds import Kind
+from bringup_lint.pattern import regex
 
-_YAML = re.compile(r"\.ya?ml(?:\.(?:in|em|j2|jinja2?|tmpl|template))?$")
-_ELSEWHERE = re.compile(
+_YAML = regex(r"\.ya?ml(?:\.(?:in|em|j2|jinja2?|tmpl|template))?$")
+_ELSEWHERE = regex(
     r"/(?:\.github|\.gitlab|\.circleci|\.pre-commit)[^/]*(?:/|$)|/(?:docker-)?compose(?:[.-][^/]*)?\.ya?ml$|^/?mkdocs"
 )
-_HEADER = re.compile(
+_HEADER = regex(
     r"^[ \t]*(?:[\"'])?ros_{1,3}param(?:eter)?s?(?:[\"'])?[ \t]*:(?:[ \t\r]|$)"
     r"|[{,][ \t]*[\"']?ros__parameters[\"']?[ \t]*:",
     re.M,

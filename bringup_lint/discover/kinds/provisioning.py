@@ -6,12 +6,13 @@ import re
 
 from bringup_lint.discover.kinds import Head
 from bringup_lint.discover.kinds import Kind
+from bringup_lint.pattern import regex
 
-_YAML = re.compile(r"\.ya?ml$")
-_FOLDER = re.compile(r"/(?:tasks|handlers|playbooks|ansible|roles)/")
-_TASKS = re.compile(r"^[ \t]*-[ \t]+(?:name|hosts|become|ansible\.builtin\.\w+)[ \t]*:", re.M)
-_USER_DATA = re.compile(r"#cloud-config\b")
-_NETWORK = re.compile(r"^network:", re.M)
+_YAML = regex(r"\.ya?ml$")
+_FOLDER = regex(r"/(?:tasks|handlers|playbooks|ansible|roles)/")
+_TASKS = regex(r"^[ \t]*-[ \t]+(?:name|hosts|become|ansible\.builtin\.\w+)[ \t]*:", re.M)
+_USER_DATA = regex(r"#cloud-config\b")
+_NETWORK = regex(r"^network:", re.M)
 """User data with a network configuration is read as that."""
 
 

@@ -6,12 +6,13 @@ import re
 
 from bringup_lint.discover.kinds import Head
 from bringup_lint.discover.kinds import Kind
+from bringup_lint.pattern import regex
 
-_IMPORT = re.compile(
+_IMPORT = regex(
     r"^[ \t]*(?:import[ \t]+(?:[\w.]+[ \t]*,[ \t]*)*rclpy\b|from[ \t]+rclpy(?:\.[\w.]+)?[ \t]+import\b)", re.M
 )
-_SHEBANG = re.compile(r"#![^\n]*\bpython")
-_OTHER = re.compile(r"[._-]launch\.py$|/(?:setup|conftest)\.py$|/launch/(?:[^/]+/)*[^/]+\.py$")
+_SHEBANG = regex(r"#![^\n]*\bpython")
+_OTHER = regex(r"[._-]launch\.py$|/(?:setup|conftest)\.py$|/launch/(?:[^/]+/)*[^/]+\.py$")
 
 
 def _is_node(path: str, head: Head) -> bool:

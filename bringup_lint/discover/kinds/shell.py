@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import re
-
 from bringup_lint.discover.kinds import Head
 from bringup_lint.discover.kinds import Kind
+from bringup_lint.pattern import regex
 
-_NAME = re.compile(r"\.(?:sh|bash)$")
-_FOLDER = re.compile(r"(?:^|/)(?:s?bin|scripts?|libexec|cron\.(?:hourly|daily|weekly|monthly))/[^/.]+$")
-_SHEBANG = re.compile(r"#!\s*(?:/usr)?(?:/bin/env\s+)?(?:\S*/)?(?:ba|da|k|z)?sh\b")
+_NAME = regex(r"\.(?:sh|bash)$")
+_FOLDER = regex(r"(?:^|/)(?:s?bin|scripts?|libexec|cron\.(?:hourly|daily|weekly|monthly))/[^/.]+$")
+_SHEBANG = regex(r"#!\s*(?:/usr)?(?:/bin/env\s+)?(?:\S*/)?(?:ba|da|k|z)?sh\b")
 
 
 def _is_shell(path: str, head: Head) -> bool:

@@ -6,16 +6,17 @@ import re
 
 from bringup_lint.discover.kinds import Head
 from bringup_lint.discover.kinds import Kind
+from bringup_lint.pattern import regex
 
-_XML = re.compile(r"\.xml$", re.I)
-_SIGNED = re.compile(r"\.(?:p7s|smime)$", re.I)
-_NOISE = re.compile(r"<!--.*?(?:-->|$)|<\?.*?(?:\?>|$)|<!DOCTYPE[^>\[]*(?:\[.*?\]\s*)?>", re.S)
-_TAGS = re.compile(r"<(?:\w+:)?([A-Za-z_][\w.-]*)(?:[^<>\w.-][^<>]*)?>\s*<(?:\w+:)?([A-Za-z_][\w.-]*)")
-_GOVERNANCE = re.compile(r"(?:^|/)enclaves/governance\.xml$")
-_PERMISSIONS = re.compile(r"(?:^|/)enclaves/(?:[^/]+/)+permissions\.xml$")
+_XML = regex(r"\.xml$", re.I)
+_SIGNED = regex(r"\.(?:p7s|smime)$", re.I)
+_NOISE = regex(r"<!--.*?(?:-->|$)|<\?.*?(?:\?>|$)|<!DOCTYPE[^>\[]*(?:\[.*?\]\s*)?>", re.S)
+_TAGS = regex(r"<(?:\w+:)?([A-Za-z_][\w.-]*)(?:[^<>\w.-][^<>]*)?>\s*<(?:\w+:)?([A-Za-z_][\w.-]*)")
+_GOVERNANCE = regex(r"(?:^|/)enclaves/governance\.xml$")
+_PERMISSIONS = regex(r"(?:^|/)enclaves/(?:[^/]+/)+permissions\.xml$")
 """Where sros2 puts the documents of a keystore: they are that, whatever they hold."""
-_KEY = re.compile(r"(?:^|/)(?:private/[\w.-]*key[\w.-]*|enclaves/(?:[^/]+/)*key)\.(?:pem|p11)$")
-_CERTIFICATE = re.compile(r"(?:^|/)(?:public/[\w.-]*cert|enclaves/(?:[^/]+/)*cert)\.pem$")
+_KEY = regex(r"(?:^|/)(?:private/[\w.-]*key[\w.-]*|enclaves/(?:[^/]+/)*key)\.(?:pem|p11)$")
+_CERTIFICATE = regex(r"(?:^|/)(?:public/[\w.-]*cert|enclaves/(?:[^/]+/)*cert)\.pem$")
 
 
 def _below(path: str, head: Head) -> tuple[str, str]:

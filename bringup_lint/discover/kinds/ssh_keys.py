@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import re
-
 from bringup_lint.discover.kinds import Kind
+from bringup_lint.pattern import regex
 
-_AUTHORIZED = re.compile(r"(?:^|/)authorized_keys2?$")
-_PRIVATE = re.compile(r"(?:^|/)(?:ssh_host_\w+_key|id_(?:rsa|dsa|ecdsa|ed25519)(?:_sk)?)$")
-_HEAD = re.compile(r"-----BEGIN (?:OPENSSH |RSA |EC |DSA )?PRIVATE KEY-----")
+_AUTHORIZED = regex(r"(?:^|/)authorized_keys2?$")
+_PRIVATE = regex(r"(?:^|/)(?:ssh_host_\w+_key|id_(?:rsa|dsa|ecdsa|ed25519)(?:_sk)?)$")
+_HEAD = regex(r"-----BEGIN (?:OPENSSH |RSA |EC |DSA )?PRIVATE KEY-----")
 
 KINDS = (
     Kind("authorized-keys", lambda path, head: bool(_AUTHORIZED.search(path))),

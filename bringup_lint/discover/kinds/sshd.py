@@ -6,10 +6,11 @@ import re
 
 from bringup_lint.discover.kinds import Head
 from bringup_lint.discover.kinds import Kind
+from bringup_lint.pattern import regex
 from bringup_lint.templates import final_name
 
-_NAME = re.compile(r"/sshd_config(?:\.d/[^/]+\.conf)?$")
-_LINE = re.compile(
+_NAME = regex(r"/sshd_config(?:\.d/[^/]+\.conf)?$")
+_LINE = regex(
     r"^[ \t]*(?:#[ \t]*)?(?:Port|PermitRootLogin|PasswordAuthentication|Subsystem|Match|Include|UsePAM"
     r"|X11Forwarding|AllowUsers|PubkeyAuthentication|AuthorizedKeysFile|\w*Authentication|\w*Forwarding|Ciphers|MACs|MaxAuthTries"
     r"|ClientAlive\w+)[ \t=]",

@@ -6,9 +6,10 @@ import re
 
 from bringup_lint.discover.kinds import Head
 from bringup_lint.discover.kinds import Kind
+from bringup_lint.pattern import regex
 
-_NAME = re.compile(r"/sudoers$|/sudoers\.d/[^/.~]+$|/[\w-]*sudoers[\w-]*$")
-_RULE = re.compile(r"^[ \t]*[^#\s][^\n]*?=[ \t]*(?:\(|NOPASSWD|ALL)", re.M)
+_NAME = regex(r"/sudoers$|/sudoers\.d/[^/.~]+$|/[\w-]*sudoers[\w-]*$")
+_RULE = regex(r"^[ \t]*[^#\s][^\n]*?=[ \t]*(?:\(|NOPASSWD|ALL)", re.M)
 
 
 def _is_sudoers(path: str, head: Head) -> bool:

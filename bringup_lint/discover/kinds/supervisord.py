@@ -6,10 +6,11 @@ import re
 
 from bringup_lint.discover.kinds import Head
 from bringup_lint.discover.kinds import Kind
+from bringup_lint.pattern import regex
 
-_MAIN = re.compile(r"(?:^|/)supervisord?\.(?:conf|ini)$")
-_INCLUDED = re.compile(r"(?:^|/)supervisord?(?:/conf\.d)?/[^/]+\.(?:conf|ini)$")
-_SECTION = re.compile(r"^\[(?:program|supervisord|group|eventlistener|fcgi-program|unix_http_server)\b", re.M)
+_MAIN = regex(r"(?:^|/)supervisord?\.(?:conf|ini)$")
+_INCLUDED = regex(r"(?:^|/)supervisord?(?:/conf\.d)?/[^/]+\.(?:conf|ini)$")
+_SECTION = regex(r"^\[(?:program|supervisord|group|eventlistener|fcgi-program|unix_http_server)\b", re.M)
 
 
 def _is_supervisord(path: str, head: Head) -> bool:

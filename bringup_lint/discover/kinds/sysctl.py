@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import re
-
 from bringup_lint.discover.kinds import Head
 from bringup_lint.discover.kinds import Kind
+from bringup_lint.pattern import regex
 
-_SYSCTL = re.compile(r"/sysctl\.d/[^/]+\.conf$|/etc/sysctl\.conf$")
+_SYSCTL = regex(r"/sysctl\.d/[^/]+\.conf$|/etc/sysctl\.conf$")
 
 
 def _is_sysctl(path: str, head: Head) -> bool:

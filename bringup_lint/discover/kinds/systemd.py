@@ -6,6 +6,7 @@ import re
 
 from bringup_lint.discover.kinds import Head
 from bringup_lint.discover.kinds import Kind
+from bringup_lint.pattern import regex
 
 UNIT_TYPES = (
     "service",
@@ -22,16 +23,14 @@ UNIT_TYPES = (
 )
 _TYPES = "|".join(UNIT_TYPES)
 _TEMPLATE = r"(?:\.(?:in|j2|jinja|jinja2|em|m4|tmpl|tpl|template|erb))?"
-_UNIT = re.compile(rf"/[^/]+\.(?:{_TYPES}){_TEMPLATE}$")
-_DROPIN = re.compile(rf"/(?:[^/]*\.)?(?:{_TYPES})\.d/[^/]+$")
-_LINK = re.compile(r"\.(?:wants|requires|upholds)/[^/]+$")
-_SECTION = re.compile(
-    r"^\ufeff?[^\S\n]*\[(?:Unit|Service|Install|Socket|Timer|Path|Mount|Automount|Swap|Slice)\]", re.M
-)
-_CONF = re.compile(rf"\.conf{_TEMPLATE}$")
-_SERVICE = tuple(re.compile(rf"^[^\S\n]*{word}", re.M) for word in (r"\[Unit\]", r"\[Service\]", r"ExecStart\s*="))
+_UNIT = regex(rf"/[^/]+\.(?:{_TYPES}){_TEMPLATE}$")
+_DROPIN = regex(rf"/(?:[^/]*\.)?(?:{_TYPES})\.d/[^/]+$")
+_LINK = regex(r"\.(?:wants|requires|upholds)/[^/]+$")
+_SECTION = regex(r"^\ufeff?[^\S\n]*\[(?:Unit|Service|Install|Socket|Timer|Path|Mount|Automount|Swap|Slice)\]", re.M)
+_CONF = regex(rf"\.conf{_TEMPLATE}$")
+_SERVICE = tuple(regex(rf"^[^\S\n]*{word}", re.M) for word in (r"\[Unit\]", r"\[Service\]", r"ExecStart\s*="))
 """What makes a service of a file with another name, in this order."""
-_BACKUP = re.compile(r"(?:~|\.(?:bak|orig|rej|swp|dpkg-\w+|rpm\w+|ucf-\w+))$")
+_BACKUP = regex(r"(?:~|\.(?:bak|orig|rej|swp|dpkg-\w+|rpm\w+|ucf-\w+))$")
 
 
 def _is_dropin(path: str, head: Head) -> bool:

@@ -6,17 +6,18 @@ import re
 
 from bringup_lint.discover.kinds import Head
 from bringup_lint.discover.kinds import Kind
+from bringup_lint.pattern import regex
 from bringup_lint.templates import final_name
 
-_OTHERS = re.compile(r"/(?:polkit-1|polkit|audit|auditd|suricata|snort|prometheus)/|/audit[^/]*/rules\.d/")
+_OTHERS = regex(r"/(?:polkit-1|polkit|audit|auditd|suricata|snort|prometheus)/|/audit[^/]*/rules\.d/")
 _TOKEN = (
     r"(?:ACTION|SUBSYSTEMS?|KERNELS?|DRIVERS?|DEVPATH|TAGS?|PROGRAM"
     r"|(?:ATTRS?|ENV|IMPORT)\{[^}\n]+\})"
     r"[ \t]*(?:==|!=|\+=|:=|=)[ \t]*[ei]{0,2}[\"']"
 )
-_KEY = re.compile(rf"^\ufeff?[ \t]*{_TOKEN}", re.M | re.I)
-_ANY_KEY = re.compile(rf"\b{_TOKEN}")
-_NUMBERED = re.compile(r"/\d\d-[^/]+\.rules\Z")
+_KEY = regex(rf"^\ufeff?[ \t]*{_TOKEN}", re.M | re.I)
+_ANY_KEY = regex(rf"\b{_TOKEN}")
+_NUMBERED = regex(r"/\d\d-[^/]+\.rules\Z")
 """A name such as ``99-robot.rules``, which udev shares with polkit and auditd: the keys tell them apart."""
 
 

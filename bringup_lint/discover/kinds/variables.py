@@ -6,18 +6,17 @@ import re
 
 from bringup_lint.discover.kinds import Head
 from bringup_lint.discover.kinds import Kind
+from bringup_lint.pattern import regex
 
-_OF_HOSTS = re.compile(
-    r"/(?:group|host)_vars/(?:[^/]+/)?[^/.]+(?:\.ya?ml)?$|/roles/[^/]+/(?:defaults|vars)/[^/]+\.ya?ml$"
-)
-_INVENTORY = re.compile(
+_OF_HOSTS = regex(r"/(?:group|host)_vars/(?:[^/]+/)?[^/.]+(?:\.ya?ml)?$|/roles/[^/]+/(?:defaults|vars)/[^/]+\.ya?ml$")
+_INVENTORY = regex(
     r"/[^/]*(?:hosts|inventory)[^/.]*(?:\.ini|\.ya?ml)?$|/(?:hosts|inventor(?:y|ies))/[^/]+\.(?:ini|ya?ml)$"
 )
-_OF_INVENTORY = re.compile(r"\bansible_(?:host|user|connection|port|python_interpreter|\w*pass(?:word)?)[ \t]*[=:]")
-_OF_OTHERS = re.compile(
+_OF_INVENTORY = regex(r"\bansible_(?:host|user|connection|port|python_interpreter|\w*pass(?:word)?)[ \t]*[=:]")
+_OF_OTHERS = regex(
     r"^[ \t]*-[ \t]+(?:name|hosts|become|ansible\.builtin\.\w+)[ \t]*:|\bros__parameters\b|^services:", re.M
 )
-_CODE_SERVER = (re.compile(r"^bind-addr:", re.M), re.compile(r"^auth:", re.M))
+_CODE_SERVER = (regex(r"^bind-addr:", re.M), regex(r"^auth:", re.M))
 """Keys that only the configuration of code-server has both of."""
 
 

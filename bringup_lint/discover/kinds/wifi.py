@@ -6,11 +6,12 @@ import re
 
 from bringup_lint.discover.kinds import Head
 from bringup_lint.discover.kinds import Kind
+from bringup_lint.pattern import regex
 
-_HOSTAPD = re.compile(r"(?:^|/)hostapd[^/]*\.conf$")
-_ACCESS_POINT = re.compile(r"^[ \t]*(?:interface|ssid|wpa|wpa_passphrase)=", re.M)
-_SUPPLICANT = re.compile(r"(?:^|/)wpa_supplicant[^/]*\.conf$")
-_NETWORK = re.compile(r"^[ \t]*network=\{", re.M)
+_HOSTAPD = regex(r"(?:^|/)hostapd[^/]*\.conf$")
+_ACCESS_POINT = regex(r"^[ \t]*(?:interface|ssid|wpa|wpa_passphrase)=", re.M)
+_SUPPLICANT = regex(r"(?:^|/)wpa_supplicant[^/]*\.conf$")
+_NETWORK = regex(r"^[ \t]*network=\{", re.M)
 
 
 def _is_hostapd(path: str, head: Head) -> bool:

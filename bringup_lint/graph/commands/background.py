@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
@@ -10,10 +9,11 @@ from bringup_lint.graph.commands.command_line import CommandLine
 from bringup_lint.graph.commands.command_line import Step
 from bringup_lint.graph.commands.wrappers import program_name
 from bringup_lint.graph.commands.wrappers import unwrapped
+from bringup_lint.pattern import regex
 
 _PASSING = ("echo", "printf", "true", "logger", "exit", ":", "disown")
-_INTERPRETERS = re.compile(r"roslaunch|rosrun|roscore|python[\d.]*|node|nodejs|npm|(?:ba|da|z)?sh")
-_SERVERS = re.compile(
+_INTERPRETERS = regex(r"roslaunch|rosrun|roscore|python[\d.]*|node|nodejs|npm|(?:ba|da|z)?sh")
+_SERVERS = regex(
     r"ros(?:launch|run|core)|gst-launch-1\.0|MicroXRCEAgent|micro_ros_agent|mjpg_streamer|zenohd|zenoh-bridge-\w+"
     r"|mavlink-routerd|mavproxy\.py|iox-roudi|fast-discovery-server"
 )

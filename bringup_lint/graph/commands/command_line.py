@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from dataclasses import field
@@ -14,12 +13,13 @@ from bringup_lint.graph.commands.ros_command import ros_command
 from bringup_lint.graph.commands.shells import SHELLS
 from bringup_lint.graph.commands.shells import profiles
 from bringup_lint.model.shell import Command
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 
-_ROS1_TEXT = re.compile(r"/opt/ros/(?:noetic|melodic|kinetic|lunar|jade|indigo)\b|\b(?:roslaunch|rosrun|roscore)\b")
-_ROS_TEXT = re.compile(r"\bros2 |/opt/ros/|install/(?:local_)?setup\.(?:bash|sh)|component_container")
+_ROS1_TEXT = regex(r"/opt/ros/(?:noetic|melodic|kinetic|lunar|jade|indigo)\b|\b(?:roslaunch|rosrun|roscore)\b")
+_ROS_TEXT = regex(r"\bros2 |/opt/ros/|install/(?:local_)?setup\.(?:bash|sh)|component_container")
 _ON_FILES = ("security", "pkg", "interface", "extensions", "extension_points")
 """Verbs of ros2 that start no node."""
 

@@ -14,12 +14,13 @@ from dataclasses import field
 from typing import NamedTuple
 
 from bringup_lint.model.shell import Command
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
-SETUP_FILE = re.compile(r"(?:^|/)(?:local_)?setup\.(?:bash|sh|zsh)$")
+SETUP_FILE = regex(r"(?:^|/)(?:local_)?setup\.(?:bash|sh|zsh)$")
 """What sets up ROS: setup files of a distribution or a workspace."""
-_ASSIGNMENT = re.compile(r"[A-Za-z_][A-Za-z0-9_]*=")
-_EXPANSION = re.compile(
+_ASSIGNMENT = regex(r"[A-Za-z_][A-Za-z0-9_]*=")
+_EXPANSION = regex(
     r"\\?\$(?:(?P<name>[A-Za-z_]\w*)|\{(?P<braced>[A-Za-z_]\w*)(?P<default>:?-[^{}]*)?\}|[({@*#?$!0-9])|`"
 )
 

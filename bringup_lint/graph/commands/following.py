@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -20,10 +19,11 @@ from bringup_lint.graph.commands.shells import shell_input
 from bringup_lint.graph.commands.wrappers import unwrapped
 from bringup_lint.model.shell import Command
 from bringup_lint.parsers.shell import commands
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
-_GENERATED = re.compile(r"/(?:install|devel|opt/ros/\w+)/(?:local_)?setup\.\w+\Z")
+_GENERATED = regex(r"/(?:install|devel|opt/ros/\w+)/(?:local_)?setup\.\w+\Z")
 """Setup files that colcon, catkin and the packages of ROS write."""
 
 Find = Callable[[Located], Source | None]

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
 from typing import Literal
 
 from bringup_lint.graph.commands.wrappers import program_name
 from bringup_lint.graph.commands.wrappers import unwrapped
 from bringup_lint.model.shell import Command
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
-INSTALLED_NODE = re.compile(r"/install/(?:[^/]+/)?lib/[^/]+/[^/]+$|/opt/ros/[^/]+/lib/[^/]+/[^/]+$")
+INSTALLED_NODE = regex(r"/install/(?:[^/]+/)?lib/[^/]+/[^/]+$|/opt/ros/[^/]+/lib/[^/]+/[^/]+$")
 
 
 @dataclass(frozen=True, eq=False)

@@ -2,25 +2,25 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
 from bringup_lint.graph.commands.wrappers import program_name
 from bringup_lint.graph.commands.wrappers import unwrapped
 from bringup_lint.model.shell import Command
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
 SHELLS = frozenset({"sh", "bash", "dash", "zsh", "ksh"})
-SHELL_SCRIPT = re.compile(r"#!\s*\S*/(?:env\s+(?:-S\s+)?)?(sh|bash|dash|zsh|ksh)\b")
+SHELL_SCRIPT = regex(r"#!\s*\S*/(?:env\s+(?:-S\s+)?)?(sh|bash|dash|zsh|ksh)\b")
 """The first line of a shell script."""
 SCRIPT_DEPTH = 4
 """How many scripts that call each other are followed."""
 
-_VALUED = re.compile(r"[-+][A-Za-z]*[oO]|--rcfile|--init-file")
+_VALUED = regex(r"[-+][A-Za-z]*[oO]|--rcfile|--init-file")
 """Options of shells that take a value."""
-_PROFILE = re.compile(r"(?:^|/)(?:\.bashrc|\.bash_profile|\.profile|\.zshrc|bash\.bashrc|profile)$")
-_LOGIN = re.compile(r"-[a-z]*[li][a-z]*")
+_PROFILE = regex(r"(?:^|/)(?:\.bashrc|\.bash_profile|\.profile|\.zshrc|bash\.bashrc|profile)$")
+_LOGIN = regex(r"-[a-z]*[li][a-z]*")
 
 
 class ShellInput(NamedTuple):

@@ -18,12 +18,13 @@ from bringup_lint.model.xml import Element
 from bringup_lint.parsers.fastdds import locators
 from bringup_lint.parsers.fastdds_schema import elsewhere
 from bringup_lint.parsers.fastdds_schema import schema
+from bringup_lint.pattern import regex
 from bringup_lint.schema.names import find
 from bringup_lint.schema.names import suggestions
 from bringup_lint.source import Located
 from bringup_lint.source import Span
 
-LOCATOR_LISTS = re.compile(r"LocatorList$|^initialPeersList$|external_unicast_locators$")
+LOCATOR_LISTS = regex(r"LocatorList$|^initialPeersList$|external_unicast_locators$")
 
 
 def shape(path: str, version: str) -> Item | None:

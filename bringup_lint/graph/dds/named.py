@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
@@ -10,6 +9,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.graph.dds.selection import PROFILES
 from bringup_lint.graph.dds.selection import URI
 from bringup_lint.parsers.cyclonedds_uri import split_uri
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
@@ -22,7 +22,7 @@ _VARIABLES = {
     "fastdds": tuple(name for names in PROFILES.values() for name in names),
 }
 """Kind of file -> the variables that name one."""
-_UNKNOWN_FOLDER = re.compile(r"^.*(?:\)|\}|\$[A-Za-z_]\w*|^\.{0,2})(?=/)")
+_UNKNOWN_FOLDER = regex(r"^.*(?:\)|\}|\$[A-Za-z_]\w*|^\.{0,2})(?=/)")
 """The folders of a path that only the running system knows."""
 LIMIT = 200
 """Values that are followed at most."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
@@ -14,6 +13,7 @@ from bringup_lint.graph.file_nodes import file_place
 from bringup_lint.graph.file_nodes import is_plain
 from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.graph import Node
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.source import Span
@@ -26,8 +26,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.systemd.process import Process
     from bringup_lint.graph.systemd.units import Units
 
-_INTERPRETER = re.compile(r"python[0-9.]*|perl|node|ruby")
-_SCRIPT = re.compile(r"/.*\.(?:py|pl|js|rb)")
+_INTERPRETER = regex(r"python[0-9.]*|perl|node|ruby")
+_SCRIPT = regex(r"/.*\.(?:py|pl|js|rb)")
 
 
 def run_edges(tree: Tree, units: Units, launch: Callable[[], Launch]) -> Iterator[Edge]:

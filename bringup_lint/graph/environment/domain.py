@@ -5,13 +5,14 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
 if TYPE_CHECKING:
     from bringup_lint.graph.environment.ros import RosEnvironment
     from bringup_lint.graph.files import Files
 
-_DOMAIN = re.compile(r"^[^#\n]*?\bROS_DOMAIN_ID[\"']?[ \t]*[=:][ \t]*[\"']?(\d{1,3})\b", re.M)
+_DOMAIN = regex(r"^[^#\n]*?\bROS_DOMAIN_ID[\"']?[ \t]*[=:][ \t]*[\"']?(\d{1,3})\b", re.M)
 
 
 def agreed_domain(files: Files, ros: RosEnvironment) -> tuple[int, Located] | None:

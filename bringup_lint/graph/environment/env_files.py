@@ -14,6 +14,7 @@ from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.model.env_file import Entry
 from bringup_lint.model.env_file import EnvFile
 from bringup_lint.parsers.env_file import parse
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.source import Span
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
     from bringup_lint.graph.systemd.units import Units
 
-_LOOKS_LIKE_ENTRY = re.compile(r"^[^\S\n]*(?:export\s+)?[A-Za-z_][A-Za-z0-9_]*=", re.M)
+_LOOKS_LIKE_ENTRY = regex(r"^[^\S\n]*(?:export\s+)?[A-Za-z_][A-Za-z0-9_]*=", re.M)
 
 
 class Reader(NamedTuple):
@@ -33,7 +34,7 @@ class Reader(NamedTuple):
     value: Located
 
 
-_SOURCED = re.compile(r"(?:^|[\s;&'\"(])(?:source|\.)\s+[\"']?([^\s;&|\"']+)", re.M)
+_SOURCED = regex(r"(?:^|[\s;&'\"(])(?:source|\.)\s+[\"']?([^\s;&|\"']+)", re.M)
 
 
 @dataclass(eq=False)

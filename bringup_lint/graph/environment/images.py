@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 from bringup_lint.facts.ros import distros
 from bringup_lint.graph.commands.environment import Variable
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
 if TYPE_CHECKING:
@@ -30,12 +31,12 @@ PACKAGES = {
 _RELEASES = [distros.every()[name] for name in distros.distros_since("humble") if name != "rolling"]
 _DISTROS = "|".join(each.name for each in _RELEASES)
 _CODENAMES = "|".join(dict.fromkeys(each.codename for each in _RELEASES))
-_OFFICIAL = re.compile(
+_OFFICIAL = regex(
     r"(?:docker\.io/)?(?:(?:library|arm64v8|amd64|arm32v7)/)?"
     rf"(?:ros:(?P<distro>{_DISTROS})(?:-ros-core|-ros-base|-perception)?"
     rf"|osrf/ros:(?P<desktop>{_DISTROS})-desktop(?:-full)?)(?:-(?:{_CODENAMES}))?"
 )
-_OPAQUE = re.compile(
+_OPAQUE = regex(
     r"rosdep|\$\(|`|xargs|ansible|\b(?:curl|wget|git|vcs|colcon|cmake|make|pip3?|conda|mamba|dpkg|tar|cp|source)\b|\.sh\b"
     r"|\.deb\b|<<|install[^\n;&]*\$(?!\{?ROS_DISTRO)"
 )

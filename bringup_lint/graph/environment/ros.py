@@ -21,6 +21,7 @@ from bringup_lint.graph.environment.launched import view
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.graph.target import mentions_of
 from bringup_lint.parsers.env_file import parse
+from bringup_lint.pattern import regex
 from bringup_lint.templates import has_placeholder
 
 if TYPE_CHECKING:
@@ -42,11 +43,11 @@ if TYPE_CHECKING:
     from bringup_lint.source import Source
     from bringup_lint.source import Span
 
-OF_ROS = re.compile(r"(?:ROS|RMW|CYCLONE|CYCLONE_?DDS|FAST_?RTPS|FAST_?DDS|RCUTILS|ZENOH)_\w+")
+OF_ROS = regex(r"(?:ROS|RMW|CYCLONE|CYCLONE_?DDS|FAST_?RTPS|FAST_?DDS|RCUTILS|ZENOH)_\w+")
 """Names of variables that ROS 2 or its middleware reads, and such as are taken for them."""
 
 _LOGIN_NAMES = (".bashrc", ".bash_profile", ".profile", ".zshrc", "bash.bashrc")
-_LOGIN = re.compile(r"/(?:\.bashrc|\.(?:bash_)?profile|\.zshrc|bash\.bashrc)$|/profile\.d/[^/]+$|/etc/environment$")
+_LOGIN = regex(r"/(?:\.bashrc|\.(?:bash_)?profile|\.zshrc|bash\.bashrc)$|/profile\.d/[^/]+$|/etc/environment$")
 
 
 class Setting(NamedTuple):

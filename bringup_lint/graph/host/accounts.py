@@ -11,15 +11,16 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from bringup_lint import facts
+from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
     from bringup_lint.graph.systemd.units import Units
     from bringup_lint.graph.systemd.user_database import UserDatabase
 
-_CREATES = re.compile(r"\b(?:groupadd|addgroup|useradd|adduser|newusers|dscl|ansible\.builtin\.(?:group|user))\b[^\n]*")
-_MODULE = re.compile(r"^[ \t]*(?:group|user):[ \t]*(?:name=(\S+)[ \t]*)?$(?:\n[ \t]+name:[ \t]*[\"']?([\w-]+))?", re.M)
-_SCRIPT = re.compile(
+_CREATES = regex(r"\b(?:groupadd|addgroup|useradd|adduser|newusers|dscl|ansible\.builtin\.(?:group|user))\b[^\n]*")
+_MODULE = regex(r"^[ \t]*(?:group|user):[ \t]*(?:name=(\S+)[ \t]*)?$(?:\n[ \t]+name:[ \t]*[\"']?([\w-]+))?", re.M)
+_SCRIPT = regex(
     r"\.(?:sh|bash|mk|ya?ml|md|rst|txt|cmake|service|conf|in)$|^(?:pre|post)(?:inst|rm)|^(?:Docker|Make|Contain)file"
     r"|^[^.]+$"
 )

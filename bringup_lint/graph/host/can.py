@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.model.unit import UnitFile
 from bringup_lint.parsers.unit import parse
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Span
 
@@ -20,13 +21,13 @@ if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
     from bringup_lint.graph.systemd.units import Units
 
-_CAN = re.compile(r"(?<![\w/.-])can\d+(?![\w/.-])")
-_USE = re.compile(
+_CAN = regex(r"(?<![\w/.-])can\d+(?![\w/.-])")
+_USE = regex(
     r"(?:socket)?can_?(?:interface|device|port|channel|bus|name)\w{0,64}[\"']?[ \t]*"
     r"(?::=|[:=])[ \t]*[\"']?(?P<name>can\d+)\b",
     re.I,
 )
-_SETS = re.compile(r"\bip\s+link\s+(?:set|add)\b[^\n]*\bcan\d*\b|\bbitrate\b|\bcan[-_]?(?:up|setup|config)\b", re.I)
+_SETS = regex(r"\bip\s+link\s+(?:set|add)\b[^\n]*\bcan\d*\b|\bbitrate\b|\bcan[-_]?(?:up|setup|config)\b", re.I)
 _READERS = ("env-file", "launch-python", "launch-xml", "launch-yaml", "params", "compose", "shell-script")
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ast
-import re
 from collections.abc import Iterable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
@@ -12,6 +11,7 @@ from bringup_lint.discover.starters import STARTING
 from bringup_lint.graph.host.device_uses import DeviceUse
 from bringup_lint.parsers.cpp_node import parse as parse_cpp
 from bringup_lint.parsers.python_node import parse as parse_python
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
 if TYPE_CHECKING:
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 _OPENING = frozenset({"serial.Serial", "cv2.VideoCapture", "open", "evdev.InputDevice", "os.open"})
 _CAMERA = "cv2.VideoCapture"
 _GIVING = (*STARTING, "params", "env-file", "launch-python", "launch-xml", "launch-yaml")
-_NAMES = re.compile(r"/dev/|VideoCapture")
+_NAMES = regex(r"/dev/|VideoCapture")
 
 
 def of_sources(files: Files) -> Iterator[DeviceUse]:

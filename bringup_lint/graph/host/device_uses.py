@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 from bringup_lint.addresses import is_address
 from bringup_lint.parsers.systemd_values import unescape_path
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
 if TYPE_CHECKING:
@@ -23,9 +24,9 @@ if TYPE_CHECKING:
     from bringup_lint.model.params import Parameter
     from bringup_lint.model.params import ParameterFile
 
-_ADDRESS = re.compile(r"(?:.*[._])?(?:ip|ip_?addr(?:ess)?|host(?:_?name)?)", re.I)
-_HOST = re.compile(r"[A-Za-z][\w-]*(?:\.[\w-]+)+")
-_PATH = re.compile(r"(?<![\w./$}])/dev/[A-Za-z][\w.+-]*(?:/[\w.:+-]+)*")
+_ADDRESS = regex(r"(?:.*[._])?(?:ip|ip_?addr(?:ess)?|host(?:_?name)?)", re.I)
+_HOST = regex(r"[A-Za-z][\w-]*(?:\.[\w-]+)+")
+_PATH = regex(r"(?<![\w./$}])/dev/[A-Za-z][\w.+-]*(?:/[\w.:+-]+)*")
 
 
 Certainty = Literal["literal", "unit", "host", "script", "default", "argument"]

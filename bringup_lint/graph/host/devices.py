@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -20,6 +19,7 @@ from bringup_lint.graph.host.device_uses import of_units
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.graph.udev.matched_devices import subsystem_of_name
 from bringup_lint.parsers.systemd_values import escape_path
+from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 from bringup_lint.spelling import nearest
 
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.udev.rule import Link
     from bringup_lint.graph.udev.udev import Udev
 
-_BY_DISCOVERY = re.compile(r"/dev/(?:ttyUSB\d+|ttyACM\d+|video\d)")
+_BY_DISCOVERY = regex(r"/dev/(?:ttyUSB\d+|ttyACM\d+|video\d)")
 _CAMERA = "/dev/video"
 _OF_KERNEL = frozenset(
     [

@@ -6,10 +6,11 @@ import re
 from dataclasses import dataclass
 from dataclasses import field
 
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
-_SECTION = re.compile(
+_SECTION = regex(
     r"^\[(?P<section>[^\]\n]+)\]"
     r"|^(?P<key>[A-Za-z][\w.-]*)[ \t]*=[ \t]*(?P<value>[^\n#;]*?)[ \t\r]*(?:[#;].*)?$",
     re.M,

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import re
 from typing import TYPE_CHECKING
 
 from bringup_lint.model.firewall import Firewall
 from bringup_lint.parsers.firewall import parse
+from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
 
-_TOOLS = re.compile(r"\b(?:ufw|ip6?tables)\b")
+_TOOLS = regex(r"\b(?:ufw|ip6?tables)\b")
 
 
 def load_firewalls(files: Files) -> list[Firewall]:

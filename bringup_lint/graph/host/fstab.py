@@ -16,14 +16,15 @@ from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.model.fstab import Fstab
 from bringup_lint.model.fstab import Mount
 from bringup_lint.parsers.fstab import parse
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
     from bringup_lint.graph.systemd.units import Units
 
-_FILE = re.compile(r"(?:file|append|truncate):(/.+)")
-_MAKES = re.compile(r"\b(?:mkdir|install\s+(?:-\w+\s+)*-d|systemd-tmpfiles)\b")
+_FILE = regex(r"(?:file|append|truncate):(/.+)")
+_MAKES = regex(r"\b(?:mkdir|install\s+(?:-\w+\s+)*-d|systemd-tmpfiles)\b")
 _RUNTIME = ("/run", "/dev", "/proc", "/sys")
 
 

@@ -20,6 +20,7 @@ from bringup_lint.parsers.logrotate import directives
 from bringup_lint.parsers.logrotate import parse
 from bringup_lint.parsers.logrotate_values import owners
 from bringup_lint.parsers.shell import commands
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
@@ -28,14 +29,14 @@ if TYPE_CHECKING:
     from bringup_lint.graph.host.fstab import Mounts
     from bringup_lint.graph.systemd.units import Units
 
-_DEFAULT = re.compile(r"(?:^|/)\.ros/log(?:/|$)")
-_USUAL = re.compile(r"^/(?:var|opt|data|home)/(?:[^/]+/)*ros2?(?:/|$)")
-_FILE = re.compile(r"append:(/[^%]+)")
-_CLEANS = re.compile(
+_DEFAULT = regex(r"(?:^|/)\.ros/log(?:/|$)")
+_USUAL = regex(r"^/(?:var|opt|data|home)/(?:[^/]+/)*ros2?(?:/|$)")
+_FILE = regex(r"append:(/[^%]+)")
+_CLEANS = regex(
     r"-delete\b|-mtime\b|-mmin\b|\btmpreaper\b|\btmpwatch\b|\brm\s+-|\bvacuum\b|\bshutil\.rmtree\b|\bunlink\b"
 )
-_AGE = re.compile(r"^[deDvQqRrxX]\S*[ \t]+(?P<path>\S+)(?:[ \t]+\S+){3}[ \t]+(?P<age>[^\s-]\S*)", re.M)
-_MADE = re.compile(
+_AGE = regex(r"^[deDvQqRrxX]\S*[ \t]+(?P<path>\S+)(?:[ \t]+\S+){3}[ \t]+(?P<age>[^\s-]\S*)", re.M)
+_MADE = regex(
     r"^[dDvqQ]\S*[ \t]+(?P<path>/\S+)[ \t]+(?P<mode>[~:]?[0-7]{3,4})[ \t]+(?P<user>[\w-]+)[ \t]+(?P<group>[\w-]+)",
     re.M,
 )

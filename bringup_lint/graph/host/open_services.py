@@ -17,6 +17,7 @@ from bringup_lint.graph.purpose import Purpose
 from bringup_lint.model.launch_values import Argument
 from bringup_lint.model.launch_values import DictValue
 from bringup_lint.model.launch_values import TypedValue
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.source import Span
@@ -35,12 +36,12 @@ BRIDGES = {
 """Packages whose server gives the graph to every client on all addresses by default -> the parameters that limit it.
 Source: rosbridge_websocket.py (address ""), foxglove_bridge's README (address 0.0.0.0, capabilities)."""
 
-_EMPTY_TOKEN = re.compile(r"--(?:NotebookApp|ServerApp|IdentityProvider)\.token=?$")
-_PASSWORD = re.compile(r"--(?:NotebookApp|ServerApp|PasswordIdentityProvider)\.(?:hashed_)?password=.")
-_VNC = re.compile(r"(?:x0vncserver|x0tigervncserver|Xvnc|Xtigervnc|vncserver|tigervncserver)$")
-_LISTENER = re.compile(r"^[ \t]*listener[ \t]+(?P<port>\d+)(?:[ \t]+(?P<address>\S+))?[ \t\r]*$", re.M)
-_ANONYMOUS = re.compile(r"^[ \t]*allow_anonymous[ \t]+true\b", re.M)
-_LIMITED = re.compile(r"^[ \t]*(?:acl_file|plugin|auth_plugin|bind_interface|require_certificate[ \t]+true)\b", re.M)
+_EMPTY_TOKEN = regex(r"--(?:NotebookApp|ServerApp|IdentityProvider)\.token=?$")
+_PASSWORD = regex(r"--(?:NotebookApp|ServerApp|PasswordIdentityProvider)\.(?:hashed_)?password=.")
+_VNC = regex(r"(?:x0vncserver|x0tigervncserver|Xvnc|Xtigervnc|vncserver|tigervncserver)$")
+_LISTENER = regex(r"^[ \t]*listener[ \t]+(?P<port>\d+)(?:[ \t]+(?P<address>\S+))?[ \t\r]*$", re.M)
+_ANONYMOUS = regex(r"^[ \t]*allow_anonymous[ \t]+true\b", re.M)
+_LIMITED = regex(r"^[ \t]*(?:acl_file|plugin|auth_plugin|bind_interface|require_certificate[ \t]+true)\b", re.M)
 
 
 class OpenService(NamedTuple):

@@ -2,21 +2,21 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.parsers.arithmetic import evaluate
 from bringup_lint.parsers.shell import commands
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
 
-_LOGIN = re.compile(r"([A-Za-z_][\w.-]*)@([\w.-]+|\[[\w:.]+\])(?::.*)?")
-_FORGES = re.compile(r"git(?:hub|lab)?\b|bitbucket")
-_FORWARD = re.compile(r"(?:[^:]*:)?(?P<port>[^:]+):(?P<host>[^:]+):(?P<remote>[^:]+)\Z")
+_LOGIN = regex(r"([A-Za-z_][\w.-]*)@([\w.-]+|\[[\w:.]+\])(?::.*)?")
+_FORGES = regex(r"git(?:hub|lab)?\b|bitbucket")
+_FORWARD = regex(r"(?:[^:]*:)?(?P<port>[^:]+):(?P<host>[^:]+):(?P<remote>[^:]+)\Z")
 Forward = tuple[Source, int, Located]
 
 

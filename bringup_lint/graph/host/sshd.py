@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import fnmatch
-import re
 from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
@@ -18,6 +17,7 @@ from bringup_lint.parsers.sshd import keyword_of
 from bringup_lint.parsers.sshd import keywords
 from bringup_lint.parsers.sshd import parse
 from bringup_lint.parsers.sshd_values import algorithms
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
@@ -53,7 +53,7 @@ COLLECTED = frozenset(
 )
 """Keywords whose lines add up, or whose last line wins."""
 _DEEPEST = 16
-_FILE = re.compile(r"(?:^|/)ssh/sshd_config(?:\.d/[^/]+\.conf)?$")
+_FILE = regex(r"(?:^|/)ssh/sshd_config(?:\.d/[^/]+\.conf)?$")
 
 
 @dataclass(eq=False)

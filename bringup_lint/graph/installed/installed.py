@@ -23,6 +23,7 @@ from bringup_lint.graph.installed.scripts import KINDS
 from bringup_lint.graph.installed.scripts import Scripts
 from bringup_lint.graph.installed.text import Text
 from bringup_lint.parsers.ansible import puts
+from bringup_lint.pattern import regex
 from bringup_lint.source import Origin
 from bringup_lint.source import Source
 from bringup_lint.templates import template_language
@@ -30,13 +31,13 @@ from bringup_lint.templates import template_language
 MOST_SCRIPTS = 500
 MOST_FILES = 200
 """Files that one script may write."""
-_MARKS = re.compile(r"/etc/|/systemd|/udev|/usr/l|\.config/|/opt/|sysctl|\.rules|\.service")
+_MARKS = regex(r"/etc/|/systemd|/udev|/usr/l|\.config/|/opt/|sysctl|\.rules|\.service")
 """What a script says that installs something."""
 _BY_LINE = frozenset({"sysctl", "udev-rules", "sudoers", "env-file"})
 """Kinds of which every line speaks for itself, so that lines added to a file can be judged."""
 _EXPANDING = frozenset({"shell-script", "env-file"})
 """Kinds that know variables themselves: what is not known in them cannot be told from what is wrong."""
-_NOT_JOINED = re.compile(r"launch|python|limits|params|package|cmake|authorized-keys|ssh-")
+_NOT_JOINED = regex(r"launch|python|limits|params|package|cmake|authorized-keys|ssh-")
 _COPIES = frozenset({"cp", "install", "ln", "mv", "rsync"})
 _VALUED = {"install": ("-o", "-g", "-m", "-S"), "rsync": ("-e",), "cp": ("-S",), "mv": ("-S",), "ln": ("-S",)}
 

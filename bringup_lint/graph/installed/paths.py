@@ -9,14 +9,13 @@ from fnmatch import fnmatchcase
 
 from bringup_lint.discover.tree import Tree
 from bringup_lint.discover.tree import display_name
+from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 
 _TOPS = r"(?:etc|usr|lib|opt|var|boot|home|root|run|srv)"
-_MOUNTED = re.compile(
-    rf"(?:\{{\{{ \w+ \}}\}}|/mnt|/target|/rootfs|\.?\.?/?[\w.-]*root(?:fs)?)(?P<path>/{_TOPS}/.*)", re.S
-)
-_PLACEHOLDER = re.compile(r"\{\{ [^{}]* \}\}")
-_HOME = re.compile(r"(?:~|\{\{ HOME \}\})(?=/)")
+_MOUNTED = regex(rf"(?:\{{\{{ \w+ \}}\}}|/mnt|/target|/rootfs|\.?\.?/?[\w.-]*root(?:fs)?)(?P<path>/{_TOPS}/.*)", re.S)
+_PLACEHOLDER = regex(r"\{\{ [^{}]* \}\}")
+_HOME = regex(r"(?:~|\{\{ HOME \}\})(?=/)")
 _FOLDER_NAMES = frozenset({"system", "user", "bin", "sbin", "netplan", "systemd", "default", "share", "lib"})
 
 

@@ -23,6 +23,7 @@ from bringup_lint.model.shell import Command
 from bringup_lint.model.shell import Redirect
 from bringup_lint.parsers.shell import blocks
 from bringup_lint.parsers.shell import flatten
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Origin
 from bringup_lint.source import Source
@@ -31,12 +32,12 @@ from bringup_lint.source import Span
 STEPS = 20_000
 """Statements that are looked at in one script."""
 _DEPTH = 8
-_AS_ROOT = re.compile(r"\$\{?\w*sudo\w*\}?|run_sudo|as_root|maybe_sudo", re.I)
+_AS_ROOT = regex(r"\$\{?\w*sudo\w*\}?|run_sudo|as_root|maybe_sudo", re.I)
 _TESTS = ("[", "[[", "test", "grep", "command", "which", "getent", "id", "dpkg", "systemctl")
 _DECLARING = ("export", "local", "readonly", "declare", "typeset")
-_NEEDS_ROOT = re.compile(r"\bEUID\b|\bid\s+-u\b|\bwhoami\b|\$\{?UID\b|\bSUDO_USER\b")
-_OF_ROOT = re.compile(r"/(?:etc|usr|lib|boot|sys|proc|root|var/lib)/")
-_LITERAL = re.compile(r"[^{}\n]*")
+_NEEDS_ROOT = regex(r"\bEUID\b|\bid\s+-u\b|\bwhoami\b|\$\{?UID\b|\bSUDO_USER\b")
+_OF_ROOT = regex(r"/(?:etc|usr|lib|boot|sys|proc|root|var/lib)/")
+_LITERAL = regex(r"[^{}\n]*")
 
 
 class Run(NamedTuple):

@@ -15,18 +15,19 @@ from itertools import groupby
 
 from bringup_lint.model.shell import HereDocument
 from bringup_lint.model.shell import Word
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Piece
 from bringup_lint.source import Span
 
-_EXPANSION = re.compile(
+_EXPANSION = regex(
     r"\\(?P<escaped>[\s\S])|\$(?P<name>[A-Za-z_]\w*|[0-9@*#?$!-])|\$\{(?P<braced>[^{}]*)\}"
     r"|\$\((?P<command>(?:[^()]|\([^()]*\))*)\)|`(?P<ticks>[^`]*)`"
 )
-_NAME = re.compile(r"[A-Za-z_]\w*")
+_NAME = regex(r"[A-Za-z_]\w*")
 _ESCAPES = {"n": "\n", "t": "\t", "r": "\r", "\\": "\\", '"': '"', "a": "", "b": "", "e": ""}
-_ESCAPE = re.compile(r"\\(.)")
-_FORMAT = re.compile(r"%(?P<kind>[s%dib])")
+_ESCAPE = regex(r"\\(.)")
+_FORMAT = regex(r"%(?P<kind>[s%dib])")
 
 Values = Mapping[str, str | None]
 """The variables of a script; None where a value is not known."""
@@ -150,7 +151,7 @@ def printed(words: tuple[Located, ...], values: Values) -> Text | None:
                 text.extend(word_text(arguments.pop(0), values))
             at = match.end()
         _slice(text, part, at, len(part), start, end)
-    return None if arguments or "%" in re.sub(_FORMAT, "", str(layout)) else text
+    return None if arguments or "%" in _FORMAT.sub("", str(layout)) else text
 
 
 def _slice(text: Text, part: str, begin: int, stop: int, start: int, end: int) -> None:

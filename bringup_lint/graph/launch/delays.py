@@ -13,12 +13,13 @@ from bringup_lint.model.launch import LaunchFile
 from bringup_lint.model.launch import Timer
 from bringup_lint.model.launch_values import Argument
 from bringup_lint.model.launch_values import walk
+from bringup_lint.pattern import regex
 from bringup_lint.source import Span
 
-_WAITING = re.compile(
+_WAITING = regex(
     r"\b(?:wait\w*|until|ready|available|before|depends?|first|last|comes? up|started|running|initiali[sz]\w+)\b", re.I
 )
-_DELAY = re.compile(r"\b(?:delay|timer|sleep)", re.I)
+_DELAY = regex(r"\b(?:delay|timer|sleep)", re.I)
 NEAR = 3
 """Lines above a timer in which a comment speaks of it."""
 

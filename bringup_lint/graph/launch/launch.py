@@ -47,6 +47,7 @@ from bringup_lint.model.launch_values import Condition
 from bringup_lint.model.launch_values import ParameterFile
 from bringup_lint.model.launch_values import Value
 from bringup_lint.model.launch_values import walk
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.source import Span
@@ -55,17 +56,17 @@ if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
     from bringup_lint.graph.launch.grammar import Refusal
 
-_VIEW = re.compile(r"(?:^|[/_.-])(?:display|view\w*|rviz\w*)(?:$|[/_.-])")
+_VIEW = regex(r"(?:^|[/_.-])(?:display|view\w*|rviz\w*)(?:$|[/_.-])")
 """Paths of launch files that only show something."""
-_LIFECYCLE = re.compile(r"lifecycle|nav2_util|nav2_ros_common")
-SIMULATORS = re.compile(
+_LIFECYCLE = regex(r"lifecycle|nav2_util|nav2_ros_common")
+SIMULATORS = regex(
     r"(?:^|_)(?:sim|simulation|simulator|gazebo|gz|ign|ignition|webots|isaac\w*|mujoco|airsim|carla|awsim|stage)(?:$|_)"
 )
 """Packages of simulators."""
-_LOOKS_AT_DISTRIBUTION = re.compile(r"(?i)ros_?distro|except TypeError")
+_LOOKS_AT_DISTRIBUTION = regex(r"(?i)ros_?distro|except TypeError")
 PUBLIC = ("nav2_", "ros2_", "ros_", "rclcpp_", "tf2_", "launch_", "image_", "joint_", "moveit_", "rviz", "controller_")
 """How packages of ROS itself begin."""
-_LAUNCH_FILE = re.compile(r"(?<![\w.-])(?:[\w.-]+\.launch(?:\.(?:py|xml|ya?ml))?|[\w.-]+_launch\.py)")
+_LAUNCH_FILE = regex(r"(?<![\w.-])(?:[\w.-]+\.launch(?:\.(?:py|xml|ya?ml))?|[\w.-]+_launch\.py)")
 EXPANSIONS = 2_000
 """Entries that are expanded in one run."""
 ACTIONS_OF_RUN = 100

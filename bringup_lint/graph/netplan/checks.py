@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from collections.abc import Iterator
 
@@ -15,11 +14,12 @@ from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.model.yaml_node import Scalar
 from bringup_lint.parsers.netplan_values import is_ip4
 from bringup_lint.parsers.netplan_values import unsigned
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 
-WIREGUARD_KEY = re.compile(r"[A-Za-z0-9+/]{42}[A-Za-z0-9+/]=\Z")
-HEX_KEY = re.compile(r"[0-9a-fA-F]{64}\Z")
+WIREGUARD_KEY = regex(r"[A-Za-z0-9+/]{42}[A-Za-z0-9+/]=\Z")
+HEX_KEY = regex(r"[0-9a-fA-F]{64}\Z")
 BROADCAST = ("broadcast", "multicast", "anycast")
 IP6_TUNNELS = frozenset(("ipip6", "ip6ip6", "ip6gre", "ip6gretap", "vti6"))
 KEYED_TUNNELS = frozenset(("gre", "ip6gre", "gretap", "ip6gretap", "vti", "vti6", "wireguard"))

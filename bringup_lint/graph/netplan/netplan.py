@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
@@ -16,6 +15,7 @@ from bringup_lint.model.netplan import NetplanFile
 from bringup_lint.model.netplan import Plan
 from bringup_lint.model.netplan import PlanCode
 from bringup_lint.parsers.netplan import parse
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 FOLDERS = ("run", "etc", "lib", "usr/lib")
 """Where netplan looks, the folder that wins first."""
-PLACE = re.compile(r"(?P<root>(?:.*/)?)(?P<folder>etc|run|usr/lib|lib)/netplan/(?P<file>[^/]+)\Z")
+PLACE = regex(r"(?P<root>(?:.*/)?)(?P<folder>etc|run|usr/lib|lib)/netplan/(?P<file>[^/]+)\Z")
 
 
 def load_netplan(files: Files) -> Netplan:

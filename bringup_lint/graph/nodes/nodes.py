@@ -26,6 +26,7 @@ from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
 from bringup_lint.parsers.python_node import parse
 from bringup_lint.parsers.python_node.classes import ROOTS
+from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
@@ -38,8 +39,8 @@ if TYPE_CHECKING:
     from bringup_lint.model.cpp_source import CppNode
     from bringup_lint.model.launch import Action
 
-_TIMERS = re.compile(r"\bcreate_(?:timer|rate|wall_timer)\b|\bTimer\(|\bcreate_task\b")
-_GATES = re.compile(
+_TIMERS = regex(r"\bcreate_(?:timer|rate|wall_timer)\b|\bTimer\(|\bcreate_task\b")
+_GATES = regex(
     r"\b(?:cmd_vel_timeout|reference_timeout|diff_drive_controller|mecanum_drive_controller|ackermann_steering_controller"
     r"|tricycle_controller|twist_mux|velocity_smoother|collision_monitor|create3)\b"
 )
@@ -51,7 +52,7 @@ _STARTERS = (
 _UNJUDGED = (Purpose.TEST, Purpose.CI, Purpose.ARCHIVE)
 """Purposes whose sources are not for a robot."""
 _RUNNERS = ("systemd-unit", "systemd-dropin", "compose", "dockerfile", "supervisord", "cron")
-_TOOL = re.compile(
+_TOOL = regex(
     r"(?:^|_)(?:calibrat\w*?|capture|gathering|gui|dummy|evaluat(?:e|or|ion)|visuali[sz](?:e|er|ation)|plot(?:ter)?"
     r"|debug(?:ger)?|bt_(?:monitor|viewer))(?=[_.]|$)|^check_",
     re.I,

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import re
 
-_TOOL = re.compile(
+from bringup_lint.pattern import regex
+
+_TOOL = regex(
     r"""_.*                                   # hidden: ros2 daemon, ros2 topic, rqt's own
     | launch_ros_\d+ | rviz\d*(?:_\w+)? | rqt_\w+ | rosbag2_(?:recorder|player) | ros2cli\w* | rosapi\w*
     | plotjuggler\w*
@@ -25,14 +27,14 @@ OPEN_ENDED = frozenset(
     ("controller_manager", "foxglove_bridge", "gazebo_ros", "micro_ros_agent", "ros_gz_bridge", "rosbridge_server")
 )
 """Packages whose programs bring along nodes with names of their own choice, such as controllers."""
-PASSING = re.compile(
+PASSING = regex(
     r"(?:^|_)(?:spawn|spawner|unspawner|create|load|call|set|get|send|wait|check|verify|save|saver|dump|init|setup|configure|cli|once"
     r"|calibrate|test|echo|pub)(?:$|_|\.)"
 )
 """Executables that do their work and end."""
 
 
-_ON_SCREEN = re.compile(r"rviz\d*(?:_\w+)?|rqt_\w+|plotjuggler\w*|gazebo")
+_ON_SCREEN = regex(r"rviz\d*(?:_\w+)?|rqt_\w+|plotjuggler\w*|gazebo")
 
 
 def is_on_screen(name: str) -> bool:

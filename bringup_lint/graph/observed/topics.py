@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -16,9 +15,10 @@ from bringup_lint.graph.topics.questions.compatibility import conflicts
 from bringup_lint.graph.topics.questions.unmatched import nearly_equal
 from bringup_lint.graph.topics.resolved.names import tail
 from bringup_lint.model.observed import Endpoint
+from bringup_lint.pattern import regex
 
 _OF_ROS = frozenset(("/rosout", "/parameter_events"))
-_HIDDEN = re.compile(r"/_")
+_HIDDEN = regex(r"/_")
 
 
 @dataclass(eq=False)

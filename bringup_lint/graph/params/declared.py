@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
@@ -20,8 +21,8 @@ if TYPE_CHECKING:
 SUFFIXES = (".py", ".cpp", ".cc", ".cxx", ".hpp", ".hh", ".h")
 FILES = 600
 """Source files of one package that are read."""
-_TESTS = re.compile(r"(?:^|/)(?:tests?|examples?|build|install)/")
-_LOOSE = re.compile(r"automatically_declare_parameters_from_overrides|allow_undeclared_parameters")
+_TESTS = regex(r"(?:^|/)(?:tests?|examples?|build|install)/")
+_LOOSE = regex(r"automatically_declare_parameters_from_overrides|allow_undeclared_parameters")
 _DYNAMIC = "dynamic_typing"
 _PYTHON_TYPES = {bool: "bool", int: "integer", float: "double", str: "string"}
 _CPP_TYPES = {
@@ -36,20 +37,20 @@ _CPP_TYPES = {
     "float": "double",
     "std::string": "string",
 }
-_CPP_CALL = re.compile(
+_CPP_CALL = regex(
     r"\bdeclare_parameter\s*(?:<\s*(?P<type>[\w:]+(?:\s*<\s*[\w:]+\s*>)?)\s*>\s*)?\(\s*\"(?P<name>[\w./-]+)\"\s*"
     r"(?P<more>,\s*(?:(?P<call>(?=\S)[^,;(){}]*\([^(){};]*\))\s*|(?P<default>(?=\S)[^,;(){}]*))?)?[,)]"
     r"|\bdeclare_parameter_if_not_declared\s*\(\s*[\w.>-]+(?:\(\))?\s*,\s*\"(?P<other>[\w./-]+)\"\s*,\s*"
     r"(?P<value>rclcpp::ParameterValue\([^(){};]*\)|rclcpp::[\w:]+)\s*[,)]"
 )
 _CPP_DEFAULT = (
-    (re.compile(r"(?:true|false)\Z"), "bool"),
-    (re.compile(r"[+-]?(?:0|[1-9][0-9]*)[uUlL]*\Z"), "integer"),
-    (re.compile(r"[+-]?(?:[0-9]+\.[0-9]*|\.[0-9]+|[0-9]+(?=[eE]))(?:[eE][+-]?[0-9]+)?[fF]?\Z"), "double"),
-    (re.compile(r"(?:std::string\()?\"[^\"]*\"\)?\Z"), "string"),
-    (re.compile(r"rclcpp::(?:ParameterType::)?PARAMETER_(BOOL|INTEGER|DOUBLE|STRING)\Z"), ""),
+    (regex(r"(?:true|false)\Z"), "bool"),
+    (regex(r"[+-]?(?:0|[1-9][0-9]*)[uUlL]*\Z"), "integer"),
+    (regex(r"[+-]?(?:[0-9]+\.[0-9]*|\.[0-9]+|[0-9]+(?=[eE]))(?:[eE][+-]?[0-9]+)?[fF]?\Z"), "double"),
+    (regex(r"(?:std::string\()?\"[^\"]*\"\)?\Z"), "string"),
+    (regex(r"rclcpp::(?:ParameterType::)?PARAMETER_(BOOL|INTEGER|DOUBLE|STRING)\Z"), ""),
 )
-_COMMENT = re.compile(r"\"(?:\\.|[^\"\\\n])*\"|//[^\n]*|/\*.*?(?:\*/|\Z)", re.S)
+_COMMENT = regex(r"\"(?:\\.|[^\"\\\n])*\"|//[^\n]*|/\*.*?(?:\*/|\Z)", re.S)
 
 
 class Declared(NamedTuple):

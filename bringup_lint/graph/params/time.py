@@ -18,17 +18,18 @@ from bringup_lint.model.launch_values import DictValue
 from bringup_lint.model.params import Parameter
 from bringup_lint.model.params import ParameterFile
 from bringup_lint.model.params import matches
+from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
     from bringup_lint.graph.params.params import Params
 
 NAME = "use_sim_time"
-_SIMULATION = re.compile(
+_SIMULATION = regex(
     r"(?:^|[^a-z])(?:sim|sims|simulat\w*|gazebo|gz|ign|ignition|webots|isaac\w*|unity|carla|mujoco|stage|bag|rosbag2?|replay|test|tests)"
     r"(?:[^a-z]|$)",
     re.I,
 )
-_HARDWARE = re.compile(r"(?:^|[^a-z])(?:bringup|hardware|drivers?|real|robot)(?:[^a-z]|$)", re.I)
+_HARDWARE = regex(r"(?:^|[^a-z])(?:bringup|hardware|drivers?|real|robot)(?:[^a-z]|$)", re.I)
 
 
 class Simulated(NamedTuple):

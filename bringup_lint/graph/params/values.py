@@ -16,10 +16,11 @@ from bringup_lint.model.yaml_node import Scalar
 from bringup_lint.model.yaml_node import Sequence
 from bringup_lint.parsers.param_scalar import scalar
 from bringup_lint.parsers.params import parse
+from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 
-TAB = re.compile(r"^[ \t]*\t[ \t]*", re.M)
+TAB = regex(r"^[ \t]*\t[ \t]*", re.M)
 WIDTHS = (2, 4, 8)
 
 

@@ -20,10 +20,11 @@ from bringup_lint.model.dockerfile import Instruction
 from bringup_lint.model.dockerfile import Stage
 from bringup_lint.model.dockerfile import runs_as_root
 from bringup_lint.parsers.dockerfile import assignments
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
-_WORD = re.compile(r'"((?:[^"\\]|\\.)*)"')
+_WORD = regex(r'"((?:[^"\\]|\\.)*)"')
 
 
 def words_of(instruction: Instruction | None) -> list[Located]:

@@ -13,10 +13,11 @@ from bringup_lint.graph.files import Files
 from bringup_lint.graph.runners.layers import Layers
 from bringup_lint.graph.runners.runner import Runner
 from bringup_lint.graph.runners.runner import RunnerKind
+from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 
-_REBOOT = re.compile(r"^[ \t]*@reboot[ \t]+(?P<user>[a-z_][\w-]*)[ \t]+(?P<command>\S[^\n]*)$", re.M)
-_VARIABLE = re.compile(r"^[ \t]*(?P<name>[A-Za-z_]\w*)[ \t]*=[ \t]*(?P<value>(?:[^\n]*[^ \t\n])?)[ \t]*$", re.M)
+_REBOOT = regex(r"^[ \t]*@reboot[ \t]+(?P<user>[a-z_][\w-]*)[ \t]+(?P<command>\S[^\n]*)$", re.M)
+_VARIABLE = regex(r"^[ \t]*(?P<name>[A-Za-z_]\w*)[ \t]*=[ \t]*(?P<value>(?:[^\n]*[^ \t\n])?)[ \t]*$", re.M)
 
 
 def runners(files: Files, layers: Layers) -> Iterator[Runner]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 
@@ -14,12 +13,13 @@ from bringup_lint.model.launch import LaunchFile
 from bringup_lint.model.launch_values import Literal
 from bringup_lint.model.launch_values import Unknown
 from bringup_lint.model.launch_values import Value
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
 if TYPE_CHECKING:
     from bringup_lint.graph.launch.launch import Launch
 
-_EXPANDED = re.compile(r"[$`*?%]")
+_EXPANDED = regex(r"[$`*?%]")
 """What a shell or systemd replaces."""
 
 

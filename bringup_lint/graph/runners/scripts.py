@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.graph.commands.command_line import CommandLine
@@ -12,9 +11,10 @@ from bringup_lint.graph.files import Files
 from bringup_lint.graph.runners.layers import Layers
 from bringup_lint.graph.runners.runner import Runner
 from bringup_lint.graph.runners.runner import RunnerKind
+from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 
-_ROS2 = re.compile(r"\bros2[ \t]+(?:launch|run)\b")
+_ROS2 = regex(r"\bros2[ \t]+(?:launch|run)\b")
 
 
 def runners(files: Files, layers: Layers) -> Iterator[Runner]:

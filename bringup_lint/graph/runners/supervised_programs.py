@@ -6,7 +6,6 @@ supervisor, options.py and "Configuration File": the defaults are ``autorestart=
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.graph.commands.command_line import CommandLine
@@ -21,10 +20,11 @@ from bringup_lint.graph.runners.runner import Stop
 from bringup_lint.model.supervisord import Program
 from bringup_lint.parsers.shell import words
 from bringup_lint.parsers.supervisord import parse
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
-_PAIR = re.compile(r"\b(?P<name>[A-Za-z_]\w*)\s*=\s*(?:\"(?P<double>[^\"]*)\"|'(?P<single>[^']*)'|(?P<bare>[^\s,;]*))")
+_PAIR = regex(r"\b(?P<name>[A-Za-z_]\w*)\s*=\s*(?:\"(?P<double>[^\"]*)\"|'(?P<single>[^']*)'|(?P<bare>[^\s,;]*))")
 _NO = ("false", "no", "off", "0")
 
 

@@ -25,6 +25,7 @@ from bringup_lint.graph.secrets.ros import launch_words
 from bringup_lint.graph.secrets.ros import named_values
 from bringup_lint.parsers.dockerfile import assignments
 from bringup_lint.parsers.env_file import parse
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Origin
 from bringup_lint.source import Source
@@ -43,33 +44,33 @@ if TYPE_CHECKING:
     from bringup_lint.graph.systemd.units import Units
     from bringup_lint.model.dockerfile import Dockerfile
 
-_NAME = re.compile(
+_NAME = regex(
     r"(?:^|[._-])(?:pass(?:word|wd|phrase|code)?|pwd|secret|token|credentials?|psk|"
     r"(?:api|access|secret|private|auth|account|encryption|signing|shared|license)[_-]?key)(?:[_-]?\d+|[_-]value)?$",
     re.I,
 )
-_NO_NAME = re.compile(r"^(?:old)?pwd$", re.I)
-_KNOWN_VALUE = re.compile(
+_NO_NAME = regex(r"^(?:old)?pwd$", re.I)
+_KNOWN_VALUE = regex(
     r"\b(?:AKIA|ASIA)[0-9A-Z]{16}\b|\bgh[pousr]_[A-Za-z0-9]{30,}|\bgithub_pat_\w{30,}|\bglpat-[\w-]{20}"
     r"|\bsk[-_]live[-_]\w{16,}|\bxox[abprs]-[\w-]{20,}|-----BEGIN (?:[A-Z]+ )*PRIVATE KEY-----"
     r"|\beyJ[\w-]{10,}\.eyJ[\w-]{10,}\.[\w-]{10,}"
 )
-_USER_INFO = re.compile(r"\b[a-z][a-z0-9+.-]*://[^/\s:@]+:([^@/\s]+)@")
-_NO_VALUE = re.compile(
+_USER_INFO = regex(r"\b[a-z][a-z0-9+.-]*://[^/\s:@]+:([^@/\s]+)@")
+_NO_VALUE = regex(
     r"[/~]|\#\s|\$|%|file:|env:|true$|false$|yes$|no$|on$|off$|\d{1,5}$|.*\.(?:pem|key|crt|cer|p12|env|json|ya?ml|txt)$",
     re.I,
 )
-_WEAK = re.compile(r"(?:change[-_ ]?me|password|passwd|secret|admin|default|test|example|xxx+|foo|bar|abc)\d*$", re.I)
-_PLACEHOLDER = re.compile(r"(?:xxx+|foo|bar|abc|test|example|.{1,3})\d*", re.I)
+_WEAK = regex(r"(?:change[-_ ]?me|password|passwd|secret|admin|default|test|example|xxx+|foo|bar|abc)\d*$", re.I)
+_PLACEHOLDER = regex(r"(?:xxx+|foo|bar|abc|test|example|.{1,3})\d*", re.I)
 """The default of a launch argument that nobody takes for a password."""
-_OPTION = re.compile(r"--([A-Za-z][\w.-]*)(?:=(.*))?$", re.S)
-_SAMPLE = re.compile(
+_OPTION = regex(r"--([A-Za-z][\w.-]*)(?:=(.*))?$", re.S)
+_SAMPLE = regex(
     r"_(?:example|sample|template)s?\.|[.-](?:example|sample|template|dist|tmpl|default)s?(?:$|\.)|^(?:example|sample)",
     re.I,
 )
 
 
-_SETTING = re.compile(
+_SETTING = regex(
     r"^[ \t]*(?P<name>[\w-]*(?:password|passwd|passphrase|psk|secret|token))[ \t]*[=:][ \t]*"
     r"[\"']?(?P<value>[^\s\"']{3,})"
     r"[\"']?[ \t]*$",

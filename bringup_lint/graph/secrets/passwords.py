@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
@@ -15,32 +16,30 @@ if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
 
 _WIFI = {
-    "hostapd": re.compile(r"^[ \t]*(?P<name>wpa_passphrase|wpa_psk|sae_password)=(?P<value>[^\n\r|]+)", re.M),
-    "wpa-supplicant": re.compile(
-        r"^[ \t]*(?P<name>psk|password|sae_password)=(?!ext:|hash:)\"?(?P<value>[^\n\r\"]+)", re.M
-    ),
-    "networkmanager": re.compile(r"^(?P<name>psk|password|wep-key\d|private-key-password)=(?P<value>[^\n\r]+)", re.M),
-    "code-server": re.compile(r"^(?P<name>password):[ \t]*[\"']?(?P<value>[^\s\"'#]+)[\"']?[ \t\r]*$", re.M),
+    "hostapd": regex(r"^[ \t]*(?P<name>wpa_passphrase|wpa_psk|sae_password)=(?P<value>[^\n\r|]+)", re.M),
+    "wpa-supplicant": regex(r"^[ \t]*(?P<name>psk|password|sae_password)=(?!ext:|hash:)\"?(?P<value>[^\n\r\"]+)", re.M),
+    "networkmanager": regex(r"^(?P<name>psk|password|wep-key\d|private-key-password)=(?P<value>[^\n\r]+)", re.M),
+    "code-server": regex(r"^(?P<name>password):[ \t]*[\"']?(?P<value>[^\s\"'#]+)[\"']?[ \t\r]*$", re.M),
 }
 """Kind of file -> where it holds a password."""
 _WORD = r"(?P<quote>[\"']?)(?P<value>[^\s\"'{}!#]+)(?P=quote)"
 _VARIABLES = (
-    re.compile(r"^[ \t]*[\"']?(?P<name>[A-Za-z_]\w*)[\"']?:[ \t]+" + _WORD + r"[ \t\r]*(?:#.*)?$", re.M),
-    re.compile(r"(?<![\w#])(?P<name>ansible_\w*pass(?:word)?)[ \t]*=[ \t]*" + _WORD + r"(?=\s|$)"),
+    regex(r"^[ \t]*[\"']?(?P<name>[A-Za-z_]\w*)[\"']?:[ \t]+" + _WORD + r"[ \t\r]*(?:#.*)?$", re.M),
+    regex(r"(?<![\w#])(?P<name>ansible_\w*pass(?:word)?)[ \t]*=[ \t]*" + _WORD + r"(?=\s|$)"),
 )
 """Variables of Ansible: YAML, and the words of an inventory."""
 
 _SUDO = r"(?:sudo[ \t]+(?:-\w+[ \t]+)*)?"
 _SECRET = r"(?P<value>[^\s\"'`$|;&<>\\{}]{1,100})"
 _ACCOUNTS = (
-    re.compile(
+    regex(
         r"\b(?:echo|printf)[ \t]+(?:-[en]+[ \t]+)*(?P<quote>[\"']?)(?P<user>[a-z_][\w-]{0,31}):"
         + _SECRET
         + r"(?:\\n)?(?P=quote)[ \t]*\|[ \t]*"
         + _SUDO
         + r"chpasswd\b(?![ \t]+(?:-e|--encrypted))"
     ),
-    re.compile(
+    regex(
         r"\b(?:echo[ \t]+-e|printf)[ \t]+(?P<quote>[\"'])"
         + _SECRET
         + r"\\n(?P=value)(?:\\n)?(?P=quote)[ \t]*\|[ \t]*"
@@ -50,17 +49,17 @@ _ACCOUNTS = (
 )
 """Commands that set the password of a user."""
 _PROGRAMS = (
-    re.compile(r"\b(?P<program>sshpass)[ \t]+-p[ \t]*(?P<quote>[\"']?)" + _SECRET + r"(?P=quote)(?=[ \t])"),
-    re.compile(
+    regex(r"\b(?P<program>sshpass)[ \t]+-p[ \t]*(?P<quote>[\"']?)" + _SECRET + r"(?P=quote)(?=[ \t])"),
+    regex(
         r"\b(?P<program>x11vnc)[ \t][^\n|;&]{0,300}?-passwd[ \t]+(?P<quote>[\"']?)" + _SECRET + r"(?P=quote)(?=\s|$)"
     ),
-    re.compile(
+    regex(
         r"\b(?P<program>nmcli)[ \t][^\n|;&]{0,300}?[ \t](?:password|(?:wifi|802-11-wireless)-sec(?:urity)?\.psk)[ \t]+"
         r"(?P<quote>[\"']?)" + _SECRET + r"(?P=quote)(?=\s|$)"
     ),
 )
 """Commands that are given a password."""
-_REMOTE_LOGIN = re.compile(r"\b(?:sshd|openssh-server|xrdp|x11vnc|tigervnc|vncserver)\b")
+_REMOTE_LOGIN = regex(r"\b(?:sshd|openssh-server|xrdp|x11vnc|tigervnc|vncserver)\b")
 
 
 class Password(NamedTuple):

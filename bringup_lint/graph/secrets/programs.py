@@ -9,6 +9,7 @@ from itertools import islice
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
@@ -19,22 +20,20 @@ MODULES = 2_000
 """Python modules of one tree that are read besides its nodes."""
 TEXT = 500_000
 """Code points of such a module."""
-_LAUNCH = re.compile(r"[._-]launch\.py$|/launch/|/(?:setup|conftest)\.py$")
+_LAUNCH = regex(r"[._-]launch\.py$|/launch/|/(?:setup|conftest)\.py$")
 _LITERAL = r"""(?P<quote>["'])(?P<value>[^\s"'\\]{8,200})(?P=quote)"""
 _PATTERNS = {
     "python-node": (
-        re.compile(r"(?<![\w\"'])(?P<name>[A-Za-z_]\w*)[ \t]*(?::[ \t]*str[ \t]*)?=[ \t]*" + _LITERAL),
-        re.compile(r"""["'](?P<name>[A-Za-z_]\w*)["'][ \t]*[:,][ \t]*""" + _LITERAL),
+        regex(r"(?<![\w\"'])(?P<name>[A-Za-z_]\w*)[ \t]*(?::[ \t]*str[ \t]*)?=[ \t]*" + _LITERAL),
+        regex(r"""["'](?P<name>[A-Za-z_]\w*)["'][ \t]*[:,][ \t]*""" + _LITERAL),
     ),
     "shell-script": (
-        re.compile(r"^[ \t]*(?:export[ \t]+)?(?P<name>[A-Za-z_]\w*)=" + _LITERAL, re.M),
-        re.compile(
-            r"^[ \t]*(?:export[ \t]+)?(?P<name>[A-Za-z_]\w*)=(?P<value>[^\s\"'$`;&|()<>\\]{8,200})[ \t]*$", re.M
-        ),
+        regex(r"^[ \t]*(?:export[ \t]+)?(?P<name>[A-Za-z_]\w*)=" + _LITERAL, re.M),
+        regex(r"^[ \t]*(?:export[ \t]+)?(?P<name>[A-Za-z_]\w*)=(?P<value>[^\s\"'$`;&|()<>\\]{8,200})[ \t]*$", re.M),
     ),
 }
-_LOOKS_DRAWN = re.compile(r"(?=.*[0-9])(?=.*[A-Za-z])[\w+/=.!@#^*:-]+$")
-_TEST = re.compile(r"(?:^|/)(?:tests?|examples?|samples?)/|(?:^|/)(?:test_[^/]*|[^/]*_test)\.")
+_LOOKS_DRAWN = regex(r"(?=.*[0-9])(?=.*[A-Za-z])[\w+/=.!@#^*:-]+$")
+_TEST = regex(r"(?:^|/)(?:tests?|examples?|samples?)/|(?:^|/)(?:test_[^/]*|[^/]*_test)\.")
 
 
 class Assigned(NamedTuple):

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
@@ -14,6 +13,7 @@ from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.sros2.enclaves import enclave_of
 from bringup_lint.graph.sros2.enclaves import in_words
 from bringup_lint.model.launch import ComposableNode
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
 if TYPE_CHECKING:
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
     from bringup_lint.graph.launch.launch import Launch
 
-_ACTUATOR = re.compile(
+_ACTUATOR = regex(
     r"(?:^|[_-])(?:motors?|wheels?|drives?|base|chassis|actuators?|arm|gripper|thrusters?|servos?|steering|blade)(?:[_-]|$)"
 )
 _ACTUATOR_ROLES = ("hardware", "control")

@@ -40,6 +40,7 @@ from bringup_lint.parsers.certificate import Certificate
 from bringup_lint.parsers.certificate import parse as certificate
 from bringup_lint.parsers.shell import commands
 from bringup_lint.parsers.sros2_policy import policy
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
@@ -51,10 +52,10 @@ if TYPE_CHECKING:
     from bringup_lint.graph.runners.runners import Runners
     from bringup_lint.graph.topics.topics import Topics
 
-_OTHERS = re.compile(r"(?:^|/)(?:tests?|examples?|docs?|samples?|defaults?)/", re.I)
+_OTHERS = regex(r"(?:^|/)(?:tests?|examples?|docs?|samples?|defaults?)/", re.I)
 """Folders whose documents no robot uses."""
-_USED = re.compile(r"(?:^|/)(?:governance|permissions)\.(?:xml|p7s|smime)$")
-_ENCLAVES = re.compile(r"(?:^|/)enclaves/")
+_USED = regex(r"(?:^|/)(?:governance|permissions)\.(?:xml|p7s|smime)$")
+_ENCLAVES = regex(r"(?:^|/)enclaves/")
 SIGNED_FORMS = (".p7s", ".smime")
 
 

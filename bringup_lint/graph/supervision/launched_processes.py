@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 
@@ -10,17 +9,18 @@ from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.resolve import truth
 from bringup_lint.model.launch import Process
 from bringup_lint.parsers.shell import split
+from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
     from bringup_lint.graph.launch.expansion import Expansion
     from bringup_lint.graph.launch.started import Started
     from bringup_lint.model.launch_values import Value
 
-_CHECK_WORD = re.compile(
+_CHECK_WORD = regex(
     r"(?:^|[/_.-])(?:check|checks|verify|validate|validation|preflight|pre_flight|self_?test|diagnose|wait_for)(?:$|[/_.-])"
 )
-_SHELL_TEST = re.compile(r"(?:^|[;&|(]\s*|\bif\s+|\s)(?:test\s+-|\[\s+-|\[\[\s)")
-_SECONDS = re.compile(r"\d+(?:\.\d+)?")
+_SHELL_TEST = regex(r"(?:^|[;&|(]\s*|\bif\s+|\s)(?:test\s+-|\[\s+-|\[\[\s)")
+_SECONDS = regex(r"\d+(?:\.\d+)?")
 _SHELLS = ("bash", "sh", "dash", "zsh")
 
 

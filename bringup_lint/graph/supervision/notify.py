@@ -15,6 +15,7 @@ from typing import NamedTuple
 
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.supervision.launched_by_unit import expansion_of
+from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
     from bringup_lint.graph.commands.ros_command import Ros
@@ -29,13 +30,13 @@ if TYPE_CHECKING:
     from bringup_lint.source import Located
     from bringup_lint.source import Source
 
-SPEAKS = re.compile(
+SPEAKS = regex(
     r"\bsd_(?:pid_)?notify|READY=1|WATCHDOG=1|systemd-notify|\bsdnotify\b|NOTIFY_SOCKET|systemd\.daemon|cysystemd"
 )
 """What code that talks to systemd contains."""
 
 _CODE = (".py", ".cpp", ".cc", ".cxx", ".c", ".hpp", ".hxx", ".h", ".rs", ".sh", ".bash")
-_PERHAPS = re.compile(r"notif|systemd|watchdog|heartbeat|sd_", re.I)
+_PERHAPS = regex(r"notif|systemd|watchdog|heartbeat|sd_", re.I)
 """Names of packages that are not in the tree and might notify."""
 _FILES = 5000
 

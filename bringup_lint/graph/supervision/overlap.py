@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 from typing import NamedTuple
+
+from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
     from bringup_lint.graph.commands.ros_command import Ros
@@ -14,8 +15,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.systemd.units import Units
     from bringup_lint.source import Span
 
-_WHOLE_ROBOT = re.compile(r"(?:\w+_)?(?:bringup|robot|full|all|system|stack|main)(?:\.launch)?\.(?:py|xml|ya?ml)$")
-_ONE_LAYER = re.compile(
+_WHOLE_ROBOT = regex(r"(?:\w+_)?(?:bringup|robot|full|all|system|stack|main)(?:\.launch)?\.(?:py|xml|ya?ml)$")
+_ONE_LAYER = regex(
     r"(?:\w+_)?(?:drivers?|hardware|sensors?|perception|localization|slam|mapping|nav2?|navigation|application|planning)"
     r"(?:\.launch)?\.(?:py|xml|ya?ml)$"
 )

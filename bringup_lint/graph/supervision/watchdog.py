@@ -9,18 +9,19 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
     from bringup_lint.graph.systemd.daemons import Daemon
 
-_SETTING = re.compile(r"^[ \t]*([\w-]+)[ \t]*=[ \t]*([^\s#]+)", re.M)
-_OPENS = re.compile(
+_SETTING = regex(r"^[ \t]*([\w-]+)[ \t]*=[ \t]*([^\s#]+)", re.M)
+_OPENS = regex(
     r"\b(?:open|fopen|os\.open|ofstream|ifstream)\b[^\n]*?[\"'](/dev/watchdog\d*)[\"']|>\s*(/dev/watchdog\d*)\b"
 )
-_PROGRAM = re.compile(r"\.(?:py|sh|bash|c|cc|cpp|cxx|hpp|rs)$")
-_TEST = re.compile(r"(?:^|/)(?:tests?|docs?|examples?)/")
+_PROGRAM = regex(r"\.(?:py|sh|bash|c|cc|cpp|cxx|hpp|rs)$")
+_TEST = regex(r"(?:^|/)(?:tests?|docs?|examples?)/")
 _MOST_PROGRAMS = 2000
 
 Owner = tuple[Located, str]

@@ -5,14 +5,13 @@ from __future__ import annotations
 import re
 
 from bringup_lint.graph.files import Files
+from bringup_lint.pattern import regex
 from bringup_lint.source import Span
 
-_SETCAP = re.compile(
+_SETCAP = regex(
     r"\bsetcap\b[ \t]+(?:-\w+[ \t]+)*[\"']?(cap_\w+(?:,cap_\w+)*,?)[=+][epi+]+[\"']?[ \t]+[\"']?([^\s\"';&|]+)", re.I
 )
-_SCRIPTS = re.compile(
-    r"\.(?:sh|bash|cmake|mk|ya?ml)$|(?:^|/)(?:CMakeLists\.txt|Makefile|Dockerfile[^/]*|postinst|[^/.]+)$"
-)
+_SCRIPTS = regex(r"\.(?:sh|bash|cmake|mk|ya?ml)$|(?:^|/)(?:CMakeLists\.txt|Makefile|Dockerfile[^/]*|postinst|[^/.]+)$")
 _FILES = 3000
 
 

@@ -25,6 +25,7 @@ from bringup_lint.parsers import daemon_conf
 from bringup_lint.parsers.systemd_values import ValueProblem
 from bringup_lint.parsers.systemd_values import parse_bool
 from bringup_lint.parsers.unit import parse
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
@@ -32,7 +33,7 @@ Value = TypeVar("Value")
 
 DIRECTORIES = ("/etc/systemd", "/run/systemd", "/usr/local/lib/systemd", "/usr/lib/systemd", "/lib/systemd")
 """In the order in which they win."""
-_COMMENTED = re.compile(r"^[ \t]*[#;][ \t]*(\w+)[ \t]*=[ \t]*((?:.*[^ \t\n])?)[ \t]*$", re.M)
+_COMMENTED = regex(r"^[ \t]*[#;][ \t]*(\w+)[ \t]*=[ \t]*((?:.*[^ \t\n])?)[ \t]*$", re.M)
 
 
 class DaemonLine(NamedTuple):

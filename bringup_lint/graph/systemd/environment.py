@@ -6,7 +6,6 @@ UnsetEnvironment=.
 
 from __future__ import annotations
 
-import re
 from typing import NamedTuple
 
 from bringup_lint.graph.commands.command_line import Step
@@ -22,10 +21,11 @@ from bringup_lint.parsers.systemd_values import expand
 from bringup_lint.parsers.systemd_values import split_environment
 from bringup_lint.parsers.systemd_values import split_words
 from bringup_lint.parsers.systemd_values import unit_specifiers
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
-_GLOB = re.compile(r"[*?\[]")
+_GLOB = regex(r"[*?\[]")
 
 
 class EnvironmentFile(NamedTuple):

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -11,9 +10,10 @@ from bringup_lint.graph.systemd.directories import paths
 from bringup_lint.graph.systemd.sandbox import Sandbox
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.graph.systemd.units import Units
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
-_BELOW = re.compile(r"(?<![\w./])/(?:home/[\w.-]+|root)(?:/[\w.@+-]+)*")
+_BELOW = regex(r"(?<![\w./])/(?:home/[\w.-]+|root)(?:/[\w.@+-]+)*")
 _REOPENING = ("ReadWritePaths", "ReadOnlyPaths", "ExecPaths")
 
 

@@ -3,9 +3,9 @@ Path")."""
 
 from __future__ import annotations
 
-import re
 from typing import NamedTuple
 
+from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 
 SYSTEM_PATH = (
@@ -36,9 +36,7 @@ USER_PATH = (
 )
 """Directories in the order in which they win (systemd.unit(5), "Unit File Load Path")."""
 
-_USER_FOLDER = re.compile(
-    r"(?:^|/)(?:(?:systemd|units?|services?)[/_-]user|user[_-](?:systemd|units?|services?))(?:/|$)"
-)
+_USER_FOLDER = regex(r"(?:^|/)(?:(?:systemd|units?|services?)[/_-]user|user[_-](?:systemd|units?|services?))(?:/|$)")
 
 
 class Place(NamedTuple):

@@ -9,21 +9,22 @@ from dataclasses import dataclass
 from dataclasses import field
 
 from bringup_lint.model.shell import Block
+from bringup_lint.pattern import regex
 
-_SPAN = re.compile(r"([0-9]+(?:\.[0-9]+)?|\.[0-9]+)([smhd]?)$")
+_SPAN = regex(r"([0-9]+(?:\.[0-9]+)?|\.[0-9]+)([smhd]?)$")
 _UNITS = {"": 1.0, "s": 1.0, "m": 60.0, "h": 3600.0, "d": 86400.0}
-_VARIABLE = re.compile(r"\$(?:(\w+)|\{(\w+)(?::?-([^{}]*))?\})$")
-_ARRAY = re.compile(r"\$\{(\w+)\[[@*]\]\}$")
-_SEQUENCE = re.compile(
+_VARIABLE = regex(r"\$(?:(\w+)|\{(\w+)(?::?-([^{}]*))?\})$")
+_ARRAY = regex(r"\$\{(\w+)\[[@*]\]\}$")
+_SEQUENCE = regex(
     r"\$\(\s*seq\s+(?:(\S+)\s+)?(?:(\S+)\s+)?(\S+?)\s*\)$|`\s*seq\s+(?:(\S+)\s+)?(?:(\S+)\s+)?(\S+?)\s*`$"
 )
-_BRACES = re.compile(r"\{(\d+)\.\.(\d+)\}$")
-_C_LOOP = re.compile(r"\(\(\s*(\w+)\s*=\s*(\d+)\s*;\s*\w+\s*(<=?)\s*(\$?\{?\w+\}?)\s*;")
+_BRACES = regex(r"\{(\d+)\.\.(\d+)\}$")
+_C_LOOP = regex(r"\(\(\s*(\w+)\s*=\s*(\d+)\s*;\s*\w+\s*(<=?)\s*(\$?\{?\w+\}?)\s*;")
 _COMPARED = {"-ge": 0, "-gt": 1, "-lt": 0, "-le": 1, "-eq": 0, ">=": 0, ">": 1, "<": 0, "<=": 1, "==": 0}
-_ARITHMETIC = re.compile(r"(?<!\w)\$?\{?(\w+)\}?\s*(>=|<=|==|>|<)\s*(\$?\{?\w+\}?)")
-_GROWS = re.compile(r"(?<!\w)(\w+)\s*(?:\+\+|\+=\s*(\$?\{?\w+\}?)|=\s*\$?\{?\1\}?\s*\+\s*(\$?\{?\w+\}?))|\+\+\s*(\w+)")
-_ASSIGNED_SUM = re.compile(r"(\w+)=\$\(\(\s*\$?\{?(\w+)\}?\s*\+\s*(\$?\{?\w+\}?)\s*\)\)$")
-_EXPR_SUM = re.compile(r"(\w+)=(?:\$\(|`)\s*expr\s+\$\{?(\w+)\}?\s*\+\s*(\S+?)\s*[)`]$")
+_ARITHMETIC = regex(r"(?<!\w)\$?\{?(\w+)\}?\s*(>=|<=|==|>|<)\s*(\$?\{?\w+\}?)")
+_GROWS = regex(r"(?<!\w)(\w+)\s*(?:\+\+|\+=\s*(\$?\{?\w+\}?)|=\s*\$?\{?\1\}?\s*\+\s*(\$?\{?\w+\}?))|\+\+\s*(\w+)")
+_ASSIGNED_SUM = regex(r"(\w+)=\$\(\(\s*\$?\{?(\w+)\}?\s*\+\s*(\$?\{?\w+\}?)\s*\)\)$")
+_EXPR_SUM = regex(r"(\w+)=(?:\$\(|`)\s*expr\s+\$\{?(\w+)\}?\s*\+\s*(\S+?)\s*[)`]$")
 
 
 @dataclass

@@ -6,7 +6,6 @@ A shell is replaced by what it execs; ``bash -c`` also execs the last command of
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
 from typing import Literal
 from typing import NamedTuple
@@ -23,14 +22,15 @@ from bringup_lint.graph.files import Files
 from bringup_lint.graph.systemd.process import Process
 from bringup_lint.model.shell import Command
 from bringup_lint.parsers.shell import commands
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
 CONTAINERS = frozenset(
     {"docker", "podman", "docker-compose", "podman-compose", "systemd-nspawn", "lxc-start", "lxc", "nerdctl"}
 )
-_PYTHON = re.compile(r"python[0-9.]*$")
-_PYTHON_SCRIPT = re.compile(r"#!\s*\S*/(?:env\s+(?:-S\s+)?)?python")
+_PYTHON = regex(r"python[0-9.]*$")
+_PYTHON_SCRIPT = regex(r"#!\s*\S*/(?:env\s+(?:-S\s+)?)?python")
 _BUILTINS = frozenset(
     (
         ": . [ [[ alias break cd continue declare echo eval exit export false hash kill let local printf "
@@ -38,7 +38,7 @@ _BUILTINS = frozenset(
     ).split()
 )
 """Commands that bash runs itself, so that there is nothing to exec."""
-_TRAPS = re.compile(r"\btrap\b")
+_TRAPS = regex(r"\btrap\b")
 _ALL_ARGUMENTS = ("$@", "$*")
 
 Kind = Literal["launch", "run", "node", "cli", "shell", "lost", "python", "container", "program", "unknown"]

@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from enum import Enum
 from typing import NamedTuple
 
 from bringup_lint.graph.systemd.filesystem import Filesystem
 from bringup_lint.graph.systemd.process import Process
+from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 
-_OWN = re.compile(r"/(?:usr/local|opt|etc|home|root|srv|var|data)/.+")
+_OWN = regex(r"/(?:usr/local|opt|etc|home|root|srv|var|data)/.+")
 """Where programs lie that no package of the distribution brings."""
-_SCRIPT = re.compile(r"\.(?:sh|bash|py|pl)$")
+_SCRIPT = regex(r"\.(?:sh|bash|py|pl)$")
 
 
 class Defect(Enum):

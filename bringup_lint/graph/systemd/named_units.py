@@ -22,6 +22,7 @@ from bringup_lint.graph.systemd.unit_loading import LoadedUnits
 from bringup_lint.graph.systemd.unit_loading import load_units
 from bringup_lint.graph.variants import overlay_of
 from bringup_lint.parsers.systemd_values import is_unit_name
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.spelling import nearest
 
@@ -36,7 +37,7 @@ _USUAL_TARGETS = frozenset(
         "default.target",
     }
 )
-_DIGITS = re.compile(r"\d+")
+_DIGITS = regex(r"\d+")
 
 
 @dataclass(eq=False)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from enum import Enum
 from typing import NamedTuple
 
@@ -10,17 +9,18 @@ from bringup_lint.graph.commands.wrappers import program_name
 from bringup_lint.graph.systemd.process import Process
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.graph.systemd.units import Units
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
-_HOME = re.compile(r"/home/([^/]+)/")
-_INTERPRETER = re.compile(r"(?:python[0-9.]*|node|nodejs|ruby|perl|bash|sh|dash)$")
+_HOME = regex(r"/home/([^/]+)/")
+_INTERPRETER = regex(r"(?:python[0-9.]*|node|nodejs|ruby|perl|bash|sh|dash)$")
 _OF_DISTRIBUTION = ("/usr/lib/", "/usr/share/", "/usr/bin/", "/lib/")
 _RELAYS = frozenset(
     "socat nc ncat netcat websockify ttyd gunicorn uvicorn mjpg_streamer x0vncserver x0tigervncserver x11vnc jupyter "
     "jupyter-lab jupyter-notebook code-server foxglove_bridge node-red".split()
 )
-_OWN_PLACE = re.compile(r"/(?:opt|srv)/")
-_NEEDS_ROOT = re.compile(
+_OWN_PLACE = regex(r"/(?:opt|srv)/")
+_NEEDS_ROOT = regex(
     r"\b(?:ip (?:-\S+ ){0,8}link|ifconfig|modprobe|insmod|mount|iptables|nft|sysctl|systemctl|nvpmodel|jetson_clocks"
     r"|slcand|hciconfig|rfkill|reboot|poweroff|shutdown|chown|setcap)\b"
 )

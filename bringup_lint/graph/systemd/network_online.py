@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.graph.systemd.units import Units
 from bringup_lint.model.unit import Assignment
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Span
 
@@ -16,7 +16,7 @@ WAITER = "systemd-networkd-wait-online.service"
 ONLINE = "network-online.target"
 _EARLY = ("network.target", "network-pre.target", "NetworkManager.service", "systemd-networkd.service")
 """Units that are up before any interface has an address."""
-_WAITS = re.compile(
+_WAITS = regex(
     r"wait-online|nm-online|\bping\b|wait[-_ ]?for[-_ ]?(?:the[-_ ])?(?:net|ip\b|interface)"
     r"|\bip (?:-\S+ ){0,8}(?:a|addr|route)\b"
 )

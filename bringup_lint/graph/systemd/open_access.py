@@ -12,11 +12,12 @@ from bringup_lint.addresses import is_wildcard
 from bringup_lint.graph.commands.wrappers import program_name
 from bringup_lint.graph.commands.wrappers import unwrapped
 from bringup_lint.graph.systemd.process import Process
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
-_VNC = re.compile(r"(?:x0|X|tiger|tight)?vnc(?:server)?(?:\.\w+)?|x0tigervncserver|x0vncserver|Xvnc|Xtigervnc", re.I)
-_JUPYTER = re.compile(r"jupyter(?:-\w+)?")
-_NO_TOKEN = re.compile(r"--(?:Notebook|Server|Lab|Identity)(?:App|Provider)\.token=(?:''|\"\")?")
+_VNC = regex(r"(?:x0|X|tiger|tight)?vnc(?:server)?(?:\.\w+)?|x0tigervncserver|x0vncserver|Xvnc|Xtigervnc", re.I)
+_JUPYTER = regex(r"jupyter(?:-\w+)?")
+_NO_TOKEN = regex(r"--(?:Notebook|Server|Lab|Identity)(?:App|Provider)\.token=(?:''|\"\")?")
 
 
 class OpenAccess(NamedTuple):

@@ -6,10 +6,12 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.pattern import regex
+
 if TYPE_CHECKING:
     from bringup_lint.discover.tree import Tree
 
-_SCRIPT = re.compile(
+_SCRIPT = regex(
     r"(?:\.(?:sh|bash|py|ya?ml|cmake|mk|bb|bbappend|install|postinst|preinst|j2|toml|nix)"
     r"|(?:^|/)(?:Makefile|Dockerfile\S*|Containerfile|CMakeLists\.txt|justfile|rules|postinst))$"
 )

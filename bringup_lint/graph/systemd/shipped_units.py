@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from functools import lru_cache
 
-GENERATED = re.compile(
+from bringup_lint.pattern import regex
+
+GENERATED = regex(
     r"\.(?:device|mount|automount|swap|slice|scope)$|^(?:getty|serial-getty|user|user-runtime-dir|modprobe|systemd-fsck"
     r"|systemd-backlight|systemd-growfs|systemd-cryptsetup|systemd-pcrphase|wpa_supplicant|dhcpcd|ifup|netplan-\w+"
     r"|container-getty|autovt|systemd-[\w-]+)@|^(?:dbus-.*|netplan-.*|snap[.-].*|cloud-.*|nvargus-.*|nvidia-.*)\.\w+$"

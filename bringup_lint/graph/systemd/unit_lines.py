@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache
@@ -21,9 +20,10 @@ from bringup_lint.parsers.systemd_values import is_unit_name
 from bringup_lint.parsers.systemd_values import split_command_line
 from bringup_lint.parsers.systemd_values import split_environment
 from bringup_lint.parsers.systemd_values.words import extract
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
-_VARIABLE = re.compile(r"\$(?:\{[A-Za-z_][^}]{0,400}\}|[A-Za-z_][A-Za-z0-9_]*)")
+_VARIABLE = regex(r"\$(?:\{[A-Za-z_][^}]{0,400}\}|[A-Za-z_][A-Za-z0-9_]*)")
 _FREE_TEXT = frozenset(
     {"command", "any", "ignored", "base64", "credential-value", "string", "label", "condition-string"}
 )

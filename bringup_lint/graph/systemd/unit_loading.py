@@ -20,11 +20,12 @@ from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.model.unit import UnitFile
 from bringup_lint.parsers.unit import parse
 from bringup_lint.parsers.unit import unit_name
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.templates import final_name
 
-_LINK_FOLDER = re.compile(r"([^/]+)\.(wants|requires|upholds)$")
+_LINK_FOLDER = regex(r"([^/]+)\.(wants|requires|upholds)$")
 _RELATION = {"wants": "Wants", "requires": "Requires", "upholds": "Upholds"}
 
 

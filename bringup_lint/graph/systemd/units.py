@@ -43,19 +43,20 @@ from bringup_lint.graph.systemd.user_database import UserDatabase
 from bringup_lint.graph.systemd.waits import Wait
 from bringup_lint.graph.systemd.waits import longest_wait
 from bringup_lint.model.unit import UnitFile
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
-_DDS_VARIABLE = re.compile(r"(?:ROS|RMW|CYCLONEDDS|FASTRTPS|FASTDDS|ZENOH)_(?!VERSION$|PYTHON_VERSION$)")
+_DDS_VARIABLE = regex(r"(?:ROS|RMW|CYCLONEDDS|FASTRTPS|FASTDDS|ZENOH)_(?!VERSION$|PYTHON_VERSION$)")
 
 
-_OF_ROS = re.compile(
+_OF_ROS = regex(
     r"(?<![a-z])(?:micro)?ros(?:[12](?![0-9])|(?![a-z]))|launch|bring[-_ ]?up|\bnav2|moveit|gazebo"
     r"|\bnavigation\b|\brobot[ ](?:control|stack|software)\b",
     re.I,
 )
-_WORD = re.compile(r"[\w:.\\@-]+")
-_WORD_START = re.compile(r"\b(?=\w)")
-_TYPE = re.compile(rf"\.(?:target|{'|'.join(SECTION_OF_TYPE)})")
+_WORD = regex(r"[\w:.\\@-]+")
+_WORD_START = regex(r"\b(?=\w)")
+_TYPE = regex(rf"\.(?:target|{'|'.join(SECTION_OF_TYPE)})")
 _LONGEST_WORD = 1000
 
 

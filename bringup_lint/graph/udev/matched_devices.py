@@ -11,20 +11,21 @@ from bringup_lint.graph.udev.patterns import is_plain
 from bringup_lint.graph.udev.patterns import matches
 from bringup_lint.graph.udev.patterns import may_overlap
 from bringup_lint.model.udev import Token
+from bringup_lint.pattern import regex
 
 USB_DEVICE = "usb_device"
 USB_INTERFACE = "usb_interface"
 _WELL_KNOWN = frozenset({USB_DEVICE, USB_INTERFACE, "usb-serial", "tty", "video4linux"})
 
 _LEVEL_OF_NAME = (
-    (re.compile(r"(?:\d+-\d+(?:\.\d+)*|usb\d+)\Z"), frozenset({USB_DEVICE})),
-    (re.compile(r"\d+-\d+(?:\.\d+)*:\d+\.\d+\Z"), frozenset({USB_INTERFACE})),
-    (re.compile(r"[0-9a-f]{4,5}:[0-9a-f]{2}:[0-9a-f]{2}\.[0-7]\Z"), frozenset({"pci"})),
-    (re.compile(r"ttyUSB\d+\Z"), frozenset({"usb-serial", "tty"})),
-    (re.compile(r"ttyACM\d+\Z"), frozenset({"tty"})),
-    (re.compile(r"video\d+\Z"), frozenset({"video4linux"})),
+    (regex(r"(?:\d+-\d+(?:\.\d+)*|usb\d+)\Z"), frozenset({USB_DEVICE})),
+    (regex(r"\d+-\d+(?:\.\d+)*:\d+\.\d+\Z"), frozenset({USB_INTERFACE})),
+    (regex(r"[0-9a-f]{4,5}:[0-9a-f]{2}:[0-9a-f]{2}\.[0-7]\Z"), frozenset({"pci"})),
+    (regex(r"ttyUSB\d+\Z"), frozenset({"usb-serial", "tty"})),
+    (regex(r"ttyACM\d+\Z"), frozenset({"tty"})),
+    (regex(r"video\d+\Z"), frozenset({"video4linux"})),
 )
-_INTERFACE_GLOB = re.compile(r"(?=[^:]*-)[\d*?\[\]-]+[\d.*?\[\]-]*:\d[\d.*?\[\]]*\Z")
+_INTERFACE_GLOB = regex(r"(?=[^:]*-)[\d*?\[\]-]+[\d.*?\[\]-]*:\d[\d.*?\[\]]*\Z")
 """The dash between bus and port tells ``1-1*:1.0`` from ``*:0``, which SCSI addresses match too."""
 
 

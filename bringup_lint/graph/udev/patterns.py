@@ -5,8 +5,10 @@ from __future__ import annotations
 import re
 from functools import lru_cache
 
+from bringup_lint.pattern import regex
+
 _LONGEST = 256
-_SPECIAL = re.compile(r"[*?\[\\]")
+_SPECIAL = regex(r"[*?\[\\]")
 
 
 def is_plain(pattern: str) -> bool:

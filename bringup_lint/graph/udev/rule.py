@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
@@ -23,14 +22,15 @@ from bringup_lint.model.udev import RulesFile
 from bringup_lint.model.udev import Token
 from bringup_lint.parsers.udev_command import Command
 from bringup_lint.parsers.udev_command import read_command
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 
 ACTIONS = ("add", "change", "bind", "unbind", "move", "online", "offline", "remove")
-_SUBSTITUTION = re.compile(r"%%|\$\$|[%$](?:[a-z]+|[A-Z])?(?:\{[^}]{0,400}\})?")
-_PLACEHOLDER = re.compile(r"\{\{(?:(?!\{\{|\}\}).)*\}\}|@\w+@")
-_ID = re.compile(r"[0-9a-f]{4}\Z")
+_SUBSTITUTION = regex(r"%%|\$\$|[%$](?:[a-z]+|[A-Z])?(?:\{[^}]{0,400}\})?")
+_PLACEHOLDER = regex(r"\{\{(?:(?!\{\{|\}\}).)*\}\}|@\w+@")
+_ID = regex(r"[0-9a-f]{4}\Z")
 
 
 class Link(NamedTuple):

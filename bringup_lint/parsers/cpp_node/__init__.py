@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.model.cpp_source import CppNode
@@ -20,6 +19,7 @@ from bringup_lint.parsers.cpp_node.parameters import reads
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.parsers.cpp_node.values import Names
 from bringup_lint.parsers.cpp_node.waits import waits
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
@@ -30,16 +30,14 @@ NESTED = 1_000
 """Brackets that are open at one place, comments and texts included: with more, recovery from errors takes too long."""
 CALLBACKS = 200
 """Callbacks of one file that are looked into."""
-_OF_NODES = re.compile(
+_OF_NODES = regex(
     r"\bcreate_(?:publisher|subscription|service|client|server|wall_timer|timer)\b|_parameters?\w{0,64}\s*[<(]"
     r"|\bNode\b|\bLifecycleNode\b|/dev/|RCLCPP_COMPONENTS_REGISTER_NODE"
 )
-_BRACKET = re.compile(r"[()\[\]{}]")
-_EXECUTORS = re.compile(
-    r"MultiThreadedExecutor|EventsExecutor|create_callback_group|component_container_(?:mt|isolated)"
-)
-_OPENING = re.compile(r"(?i)f?open(?:_?(?:serial|port|device))?\Z|set_?port\Z|VideoCapture\Z|Serial\Z")
-_DEVICE = re.compile(r"/dev/[A-Za-z][\w.+-]*(?:/[\w.:+-]+)*\Z")
+_BRACKET = regex(r"[()\[\]{}]")
+_EXECUTORS = regex(r"MultiThreadedExecutor|EventsExecutor|create_callback_group|component_container_(?:mt|isolated)")
+_OPENING = regex(r"(?i)f?open(?:_?(?:serial|port|device))?\Z|set_?port\Z|VideoCapture\Z|Serial\Z")
+_DEVICE = regex(r"/dev/[A-Za-z][\w.+-]*(?:/[\w.:+-]+)*\Z")
 
 
 def parse(source: Source) -> CppNode:

@@ -7,13 +7,14 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.parsers.cpp_node.syntax import Code
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
 if TYPE_CHECKING:
     from tree_sitter import Node
 
-_BASES = re.compile(r"(?:^|::)(?:Lifecycle)?Node\Z")
-_COMPONENT = re.compile(r"^[ \t]*RCLCPP_COMPONENTS_REGISTER_NODE\s*\(\s*(?P<name>[\w:]+)\s*\)", re.M)
+_BASES = regex(r"(?:^|::)(?:Lifecycle)?Node\Z")
+_COMPONENT = regex(r"^[ \t]*RCLCPP_COMPONENTS_REGISTER_NODE\s*\(\s*(?P<name>[\w:]+)\s*\)", re.M)
 _MAKERS = ("make_shared", "make_unique")
 
 

@@ -14,6 +14,7 @@ from bringup_lint.parsers.cpp_node.qos import quality
 from bringup_lint.parsers.cpp_node.syntax import Call
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.parsers.cpp_node.values import Names
+from bringup_lint.pattern import regex
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
@@ -36,12 +37,12 @@ METHODS = {
 }
 _ACTIONS = {"create_server": Shape("action-server", None, 3), "create_client": Shape("action-client")}
 TIMERS = ("create_wall_timer", "create_timer")
-_BOUND = re.compile(r"&\s*(?:\w+\s*::\s*)*(?P<name>\w+)\s*\Z")
+_BOUND = regex(r"&\s*(?:\w+\s*::\s*)*(?P<name>\w+)\s*\Z")
 _UNITS = {"nanoseconds": 1e-9, "microseconds": 1e-6, "milliseconds": 1e-3, "seconds": 1.0, "minutes": 60.0}
 _SUFFIXES = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0, "min": 60.0, "h": 3600.0}
-_DURATION = re.compile(r"(?:std::)?(?:chrono::)?(?P<unit>\w+)[({](?P<number>[\d.']+)[uUlLfF]*[)}]\Z")
-_LITERAL = re.compile(r"(?P<number>[\d.']+)(?P<unit>ns|us|ms|s|min|h)\Z")
-_SECONDS = re.compile(r"(?:std::)?(?:chrono::)?duration<(?:double|float)>[({](?P<number>[\d.]+)[fF]?[)}]\Z")
+_DURATION = regex(r"(?:std::)?(?:chrono::)?(?P<unit>\w+)[({](?P<number>[\d.']+)[uUlLfF]*[)}]\Z")
+_LITERAL = regex(r"(?P<number>[\d.']+)(?P<unit>ns|us|ms|s|min|h)\Z")
+_SECONDS = regex(r"(?:std::)?(?:chrono::)?duration<(?:double|float)>[({](?P<number>[\d.]+)[fF]?[)}]\Z")
 
 
 def endpoint(code: Code, names: Names, call: Call) -> tuple[Endpoint, Callback | None] | None:

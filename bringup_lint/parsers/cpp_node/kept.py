@@ -8,14 +8,15 @@ from typing import TYPE_CHECKING
 from bringup_lint.parsers.cpp_node.syntax import Call
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.parsers.cpp_node.waits import Bodies
+from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
     from tree_sitter import Node
 
     from bringup_lint.model.node_source import Callback
 
-_SENDS = re.compile(r"(?i)(?:publish|write|send|set_?(?:motor|speed|velocity|pwm|wheel)\w*|drive)\Z")
-_WORD = re.compile(r"[A-Za-z_]\w*")
+_SENDS = regex(r"(?i)(?:publish|write|send|set_?(?:motor|speed|velocity|pwm|wheel)\w*|drive)\Z")
+_WORD = regex(r"[A-Za-z_]\w*")
 
 
 def kept(code: Code, callbacks: list[Callback]) -> dict[str, frozenset[str]]:

@@ -11,6 +11,7 @@ from bringup_lint.model.parameter_words import ParameterWords
 from bringup_lint.parsers.cpp_node.parameters import DECLARING
 from bringup_lint.parsers.cpp_node.parameters import LOOSE
 from bringup_lint.parsers.cpp_node.parameters import reads
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
@@ -23,15 +24,15 @@ if TYPE_CHECKING:
 TEXT = 400_000
 """Code points of a file."""
 _READ = r"\b(?:get_parameter(?:_or|_value)?|has_parameter|undeclare_parameter)\s*(?:<[^;(){}]{0,80}>\s*)?\(\s*"
-_TOKEN = re.compile(
+_TOKEN = regex(
     rf'(?P<read>{_READ})?(?P<before>\+\s*)?"(?P<text>(?:\\.|[^"\\\n])*)"(?P<after>\s*\+)?'
     r"|'(?:\\.|[^'\\\n])'|//[^\n]*|/\*.*?(?:\*/|\Z)",
     re.S,
 )
-_MACRO = re.compile(r"^(?<!\\\n)[ \t]*#[ \t]*define\b(?:\\\n|[^\n])*parameter", re.M)
-_OWN = re.compile(r"(?:(?:this|self|\w{0,64}node\w{0,64})(?:->|\.))?get_parameter\w*\Z", re.I)
-_OWN_DECLARING = re.compile(r"(?:(?:this|self|\w{0,64}node\w{0,64})(?:->|\.))?declare_parameter\Z", re.I)
-_TYPE = re.compile(r"(?:rclcpp::)?(?:ParameterType::)?PARAMETER_[A-Z_]+\Z")
+_MACRO = regex(r"^(?<!\\\n)[ \t]*#[ \t]*define\b(?:\\\n|[^\n])*parameter", re.M)
+_OWN = regex(r"(?:(?:this|self|\w{0,64}node\w{0,64})(?:->|\.))?get_parameter\w*\Z", re.I)
+_OWN_DECLARING = regex(r"(?:(?:this|self|\w{0,64}node\w{0,64})(?:->|\.))?declare_parameter\Z", re.I)
+_TYPE = regex(r"(?:rclcpp::)?(?:ParameterType::)?PARAMETER_[A-Z_]+\Z")
 _LOOPS = frozenset({"for_range_loop", "for_statement", "while_statement"})
 
 

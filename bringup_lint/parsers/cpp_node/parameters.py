@@ -11,14 +11,15 @@ from bringup_lint.model.node_source import Parameter
 from bringup_lint.parsers.cpp_node.syntax import Call
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.parsers.cpp_node.values import declared
+from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
     from tree_sitter import Node
 
 DECLARING = ("declare_parameter", "declare_parameters", "declare_parameter_if_not_declared", "declare_or_get_parameter")
 _READING = {"get_parameter": True, "get_parameter_or": False, "has_parameter": False}
-LOOSE = re.compile(r"automatically_declare_parameters_from_overrides|allow_undeclared_parameters|generate_parameter")
-_NUMBER = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?\Z")
+LOOSE = regex(r"automatically_declare_parameters_from_overrides|allow_undeclared_parameters|generate_parameter")
+_NUMBER = regex(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?\Z")
 
 
 def declarations(code: Code, call: Call) -> Iterator[Parameter]:

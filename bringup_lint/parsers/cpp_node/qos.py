@@ -8,12 +8,13 @@ from dataclasses import replace
 from bringup_lint.model.node_source import INFINITE
 from bringup_lint.model.node_source import Qos
 from bringup_lint.model.node_source import QosChange
+from bringup_lint.pattern import regex
 from bringup_lint.source import Span
 
-_NUMBER = re.compile(r"\d+[uUlL]*\Z")
-_PROFILE = re.compile(r"(?:rclcpp::)?(?P<name>\w*QoS)\s*[({](?P<inner>[^(){}]*(?:[({][^(){}]*[)}][^(){}]*)?)[)}]")
-_CALL = re.compile(r"\.\s*(?P<name>\w+)\s*\((?P<inner>[^()]*)\)\s*")
-_DEPTH = re.compile(r"(?:(?:rclcpp::)?KeepLast\s*[({]\s*)?(?P<depth>\d+)[uUlL]*\s*[)}]?\Z")
+_NUMBER = regex(r"\d+[uUlL]*\Z")
+_PROFILE = regex(r"(?:rclcpp::)?(?P<name>\w*QoS)\s*[({](?P<inner>[^(){}]*(?:[({][^(){}]*[)}][^(){}]*)?)[)}]")
+_CALL = regex(r"\.\s*(?P<name>\w+)\s*\((?P<inner>[^()]*)\)\s*")
+_DEPTH = regex(r"(?:(?:rclcpp::)?KeepLast\s*[({]\s*)?(?P<depth>\d+)[uUlL]*\s*[)}]?\Z")
 _PRESETS = {
     "SensorDataQoS": ("BEST_EFFORT", "VOLATILE", 5),
     "SystemDefaultsQoS": ("SYSTEM_DEFAULT", "SYSTEM_DEFAULT", None),

@@ -10,6 +10,7 @@ from functools import cache
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.source import Span
@@ -37,7 +38,7 @@ _WRITTEN = """
 (new_expression) @new
 (field_declaration) @field
 """
-_EXPORTED = re.compile(
+_EXPORTED = regex(
     rb"\b(?:class|struct)[ \t\r\n]+(?P<macro>[A-Z][A-Z0-9_]+)(?=[ \t\r\n]+[A-Za-z_]\w*[ \t\r\n]*(?:final\b|[:{]))"
     rb"|\b(?P<visible>[A-Z][A-Z0-9_]*_(?:PUBLIC|LOCAL|EXPORT|API))\b(?![ \t]*[(:])"
 )

@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-import re
 from functools import cached_property
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 
 from bringup_lint.parsers.cpp_node.syntax import Call
 from bringup_lint.parsers.cpp_node.syntax import Code
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
 if TYPE_CHECKING:
     from tree_sitter import Node
 
-_INTERFACE = re.compile(r"(?P<package>\w+)::(?P<kind>msg|srv|action)::(?P<type>\w+)\Z")
-_IDENTIFIER = re.compile(r"[A-Za-z_]\w*\Z")
+_INTERFACE = regex(r"(?P<package>\w+)::(?P<kind>msg|srv|action)::(?P<type>\w+)\Z")
+_IDENTIFIER = regex(r"[A-Za-z_]\w*\Z")
 _DECLARING = ("declare_parameter", "declare_parameter_if_not_declared")
 _TEXT_OF = frozenset({"as_string", "get_value", "get"})
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -11,6 +10,7 @@ from bringup_lint.model.node_source import Callback
 from bringup_lint.parsers.cpp_node.endpoints import seconds
 from bringup_lint.parsers.cpp_node.syntax import Call
 from bringup_lint.parsers.cpp_node.syntax import Code
+from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -19,7 +19,7 @@ SHORT = 0.1
 """Seconds; a shorter sleep delays nothing that matters."""
 DEPTH = 3
 """Calls of methods of the same file that are followed."""
-_AT_START = re.compile(r"(?i)_?(?:on_?)?(?:init|setup|start_?up)")
+_AT_START = regex(r"(?i)_?(?:on_?)?(?:init|setup|start_?up)")
 """Names of callbacks of a timer that runs once, before the node has anything else to do."""
 _LEAVES = frozenset({"break_statement", "return_statement", "throw_statement", "co_return_statement", "goto_statement"})
 _ENDLESS = ("true", "1", "rclcpp::ok()")

@@ -39,6 +39,7 @@ from bringup_lint.model.launch_values import Unknown
 from bringup_lint.model.launch_values import Value
 from bringup_lint.parsers.launch_frontend.entity import Entity
 from bringup_lint.parsers.launch_frontend.substitutions import read
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
 _OPTIONS = {
@@ -48,7 +49,7 @@ _OPTIONS = {
         "sigkill_timeout"
     ).split()
 } | {"launch-prefix": "prefix"}
-_NUMBER = re.compile(r"[-+]?(?:\d+|(?P<real>\d*\.\d+|\d+\.\d*)(?:[eE][-+]?\d+)?|(?P<power>\d+[eE][-+]?\d+))\Z")
+_NUMBER = regex(r"[-+]?(?:\d+|(?P<real>\d*\.\d+|\d+\.\d*)(?:[eE][-+]?\d+)?|(?P<power>\d+[eE][-+]?\d+))\Z")
 _ROS1_ATTRIBUTES = {
     "node": ("type", "ns", "required", "machine", "clear_params"),
     "include": ("ns", "pass_all_args", "clear_params"),

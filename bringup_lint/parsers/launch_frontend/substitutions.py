@@ -17,14 +17,15 @@ from bringup_lint.model.launch_values import PackageShare
 from bringup_lint.model.launch_values import PathJoin
 from bringup_lint.model.launch_values import Unknown
 from bringup_lint.model.launch_values import Value
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Span
 
 DEPTH = 12
-_NAME = re.compile(r"\$\(\s*([A-Za-z][\w-]*)")
-_PLAIN = re.compile(r"[^$\\]+")
-_WORD = re.compile(r"[^\s'\"\\$()]+")
-_BLANK = re.compile(r"\s+")
+_NAME = regex(r"\$\(\s*([A-Za-z][\w-]*)")
+_PLAIN = regex(r"[^$\\]+")
+_WORD = regex(r"[^\s'\"\\$()]+")
+_BLANK = regex(r"\s+")
 ROS1 = frozenset(("arg", "find", "optenv"))
 
 

@@ -12,20 +12,22 @@ from dataclasses import dataclass
 from dataclasses import field
 from typing import NamedTuple
 
+from bringup_lint.pattern import regex
+
 LONGEST = 20_000
 """Code points of a text that is checked."""
 DEPTH = 40
 _TEXT = {
-    "": re.compile(r"(?:[^$]|\$(?!\()|(?<=\\)\$)+"),
-    "'": re.compile(r"(?:\\'|[^'\\$]|\$(?!\()|(?<=\\)\$|\\)+"),
-    '"': re.compile(r'(?:\\"|[^"\\$]|\$(?!\()|(?<=\\)\$|\\)+'),
+    "": regex(r"(?:[^$]|\$(?!\()|(?<=\\)\$)+"),
+    "'": regex(r"(?:\\'|[^'\\$]|\$(?!\()|(?<=\\)\$|\\)+"),
+    '"': regex(r'(?:\\"|[^"\\$]|\$(?!\()|(?<=\\)\$|\\)+'),
 }
 _WORD = {
-    "": re.compile(r"""(?:\\"|\\'|[^ '\\"$()]|(?<=\\)[()]|\$(?!\()|(?<=\\)\$|\\)+"""),
-    "'": re.compile(r"(?:\\'|[^ '\\$()]|(?<=\\)[()]|\$(?!\()|(?<=\\)\$|\\)+"),
-    '"': re.compile(r'(?:\\"|[^ "\\$()]|(?<=\\)[()]|\$(?!\()|(?<=\\)\$|\\)+'),
+    "": regex(r"""(?:\\"|\\'|[^ '\\"$()]|(?<=\\)[()]|\$(?!\()|(?<=\\)\$|\\)+"""),
+    "'": regex(r"(?:\\'|[^ '\\$()]|(?<=\\)[()]|\$(?!\()|(?<=\\)\$|\\)+"),
+    '"': regex(r'(?:\\"|[^ "\\$()]|(?<=\\)[()]|\$(?!\()|(?<=\\)\$|\\)+'),
 }
-_NAME = re.compile(r"\$\(([A-Za-z][\w-]*)", re.ASCII)
+_NAME = regex(r"\$\(([A-Za-z][\w-]*)", re.ASCII)
 
 
 class Used(NamedTuple):

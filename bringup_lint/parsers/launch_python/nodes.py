@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from typing import Any
 
 from bringup_lint.model.launch import Action
@@ -23,6 +22,7 @@ from bringup_lint.parsers.launch_python.objects import Sequence
 from bringup_lint.parsers.launch_python.state import Builder
 from bringup_lint.parsers.launch_python.state import State
 from bringup_lint.parsers.launch_python.substitutions import parameter
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Span
@@ -35,7 +35,7 @@ _OPTIONS = (
 
 
 OLD_KEYWORDS = ("node_executable", "node_name", "node_namespace", "node_plugin")
-_OLD = re.compile(rf"\b({'|'.join(OLD_KEYWORDS)})\s*=(?!=)")
+_OLD = regex(rf"\b({'|'.join(OLD_KEYWORDS)})\s*=(?!=)")
 
 
 def _common(state: State, args: Arguments) -> dict[str, Any]:

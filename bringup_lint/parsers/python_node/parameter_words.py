@@ -12,15 +12,16 @@ from bringup_lint.model.parameter_words import ParameterWords
 from bringup_lint.parsers.python_syntax import Positions
 from bringup_lint.parsers.python_syntax import byte_order_mark
 from bringup_lint.parsers.python_syntax import syntax_tree
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
 TEXT = 400_000
 """Code points of a file."""
-_LOOSE = re.compile(r"automatically_declare_parameters_from_overrides|allow_undeclared_parameters|generate_parameter")
+_LOOSE = regex(r"automatically_declare_parameters_from_overrides|allow_undeclared_parameters|generate_parameter")
 _READING = ("get_parameter", "get_parameter_or", "has_parameter", "get_parameter_value", "undeclare_parameter")
-_OWN = re.compile(r"(?:self|(?:self\.)?\w*node\w*)\.(?:get_parameter\w*|has_parameter)\Z", re.I)
-_TYPE = re.compile(r"(?:^|\.)Parameter\.Type\.(?!NOT_SET)[A-Z_]+\Z")
+_OWN = regex(r"(?:self|(?:self\.)?\w*node\w*)\.(?:get_parameter\w*|has_parameter)\Z", re.I)
+_TYPE = regex(r"(?:^|\.)Parameter\.Type\.(?!NOT_SET)[A-Z_]+\Z")
 _CONTAINERS = (ast.List, ast.Tuple, ast.Dict, ast.Set)
 HELPERS = 3
 """Functions through which the name of a parameter is followed."""

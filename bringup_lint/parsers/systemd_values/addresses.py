@@ -17,11 +17,12 @@ from bringup_lint.parsers.systemd_values.problems import ValueProblem
 from bringup_lint.parsers.systemd_values.specifiers import check_specifiers
 from bringup_lint.parsers.systemd_values.specifiers import literal
 from bringup_lint.parsers.systemd_values.words import split_words
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
 LISTEN = "a port, address:port, an absolute path or @name"
 _NAMED_PREFIXES = ("any", "localhost", "link-local", "multicast")
-_LOCALHOST = re.compile(r"(?:.+\.)?localhost(?:\.localdomain)?\.?", re.IGNORECASE)
+_LOCALHOST = regex(r"(?:.+\.)?localhost(?:\.localdomain)?\.?", re.IGNORECASE)
 
 
 def is_port(text: str) -> bool:

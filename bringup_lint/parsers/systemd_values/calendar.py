@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from typing import NamedTuple
 
+from bringup_lint.pattern import regex
+
 SHORTHANDS = frozenset(
     [
         "minutely",
@@ -23,14 +25,14 @@ SHORTHANDS = frozenset(
     ]
 )
 _DAYS = ("mon", "tue", "wed", "thu", "fri", "sat", "sun")
-_DAY = re.compile(
+_DAY = regex(
     r"(mon(?:day)?|tue(?:sday)?|wed(?:nesday)?|thu(?:rsday)?|fri(?:day)?|sat(?:urday)?|sun(?:day)?)"
     r"(?=[-., ]|$)",
     re.IGNORECASE,
 )
-_TIMEZONE = re.compile(r"[A-Z][A-Za-z0-9_+-]*(/[A-Za-z0-9_+-]+)*")
-_NUMBER = re.compile(r"[0-9]+")
-_SECONDS = re.compile(r"[0-9]+(\.(?!\.)[0-9]+)?")
+_TIMEZONE = regex(r"[A-Z][A-Za-z0-9_+-]*(/[A-Za-z0-9_+-]+)*")
+_NUMBER = regex(r"[0-9]+")
+_SECONDS = regex(r"[0-9]+(\.(?!\.)[0-9]+)?")
 _MICRO = 1_000_000
 _LAST_SECOND = 7_258_118_399
 """The end of 2199."""

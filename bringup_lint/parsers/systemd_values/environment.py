@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import replace
 from typing import NamedTuple
@@ -15,10 +14,11 @@ from bringup_lint.parsers.systemd_values.specifiers import literal
 from bringup_lint.parsers.systemd_values.words import DECODE
 from bringup_lint.parsers.systemd_values.words import DROP
 from bringup_lint.parsers.systemd_values.words import split_words
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
-_NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
-_FIELD = re.compile(r"[A-Z][A-Z0-9_]{0,63}")
+_NAME = regex(r"[A-Za-z_][A-Za-z0-9_]*")
+_FIELD = regex(r"[A-Z][A-Z0-9_]{0,63}")
 ASSIGNMENT = "NAME=VALUE"
 
 

@@ -36,14 +36,15 @@ from bringup_lint.parsers.systemd_values.timespan import parse_timespan
 from bringup_lint.parsers.systemd_values.words import KEEP
 from bringup_lint.parsers.systemd_values.words import extract
 from bringup_lint.parsers.systemd_values.words import split_words
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
 Grammar = Callable[[Located, int], Iterator[ValueProblem]]
 
 SIZE = "a size such as 512M or 2G (K, M, G, T without B)"
 SPAN = "a time span such as 5, 500ms or 1min 30s"
-_WRONG_SIZE = re.compile(r"([0-9.]+\s*[KMGTPE])i?[bB]|([0-9.]+)\s*([kmgtpe])i?[bB]?")
-_URL = re.compile(r"(https?://|file:/|man:|info:)[\x00-\x7f]+")
+_WRONG_SIZE = regex(r"([0-9.]+\s*[KMGTPE])i?[bB]|([0-9.]+)\s*([kmgtpe])i?[bB]?")
+_URL = regex(r"(https?://|file:/|man:|info:)[\x00-\x7f]+")
 _INT_MAX = 2**31 - 1
 
 

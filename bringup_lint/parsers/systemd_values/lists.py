@@ -17,10 +17,11 @@ from bringup_lint.parsers.systemd_values.specifiers import check_specifiers
 from bringup_lint.parsers.systemd_values.specifiers import literal
 from bringup_lint.parsers.systemd_values.words import BLANKS
 from bringup_lint.parsers.systemd_values.words import split_words
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
 CPUS = "CPU numbers and ranges such as 0 2-3"
-_SYSTEM_CALL = re.compile(r"[a-z_][a-z0-9_]*|@[a-z-]+")
+_SYSTEM_CALL = regex(r"[a-z_][a-z0-9_]*|@[a-z-]+")
 _HIGHEST_ERRNO = 4095
 _HIGHEST_CPU = 8191
 

@@ -21,11 +21,12 @@ from bringup_lint.parsers.systemd_values.unit_names import is_unit_name
 from bringup_lint.parsers.systemd_values.words import DROP
 from bringup_lint.parsers.systemd_values.words import KEEP
 from bringup_lint.parsers.systemd_values.words import split_words
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
-_STRICT_USER = re.compile(r"[A-Za-z_][A-Za-z0-9_-]{0,30}")
-_BUS_NAME = re.compile(r"[A-Za-z_-][A-Za-z0-9_-]*(\.[A-Za-z_-][A-Za-z0-9_-]*)+")
-_SIGNAL_RT = re.compile(r"RTM(?:IN(?:\+([0-9]+))?|AX(?:-([0-9]+))?)")
+_STRICT_USER = regex(r"[A-Za-z_][A-Za-z0-9_-]{0,30}")
+_BUS_NAME = regex(r"[A-Za-z_-][A-Za-z0-9_-]*(\.[A-Za-z_-][A-Za-z0-9_-]*)+")
+_SIGNAL_RT = regex(r"RTM(?:IN(?:\+([0-9]+))?|AX(?:-([0-9]+))?)")
 RT_SIGNALS = 30
 """SIGRTMAX - SIGRTMIN with the GNU C library."""
 SIGNALS = "a signal such as SIGINT, INT or 2"

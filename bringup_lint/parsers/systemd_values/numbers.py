@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import re
+from bringup_lint.pattern import regex
 
 TRUE = frozenset(("1", "yes", "y", "true", "t", "on"))
 FALSE = frozenset(("0", "no", "n", "false", "f", "off"))
 _BLANKS = " \t\n\r"
 _SUFFIXES = ("E", "P", "T", "G", "M", "K", "B", "")
-_SIZE = re.compile(r"[ \t\n\r]*\+?([0-9]+)(?:\.([0-9]*))?[ \t\n\r]*")
-_INTEGER = re.compile(r"[ \t\n\r]*([+-]?)(0[xX][0-9a-fA-F]+|0[bB][01]+|0[oO][0-7]+|[0-9]+)")
+_SIZE = regex(r"[ \t\n\r]*\+?([0-9]+)(?:\.([0-9]*))?[ \t\n\r]*")
+_INTEGER = regex(r"[ \t\n\r]*([+-]?)(0[xX][0-9a-fA-F]+|0[bB][01]+|0[oO][0-7]+|[0-9]+)")
 
 
 def parse_bool(text: str) -> bool | None:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-import re
+
+from bringup_lint.pattern import regex
 
 _UNITS: tuple[tuple[str, float], ...] = (
     ("seconds", 1.0), ("second", 1.0), ("sec", 1.0), ("s", 1.0),
@@ -18,7 +19,7 @@ _UNITS: tuple[tuple[str, float], ...] = (
 )  # fmt: skip
 _NANOSECONDS: tuple[tuple[str, float], ...] = (*_UNITS, ("nsec", 1e-9), ("ns", 1e-9))
 _BLANKS = " \t\n\r"
-_NUMBER = re.compile(r"([+]?)([0-9]*)(\.([0-9]*))?")
+_NUMBER = regex(r"([+]?)([0-9]*)(\.([0-9]*))?")
 _MAXIMUM = 2**64 / 1e6
 
 

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import re
 from typing import NamedTuple
 
 from bringup_lint.facts.systemd.directives import SECTION_OF_TYPE
+from bringup_lint.pattern import regex
 
-_CHARACTERS = re.compile(r"[A-Za-z0-9:_.\\@-]+")
+_CHARACTERS = regex(r"[A-Za-z0-9:_.\\@-]+")
 _PLAIN = frozenset("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789:_.")
-_ESCAPED = re.compile(r"\\x([0-9a-fA-F]{2})")
+_ESCAPED = regex(r"\\x([0-9a-fA-F]{2})")
 MAX_LENGTH = 255
 
 

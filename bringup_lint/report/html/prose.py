@@ -5,14 +5,15 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from bringup_lint.pattern import regex
 from bringup_lint.report.docs import LOG_LINES
 from bringup_lint.report.docs import sections
 from bringup_lint.report.html.markup import lines
 from bringup_lint.report.html.markup import text
 from bringup_lint.report.model import RuleDoc
 
-_FENCED = re.compile(r"^ *```.*\n((?:.*\n)*?) *```$", re.MULTILINE)
-_INLINE = re.compile(r"`(?P<code>[^`]+)`|\*\*(?P<bold>.+?)\*\*|\[(?P<name>[^\]]+)\]\((?P<uri>https://[^)\s]+)\)")
+_FENCED = regex(r"^ *```.*\n((?:.*\n)*?) *```$", re.MULTILINE)
+_INLINE = regex(r"`(?P<code>[^`]+)`|\*\*(?P<bold>.+?)\*\*|\[(?P<name>[^\]]+)\]\((?P<uri>https://[^)\s]+)\)")
 
 
 def prose(doc: RuleDoc) -> str:

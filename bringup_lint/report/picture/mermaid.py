@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from typing import Any
 
+from bringup_lint.pattern import regex
 from bringup_lint.report.picture.arrows import Arrow
 from bringup_lint.report.picture.arrows import arrows
 from bringup_lint.report.picture.arrows import rows
@@ -35,7 +35,7 @@ SHAPES = {
 LONGEST = 48
 """Characters of a label."""
 _LINES = {"strong": "==>", "plain": "-->", "weak": "-.->"}
-_ODD = re.compile("[^A-Za-z0-9 _./,:()@=✖▲●…-]")
+_ODD = regex("[^A-Za-z0-9 _./,:()@=✖▲●…-]")
 
 
 def render(document: dict[str, Any]) -> str:

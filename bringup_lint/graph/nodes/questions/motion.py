@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from bringup_lint.model.node_source import Endpoint
+from bringup_lint.pattern import regex
 
 _VELOCITIES = frozenset(
     f"{package}/msg/{name}"
@@ -25,14 +26,12 @@ _VELOCITIES = frozenset(
     for name in names
 )
 _NUMBERS = frozenset(name for name in _VELOCITIES if name.startswith("std_msgs/"))
-_SPEED = re.compile(
+_SPEED = regex(
     r"vel|speed|throttle|thrust|pwm|effort|torque|wheel|motor|drive|brake|winch|propel|rotor|blade|pump|conveyor", re.I
 )
 """What a bare number must be called to be a velocity: a position is held, not run on with."""
-_COMMAND = re.compile(
-    r"(?:^|[/_])(?:cmd_?vel|cmd|commands?|vel|velocity|drive|throttle|pwm|effort|brake)s?(?=$|[/_])", re.I
-)
-_REPORT = re.compile(
+_COMMAND = regex(r"(?:^|[/_])(?:cmd_?vel|cmd|commands?|vel|velocity|drive|throttle|pwm|effort|brake)s?(?=$|[/_])", re.I)
+_REPORT = regex(
     r"(?:^|[/_])(?:odom\w*|state|status|feedback|measured|actual|current|estimate\w*|viz|debug|imu|encoder\w*)(?=$|[/_])",
     re.I,
 )

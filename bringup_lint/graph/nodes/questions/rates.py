@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import ast
-import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
 from bringup_lint.graph.nodes.sources.syntax import Syntax
+from bringup_lint.pattern import regex
 
-_THREADS = re.compile(
+_THREADS = regex(
     r"spin_once|spin_some|[Tt]hread|concurrent\.futures|multiprocessing|MultiThreadedExecutor|EventsExecutor|asyncio"
 )
 

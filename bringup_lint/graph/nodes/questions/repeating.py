@@ -14,6 +14,7 @@ from bringup_lint.graph.nodes.questions.motion import moves
 from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import NodeClass
+from bringup_lint.pattern import regex
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
@@ -23,29 +24,29 @@ if TYPE_CHECKING:
     from bringup_lint.source import Source
 
 _TYPES = frozenset({"Twist", "TwistStamped", "AckermannDrive", "AckermannDriveStamped"})
-_SENDS = re.compile(r"(?i)(?:publish|write|send|set_?(?:motor|speed|velocity|pwm|wheel)\w*|drive)\Z")
-_TIMED = re.compile(
+_SENDS = regex(r"(?i)(?:publish|write|send|set_?(?:motor|speed|velocity|pwm|wheel)\w*|drive)\Z")
+_TIMED = regex(
     r"time_?out|watch_?dog|dead_?man|stale|expir|elapsed|heart_?beat|fail_?safe|deadline|lease|since_?last"
     r"|last_?\w{0,20}(?:time|stamp|recv|received|call)|(?:time|stamp)\w{0,20}last|no_?(?:cmd|command)|\bstamp\b|\bage\b"
     r"|(?:now|time|monotonic|clock)\(\)[\w.()]{0,40}\s{0,3}-|-\s{0,3}(?:self\.|this->)?(?:last|prev)",
     re.I,
 )
 """What code that ends a motion by time has in it somewhere."""
-_DRIVES = re.compile(r"(?i)motor|wheel|vtarget|throttle|thrust|pwm")
-_REPORTS = re.compile(r"(?i)odom|state|status|feedback|metric|debug|diagnos|monitor")
-_COMMENT = re.compile(r"//[^\n]*|#[^\n]*|/\*(?:[^*]|\*(?!/))*(?:\*/|\Z)")
-_OTHER_TIMEOUTS = re.compile(
+_DRIVES = regex(r"(?i)motor|wheel|vtarget|throttle|thrust|pwm")
+_REPORTS = regex(r"(?i)odom|state|status|feedback|metric|debug|diagnos|monitor")
+_COMMENT = regex(r"//[^\n]*|#[^\n]*|/\*(?:[^*]|\*(?!/))*(?:\*/|\Z)")
+_OTHER_TIMEOUTS = regex(
     r"\b(?:read_|write_|write|socket_)?timeout(?:_sec)?\s*=\s*[^,)\n]+"
     r"|SerialTimeout\w*|serial::Timeout|setTimeout|TimeoutError"
 )
 """Time-outs of reading and writing, which end no motion."""
 
 
-_PYTHON_BUS = re.compile(
+_PYTHON_BUS = regex(
     r"^[ \t]*(?:import|from)[ \t]+(?P<bus>smbus2?|RPi\.GPIO|gpiozero|pigpio|lgpio|Jetson\.GPIO|adafruit_\w+|board)\b",
     re.M,
 )
-_CPP_BUS = re.compile(r"(?P<bus>/dev/i2c-\d+|linux/i2c-dev\.h|wiringPi\.h|pigpio\w*\.h|lgpio\.h|wiringPiI2C\.h)")
+_CPP_BUS = regex(r"(?P<bus>/dev/i2c-\d+|linux/i2c-dev\.h|wiringPi\.h|pigpio\w*\.h|lgpio\.h|wiringPiI2C\.h)")
 """Pins, and buses whose chips keep what was written last."""
 
 

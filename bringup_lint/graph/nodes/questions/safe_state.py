@@ -21,9 +21,10 @@ from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import Function
 from bringup_lint.model.node_source import NodeClass
+from bringup_lint.pattern import regex
 
 _ENDS = ("on_deactivate", "on_shutdown", "on_cleanup", "on_error", "destroy_node", "__del__", "__exit__")
-_STOP_WORDS = re.compile(r"stop|zero|halt|brake|safe|estop|e_stop|disable|disarm|idle|shutdown|cleanup|close", re.I)
+_STOP_WORDS = regex(r"stop|zero|halt|brake|safe|estop|e_stop|disable|disarm|idle|shutdown|cleanup|close", re.I)
 
 
 def commands(node: NodeClass) -> list[Endpoint]:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import ast
-import re
 
 from bringup_lint.facts.short_programs import returns_at_once
 from bringup_lint.graph.nodes.sources.ending import Ending
+from bringup_lint.pattern import regex
 
-_OPERATOR = re.compile(r"(?<![>\d])(\|\|?|&&?|;)")
+_OPERATOR = regex(r"(?<![>\d])(\|\|?|&&?|;)")
 
 
 def is_short(ending: Ending, call: ast.Call) -> bool:

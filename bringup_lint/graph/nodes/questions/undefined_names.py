@@ -12,8 +12,9 @@ from bringup_lint.facts import table
 from bringup_lint.graph.nodes.sources.syntax import FUNCTIONS
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import nodes_of
+from bringup_lint.pattern import regex
 
-_DYNAMIC = re.compile(r"\b(?:exec|eval|globals|locals|__import__|importlib|builtins)\b|\bvars\(")
+_DYNAMIC = regex(r"\b(?:exec|eval|globals|locals|__import__|importlib|builtins)\b|\bvars\(")
 _RANGES = {"floating_point_range": "FloatingPointRange", "integer_range": "IntegerRange"}
 _FIELDS = ("from_value", "to_value", "step")
 

@@ -13,16 +13,17 @@ from bringup_lint.graph.topics.resolved.endpoint_use import LaunchedNode
 from bringup_lint.graph.topics.resolved.endpoint_use import Running
 from bringup_lint.graph.topics.resolved.endpoint_use import Use
 from bringup_lint.graph.topics.resolved.names import tail
+from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 
-VELOCITY = re.compile(r"(?:\w+_)?cmd_?vel(?:_\w+)?|\w*velocity_command\w*")
+VELOCITY = regex(r"(?:\w+_)?cmd_?vel(?:_\w+)?|\w*velocity_command\w*")
 FINAL = ("cmd_vel", "cmd_vel_unstamped")
 """Names of topics that drive the wheels; others may be the inputs of a multiplexer that is not known."""
-STOP = re.compile(r"(?:^|[/_])(?:e_?stop|emergency(?:_?stop)?)(?:$|[/_])", re.I)
+STOP = regex(r"(?:^|[/_])(?:e_?stop|emergency(?:_?stop)?)(?:$|[/_])", re.I)
 TWISTS = ("geometry_msgs/msg/Twist", "geometry_msgs/msg/TwistStamped")
-GATE = re.compile(r"mux|gate|arbit|smooth|collision|limit|safe|guard|filter|supervis|priorit|switch|select")
-BY_HAND = re.compile(r"tele|joy|keyboard|key_?op|remote|steering")
-HARDWARE = re.compile(
+GATE = regex(r"mux|gate|arbit|smooth|collision|limit|safe|guard|filter|supervis|priorit|switch|select")
+BY_HAND = regex(r"tele|joy|keyboard|key_?op|remote|steering")
+HARDWARE = regex(
     r"\b(?:RPi\.GPIO|gpiod?|gpiozero|pigpio\w*|Jetson\.GPIO|wiringpi)\b|safety_?(?:plc|relay|controller)|sick_?saf\w+|pilz"
     r"|hardware\w{0,64}?[/_]?(?:e_?stop|emergency)|(?:e_?stop|emergency)_?(?:button|pin|relay|input|gpio)",
     re.I,

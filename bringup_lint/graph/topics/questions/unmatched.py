@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 from collections.abc import Iterator
 from typing import NamedTuple
 
 from bringup_lint.graph.topics.resolved.endpoint_use import Running
 from bringup_lint.graph.topics.resolved.endpoint_use import Use
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.spelling import nearest
 from bringup_lint.spelling import numbered
@@ -24,11 +24,11 @@ EVERYWHERE = (
     "/bond",
 )
 """Topics that tools, or every node, use."""
-BY_HAND = re.compile(
+BY_HAND = regex(
     r"goal|initial_?pose|clicked|command|cmd|joy|teleop|stop|start|trigger|request|enable|reset|mode|feedback|set_|debug|input"
 )
 """Topics to which a person, a tool or another computer publishes."""
-FIRMWARE = re.compile(r"^/(?:utlidar|lf|rt|fmu/out)/|^/(?:low|sportmode|wirelesscontroller|handstate)\w*$")
+FIRMWARE = regex(r"^/(?:utlidar|lf|rt|fmu/out)/|^/(?:low|sportmode|wirelesscontroller|handstate)\w*$")
 """Topics that controllers of robots publish by themselves: Unitree's motion computer, PX4."""
 FIRMWARE_TYPES = ("unitree_go/", "unitree_hg/", "unitree_api/", "px4_msgs/")
 COMPARED = 500

@@ -13,6 +13,7 @@ from typing import NamedTuple
 from bringup_lint.discover.starters import STARTING
 from bringup_lint.graph.topics.resolved.node_names import NodeNames
 from bringup_lint.model.node_source import NodeSource
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.source import Span
@@ -23,16 +24,16 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.nodes import Nodes
     from bringup_lint.graph.params.params import Params
 
-LIST = re.compile(
+LIST = regex(
     r"(?:\w+[._])?(?:monitor|watch|expect|requir|critical|supervis|heartbeat|essential|mandatory)\w{0,64}?_?nodes?(?:_names|_list)?"
     r"|nodes?_(?:names_)?to_(?:monitor|watch|check|supervise|wait_for)",
     re.I,
 )
 """Names of lists of nodes."""
-_GREP = re.compile(
+_GREP = regex(
     r"ros2\s+node\s+list[^|\n;&]*\|\s*grep(?P<options>(?:\s+-\w+)*)\s+(?P<quote>[\"']?)(?P<name>/?[A-Za-z]\w*(?:/\w+)*)(?P=quote)(?=[\s;&|)]|$)"
 )
-_NAME = re.compile(r"/?[A-Za-z_]\w*(?:/\w+)*")
+_NAME = regex(r"/?[A-Za-z_]\w*(?:/\w+)*")
 SHORTEST = 4
 
 

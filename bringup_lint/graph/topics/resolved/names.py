@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import re
 
+from bringup_lint.pattern import regex
+
 LONGEST = 247
 """Characters of a full name: 255 less what the middleware puts before it (``RMW_TOPIC_MAX_NAME_LENGTH``)."""
 SUBSTITUTIONS = ("node", "ns", "namespace")
-_FORBIDDEN = re.compile(r"[^A-Za-z0-9_/~{}]")
-_SUBSTITUTION = re.compile(r"\{(\w*)\}", re.A)
-_LEADING_DIGIT = re.compile(r"(?:^|/)[0-9]")
+_FORBIDDEN = regex(r"[^A-Za-z0-9_/~{}]")
+_SUBSTITUTION = regex(r"\{(\w*)\}", re.A)
+_LEADING_DIGIT = regex(r"(?:^|/)[0-9]")
 
 
 def complaint(name: str) -> str | None:

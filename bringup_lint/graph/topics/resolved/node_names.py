@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from dataclasses import field
@@ -14,6 +13,7 @@ from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.workspace import place
 from bringup_lint.model.launch import Other
+from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
     from bringup_lint.graph.commands.ros_command import Ros
@@ -22,12 +22,12 @@ if TYPE_CHECKING:
     from bringup_lint.graph.topics.resolved.endpoint_use import LaunchedNode
     from bringup_lint.graph.topics.sources.code import Code
 
-PUBLIC = re.compile(
+PUBLIC = regex(
     r"nav2_\w+|slam_toolbox|teleop_twist_\w+|joy|robot_localization|foxglove_bridge|rosbridge_server|ros2_socketcan"
     r"|realsense2_camera|\w{1,64}lidar_ros2?\w*|usb_cam|twist_mux|rosbag2_\w+|micro_ros_agent|tf2_ros|robot_state_publisher"
 )
 """Packages of ROS whose programs and launch files start nodes named after what they are."""
-_WORD = re.compile(r"[a-z]{4,}")
+_WORD = regex(r"[a-z]{4,}")
 _COMMON = frozenset(("node", "driver", "ros2", "main", "controller", "manager", "server", "publisher", "robot"))
 
 

@@ -10,17 +10,18 @@ from typing import NamedTuple
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.topics.resolved.names import expand
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Span
 
 _NAME = r"(?:~/|/)?(?!\d)\w+(?:/(?!\d)\w+)*"
-_RULE = re.compile(
+_RULE = regex(
     rf"(?:(?P<node>(?!\d)\w+):(?!=|//))?"
     rf"(?:(?P<special>__node|__name|__ns):=(?P<name>/?{_NAME}|/)"
     rf"|(?P<kind>rostopic://|rosservice://)?(?P<match>{_NAME}):=(?P<to>{_NAME}))",
     re.A,
 )
-_PREFIX = re.compile(r"^(?:\w+:(?!//))?(?:rostopic://|rosservice://)?")
+_PREFIX = regex(r"^(?:\w+:(?!//))?(?:rostopic://|rosservice://)?")
 NODE = ("__node", "__name")
 NAMESPACE = "__ns"
 

@@ -26,6 +26,7 @@ from bringup_lint.model.node_source import NodeSource
 from bringup_lint.model.package import Build
 from bringup_lint.model.parameter_words import ParameterWords
 from bringup_lint.parsers.python_node.classes import ROOTS
+from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
@@ -35,13 +36,13 @@ CPP_FILES = 300
 """C++ files of one program that are read."""
 _CPP = (".cpp", ".cc", ".cxx", ".hpp", ".hh", ".h", ".hxx", ".ipp", ".tpp", ".inl")
 _HEADERS = _CPP[3:]
-_ASIDE = re.compile(r"/(?:tests?|examples?|build|install|log)/")
-_CLASS = re.compile(r"\b(?:class|struct)\s+[\w\s]{1,120}:(?P<bases>[^:{};()](?:[^{};()]|::){0,400})\{")
-_INCLUDE = re.compile(r"^[ \t]*#[ \t]*include[ \t]*[<\"](?P<package>[\w-]+)/", re.M)
-_LOCAL = re.compile(r"^[ \t]*#[ \t]*include[ \t]*[<\"]([^>\"\n]+)[>\"]", re.M)
-_MAIN = re.compile(r"\bint\s+main\s*\(|\bRCLCPP_COMPONENTS_REGISTER_NODE\b")
-_NODE = re.compile(r"\brclcpp(?:_lifecycle)?::(?:Lifecycle)?Node\b")
-_ACCESS = re.compile(r"\b(?:public|virtual|private|protected)\b|\s")
+_ASIDE = regex(r"/(?:tests?|examples?|build|install|log)/")
+_CLASS = regex(r"\b(?:class|struct)\s+[\w\s]{1,120}:(?P<bases>[^:{};()](?:[^{};()]|::){0,400})\{")
+_INCLUDE = regex(r"^[ \t]*#[ \t]*include[ \t]*[<\"](?P<package>[\w-]+)/", re.M)
+_LOCAL = regex(r"^[ \t]*#[ \t]*include[ \t]*[<\"]([^>\"\n]+)[>\"]", re.M)
+_MAIN = regex(r"\bint\s+main\s*\(|\bRCLCPP_COMPONENTS_REGISTER_NODE\b")
+_NODE = regex(r"\brclcpp(?:_lifecycle)?::(?:Lifecycle)?Node\b")
+_ACCESS = regex(r"\b(?:public|virtual|private|protected)\b|\s")
 _BASES = frozenset({"rclcpp::Node", "Node", "rclcpp_lifecycle::LifecycleNode", "LifecycleNode"})
 _SAFE = ("rclpy", "rclpy_action", "tf2_ros", "message_filters", "diagnostic_updater", "cv_bridge", "builtins", "super")
 """Python modules that are handed a node and declare nothing of their own."""
