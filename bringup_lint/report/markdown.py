@@ -10,6 +10,7 @@ from typing import Any
 from bringup_lint.finding import Finding
 from bringup_lint.finding import Severity
 from bringup_lint.finding.place import inside
+from bringup_lint.pattern import regex
 from bringup_lint.report.columns import printable
 from bringup_lint.report.model import Report
 from bringup_lint.report.unicode import sound
@@ -20,8 +21,8 @@ LONGEST = 300
 NODES = 30
 """A picture with more nodes than this cannot be read in a comment."""
 SIGNS = {Severity.ERROR: "❌ error", Severity.WARNING: "⚠️ warning", Severity.INFO: "ℹ️ info"}
-_SAFE = re.compile(r"[\w./+:@=~-]*")
-_MARKUP = re.compile(r"([\\`*_\[\]|~$])")
+_SAFE = regex(r"[\w./+:@=~-]*")
+_MARKUP = regex(r"([\\`*_\[\]|~$])")
 
 
 def render(report: Report) -> str:

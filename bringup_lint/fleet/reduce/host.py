@@ -6,15 +6,16 @@ import re
 
 from bringup_lint.fleet.reduce.statements import Statements
 from bringup_lint.parsers.certificate import parse as certificate_of
+from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 
-_RELEASE = re.compile(r"^(?P<key>ID|VERSION_ID|IMAGE_VERSION|BUILD_ID)=\"?(?P<value>[^\"\n]+)", re.M)
-_CHRONY = re.compile(r"^[ \t]*(?:server|pool|peer)[ \t]+(?P<host>\S+)", re.M)
-_TIMESYNCD = re.compile(r"^[ \t]*NTP=(?P<host>[^\n]*\S)", re.M)
+_RELEASE = regex(r"^(?P<key>ID|VERSION_ID|IMAGE_VERSION|BUILD_ID)=\"?(?P<value>[^\"\n]+)", re.M)
+_CHRONY = regex(r"^[ \t]*(?:server|pool|peer)[ \t]+(?P<host>\S+)", re.M)
+_TIMESYNCD = regex(r"^[ \t]*NTP=(?P<host>[^\n]*\S)", re.M)
 _CHRONY_FILES = ("/etc/chrony/chrony.conf", "/etc/chrony.conf")
 _TIMESYNCD_FILES = ("/etc/systemd/timesyncd.conf",)
-_TUNNEL = re.compile(r"-R[ \t]?(?:[\w.*]{1,60}:)?(?P<port>\d{2,5}):[\w.-]{1,100}:\d{1,5}")
-_SERVER = re.compile(r"[\w.-]@(?P<host>[\w.-]+)")
+_TUNNEL = regex(r"-R[ \t]?(?:[\w.*]{1,60}:)?(?P<port>\d{2,5}):[\w.-]{1,100}:\d{1,5}")
+_SERVER = regex(r"[\w.-]@(?P<host>[\w.-]+)")
 _WRITTEN_BY_ROBOT = frozenset(("Environment", "Description"))
 """Settings that name the robot, or may hold what no summary may."""
 

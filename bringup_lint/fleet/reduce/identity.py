@@ -7,17 +7,18 @@ import binascii
 import re
 
 from bringup_lint.fleet.reduce.statements import Statements
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
-_PEM = re.compile(r"-----BEGIN (?P<what>(?:[A-Z]+ )*PRIVATE KEY)-----(?P<body>[^-]+)-----END")
+_PEM = regex(r"-----BEGIN (?P<what>(?:[A-Z]+ )*PRIVATE KEY)-----(?P<body>[^-]+)-----END")
 _OPENSSH = b"openssh-key-v1\0"
-_MACHINE_ID = re.compile(r"[0-9a-f]{32}")
-_HOST_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9.-]{0,252}")
-_WIREGUARD = re.compile(r"^[ \t]*PrivateKey[ \t]*=[ \t]*(?P<key>[A-Za-z0-9+/]{43}=)", re.M)
-_ACCESS_POINT = re.compile(r"^[ \t]*(?:wpa_passphrase|wpa_psk)=(?P<key>\S[^\n]*)", re.M)
-_ENTERPRISE = re.compile(r"^[ \t]*(?:password|private_key_passwd)=(?P<key>\S[^\n]*)", re.M)
-_SHADOW = re.compile(r"^(?P<user>[a-z_][\w.-]*):(?P<hash>\$[^:\n]{8,}):", re.M)
+_MACHINE_ID = regex(r"[0-9a-f]{32}")
+_HOST_NAME = regex(r"[A-Za-z0-9][A-Za-z0-9.-]{0,252}")
+_WIREGUARD = regex(r"^[ \t]*PrivateKey[ \t]*=[ \t]*(?P<key>[A-Za-z0-9+/]{43}=)", re.M)
+_ACCESS_POINT = regex(r"^[ \t]*(?:wpa_passphrase|wpa_psk)=(?P<key>\S[^\n]*)", re.M)
+_ENTERPRISE = regex(r"^[ \t]*(?:password|private_key_passwd)=(?P<key>\S[^\n]*)", re.M)
+_SHADOW = regex(r"^(?P<user>[a-z_][\w.-]*):(?P<hash>\$[^:\n]{8,}):", re.M)
 
 
 def host(said: Statements) -> None:
