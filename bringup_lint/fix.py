@@ -64,7 +64,7 @@ def planned(findings: Iterable[Finding], *, unsafe: bool = False) -> Plan:
     """Take up what can be applied together."""
     changes: dict[str, Changes] = {}
     taken, left = [], []
-    for finding in findings:
+    for finding in (each for found in findings for each in (found, *found.copies)):
         fix = finding.fix
         if fix is None or finding.suppression:
             continue

@@ -32,7 +32,16 @@ def tree(tmp_path: Path) -> Path:
 
 
 def fix(tree: Path, *arguments: str | Path) -> Run:
-    return lint("--fix", "--select", "systemd/network-target", "--output-format", "concise", *arguments, cwd=tree)
+    return lint(
+        "--fix",
+        "--unsafe-fixes",
+        "--select",
+        "systemd/network-target",
+        "--output-format",
+        "concise",
+        *arguments,
+        cwd=tree,
+    )
 
 
 def is_fixed(path: Path) -> bool:
@@ -170,7 +179,7 @@ def test_a_file_that_changed_since_it_was_read_is_left_alone(tree: Path, monkeyp
         writing.correct(path, was, content)
 
     monkeypatch.setattr(fixing, "correct", edit)
-    run = lint("--fix", "--select", "systemd/network-target", "a.service", cwd=tree)
+    run = lint("--fix", "--unsafe-fixes", "--select", "systemd/network-target", "a.service", cwd=tree)
     assert run.code == 2
     assert "a.service: it has changed since it was read" in run.stderr
     assert (tree / "a.service").read_text() == "# edited meanwhile\n" + UNIT
@@ -182,7 +191,7 @@ def without_capabilities(tree: Path) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
         [
             *("setpriv", "--bounding-set=-all", "--inh-caps=-all", sys.executable, "-m", "bringup_lint"),
-            *("--fix", "--select", "systemd/network-target", "--output-format", "concise", "."),
+            *("--fix", "--unsafe-fixes", "--select", "systemd/network-target", "--output-format", "concise", "."),
         ],
         cwd=tree,
         capture_output=True,
@@ -225,7 +234,18 @@ main()
 
 def test_a_full_disk_leaves_everything_as_it_was(tree: Path) -> None:
     run = subprocess.run(
-        [sys.executable, "-c", FULL, "--fix", "--output-format", "json", "--output-file", "r.json", "."],
+        [
+            sys.executable,
+            "-c",
+            FULL,
+            "--fix",
+            "--unsafe-fixes",
+            "--output-format",
+            "json",
+            "--output-file",
+            "r.json",
+            ".",
+        ],
         cwd=tree,
         capture_output=True,
         text=True,

@@ -108,6 +108,8 @@ class Finding:
     """Stretches that no output may show: passwords, keys, tokens."""
     fingerprint: str = ""
     """What makes it the same finding after lines have moved; empty until its secrets are masked."""
+    copies: tuple[Finding, ...] = ()
+    """The same findings on copies of the line, each with its own fix; their places are in ``related`` too."""
     own_severity: Severity | None = None
     """What the rule says of this one finding; None where it is as severe as the rule."""
     own_confidence: Confidence | None = None

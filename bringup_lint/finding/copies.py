@@ -47,7 +47,7 @@ def _with(found: Finding, copies: list[Finding]) -> Finding:
     if not copies:
         return found
     related = [Related(copy.span, "the same line in a copy") for copy in copies]
-    return replace(found, related=(*found.related, *related))
+    return replace(found, related=(*found.related, *related), copies=tuple(copies))
 
 
 def _line(found: Finding) -> tuple[str, str, str]:

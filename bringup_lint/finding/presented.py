@@ -28,4 +28,4 @@ def presented(findings: Iterable[Finding], root: str, cwd: str = "") -> Presente
     mask = mask_of(findings)
     masked = [mask.finding(finding) for finding in findings] if mask else list(findings)
     marks = fingerprints(masked, root, cwd)
-    return Presented(tuple(replace(finding, fingerprint=mark) for finding, mark in zip(masked, marks)), mask)
+    return Presented(tuple(replace(finding, fingerprint=mark, copies=()) for finding, mark in zip(masked, marks)), mask)

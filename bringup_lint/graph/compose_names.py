@@ -111,13 +111,16 @@ def _is_missing(files: Files, service: Service, found: MissingFile) -> bool:
 
 
 def _elsewhere(files: Files, service: Service, relative: str) -> bool:
-    """Whether a folder above has it: ``--project-directory`` may name that one."""
+    """Whether a folder of the tree above has it: ``--project-directory`` may name that one."""
     folder = _beside(service, ".")
     while (above := os.path.dirname(folder)) != folder:
         if files.tree.exists(os.path.join(folder, ".git")):
             return False
         folder = above
-        if files.tree.exists(os.path.join(folder, relative)):
+        path = os.path.join(folder, relative)
+        if not files.tree.holds(path):
+            return False
+        if files.tree.exists(path):
             return True
     return False
 

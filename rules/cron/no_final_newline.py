@@ -33,7 +33,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import rule
 
 
-@rule("error", fix="safe", symptoms=["Missing newline before EOF, this crontab file will be ignored"])
+@rule("error", fix="unsafe", symptoms=["Missing newline before EOF, this crontab file will be ignored"])
 def no_final_newline(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("cron"):
         text = source.text

@@ -35,7 +35,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("error", fix="safe")
+@rule("error", fix="unsafe")
 def export_prefix(robot: Robot) -> Iterator[Finding]:
     for file in robot.env_files:
         sourced = file.sourced_by

@@ -37,7 +37,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("warning", fix="safe")
+@rule("warning", fix="unsafe")
 def quotes_kept_by_docker(robot: Robot) -> Iterator[Finding]:
     yield from _of_env_files(robot)
     if robot.of_kind("compose"):

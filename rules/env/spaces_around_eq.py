@@ -40,10 +40,11 @@ def spaces_around_eq(robot: Robot) -> Iterator[Finding]:
         for entry in file.model.entries:
             blanks = list(file.blanks_around_equals(entry))
             if blanks:
+                alone = file.sourced_by is None and file.docker_run is None
                 yield finding(
                     entry.name,
                     f"Spaces around the = of {entry.name}: systemd ignores them, but a shell or docker does not",
                     advice="remove the spaces",
                     related=[note(file.readers[0].value, "the service reads it here")],
-                    fix=fix("remove the spaces", *((blank, "") for blank in blanks)),
+                    fix=fix("remove the spaces", *((blank, "") for blank in blanks), safe=alone),
                 )

@@ -36,7 +36,7 @@ from bringup_lint.api.dds import with_blanks
 from bringup_lint.api.schema import Code
 
 
-@rule("error", fix="safe", symptoms=["getXMLBool XML_ERROR!"])
+@rule("error", fix="unsafe", symptoms=["getXMLBool XML_ERROR!"])
 def bool_case(robot: Robot) -> Iterator[Finding]:
     words = {"no": "false", "off": "false", "yes": "true", "on": "true"}
     for _, remark in robot.dds.fastdds_remarks(Code.BOOL):
@@ -44,7 +44,7 @@ def bool_case(robot: Robot) -> Iterator[Finding]:
         right = text.lower() if text.lower() in ("true", "false") else words.get(text.lower())
         change = None
         if right:
-            change = fix(f"write {right}", (with_blanks(text), right), safe=text.lower() == right)
+            change = fix(f"write {right}", (with_blanks(text), right))
         yield finding(
             text,
             f"'{text}' is not a boolean for Fast DDS, which reads only true and false: the whole file is ignored",

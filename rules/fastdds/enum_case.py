@@ -37,7 +37,7 @@ from bringup_lint.api.dds import words_taken
 from bringup_lint.api.schema import Code
 
 
-@rule("error", fix="safe", symptoms=["bad content", "Invalid transport type"])
+@rule("error", fix="unsafe", symptoms=["bad content", "Invalid transport type"])
 def enum_case(robot: Robot) -> Iterator[Finding]:
     for profiles, remark in robot.dds.fastdds_remarks(Code.ENUM):
         text = remark.word

@@ -37,7 +37,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.schema import Code
 
 
-@rule("error", fix="safe", symptoms=["elements cannot be empty"])
+@rule("error", fix="unsafe", symptoms=["elements cannot be empty"])
 def lease_duration_text(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.dds.fastdds_remarks(Code.DURATION):
         text = remark.word

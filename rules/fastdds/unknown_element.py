@@ -47,7 +47,7 @@ from bringup_lint.api.dds import versions_with
 from bringup_lint.api.schema import Code
 
 
-@rule("error", fix="safe", symptoms=["Invalid element found into", "Found incorrect tag", "Not expected tag"])
+@rule("error", fix="unsafe", symptoms=["Invalid element found into", "Found incorrect tag", "Not expected tag"])
 def unknown_element(robot: Robot) -> Iterator[Finding]:
     for profiles, remark in robot.dds.fastdds_remarks(Code.UNKNOWN, Code.UNKNOWN_ATTRIBUTE):
         library = robot.dds.fastdds
@@ -70,6 +70,5 @@ def unknown_element(robot: Robot) -> Iterator[Finding]:
             advice = f"write {near}"
         elif places:
             advice = f"move it into {places[0]}"
-        safe = near is not None and near.lower() == name.lower()
-        change = fix(f"rename to {near}", *renamed(name, near), safe=safe) if near and not others else None
+        change = fix(f"rename to {near}", *renamed(name, near)) if near and not others else None
         yield finding(name, message, advice=advice, severity=severity, fix=change)

@@ -40,7 +40,7 @@ from bringup_lint.api.dds import renamed
 from bringup_lint.api.schema import Code
 
 
-@rule("error", fix="safe", symptoms=["Not found root tag"])
+@rule("error", fix="unsafe", symptoms=["Not found root tag"])
 def wrong_root(robot: Robot) -> Iterator[Finding]:
     for profiles, _ in robot.dds.fastdds_remarks(Code.ROOT):
         root = profiles.document.root

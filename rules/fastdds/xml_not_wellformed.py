@@ -41,7 +41,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.schema import Code
 
 
-@rule("error", fix="safe", symptoms=["XMLPARSER Error", "Error opening", "Error parsing XML buffer"])
+@rule("error", fix="unsafe", symptoms=["XMLPARSER Error", "Error opening", "Error parsing XML buffer"])
 def xml_not_wellformed(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.dds.fastdds_remarks(Code.XML, Code.INSTRUCTION):
         if not remark.fatal:

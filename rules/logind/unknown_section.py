@@ -36,6 +36,6 @@ from bringup_lint.api import daemons
 from bringup_lint.api import rule
 
 
-@rule("error", fix="safe", symptoms=["Unknown section"])
+@rule("error", fix="unsafe", symptoms=["Unknown section"])
 def unknown_section(robot: Robot) -> Iterator[Finding]:
     yield from daemons.unknown_sections(robot.logind)

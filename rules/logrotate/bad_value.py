@@ -60,7 +60,7 @@ SIZE = regex(r"(\d+)\s*([kKmMgG])(?:i?[bB])?")
 
 @rule(
     "error",
-    fix="safe",
+    fix="unsafe",
     symptoms=["found error in", "unknown unit", "bad size", "bad rotation count", "argument expected after"],
 )
 def bad_value(robot: Robot) -> Iterator[Finding]:

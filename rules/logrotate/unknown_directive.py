@@ -38,7 +38,7 @@ from bringup_lint.api.schema import unknown_name
 from bringup_lint.api.spelling import nearest
 
 
-@rule("error", fix="safe", symptoms=["unknown option", "-- ignoring line"])
+@rule("error", fix="unsafe", symptoms=["unknown option", "-- ignoring line"])
 def unknown_directive(robot: Robot) -> Iterator[Finding]:
     for file in robot.logs.files:
         for problem in file.problems:

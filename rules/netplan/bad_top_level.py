@@ -38,7 +38,7 @@ from bringup_lint.api.schema import Remark
 from bringup_lint.api.spelling import nearest
 
 
-@rule("error", fix="safe", symptoms=["Error in network definition: unknown key"])
+@rule("error", fix="unsafe", symptoms=["Error in network definition: unknown key"])
 def bad_top_level(robot: Robot) -> Iterator[Finding]:
     for problem in robot.netplan.problems(Code.UNKNOWN):
         if not isinstance(problem, Remark):

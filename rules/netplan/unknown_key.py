@@ -57,7 +57,7 @@ FOREIGN = {
 """Keys of other tools, and what netplan has instead."""
 
 
-@rule("error", fix="safe", symptoms=["Error in network definition: unknown key"])
+@rule("error", fix="unsafe", symptoms=["Error in network definition: unknown key"])
 def unknown_key(robot: Robot) -> Iterator[Finding]:
     for problem in robot.netplan.problems(Code.UNKNOWN):
         if not isinstance(problem, Remark):
@@ -77,5 +77,5 @@ def unknown_key(robot: Robot) -> Iterator[Finding]:
             key,
             f"Unknown key '{key}' in {table}: netplan generates nothing",
             advice=advice,
-            fix=fix(f"rename to {near[0]}", (key, near[0]), safe=len(near) == 1) if near else None,
+            fix=fix(f"rename to {near[0]}", (key, near[0])) if near else None,
         )

@@ -36,7 +36,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.schema import Code
 
 
-@rule("error", fix="safe", symptoms=["Only version 2 is supported"])
+@rule("error", fix="unsafe", symptoms=["Only version 2 is supported"])
 def version(robot: Robot) -> Iterator[Finding]:
     for problem in robot.netplan.problems(Code.VERSION):
         change = fix("write version 2", (problem.where, "2"))

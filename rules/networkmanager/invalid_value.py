@@ -44,7 +44,7 @@ CODES = (Code.BOOL, Code.NUMBER, Code.ENUM, Code.ADDRESS)
 BOOLEANS = {"yes": "true", "on": "true", "no": "false", "off": "false"}
 
 
-@rule("error", fix="safe", symptoms=["is not a valid value for the property", "property is invalid"])
+@rule("error", fix="unsafe", symptoms=["is not a valid value for the property", "property is invalid"])
 def invalid_value(robot: Robot) -> Iterator[Finding]:
     for _, problem in robot.networkmanager.problems(*CODES):
         if not isinstance(problem, Remark):

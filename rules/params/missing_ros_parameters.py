@@ -64,7 +64,11 @@ def missing_ros_parameters(robot: Robot) -> Iterator[Finding]:
             f"'{first}' is not ros__parameters: {_effect(robot, file, 'the file')}",
             advice="write ros__parameters, with two underscores",
             related=[note(other, "here too") for other in others],
-            fix=fix("write ros__parameters", *((where, "ros__parameters") for where in (first, *others))),
+            fix=fix(
+                "write ros__parameters",
+                *((where, "ros__parameters") for where in (first, *others)),
+                safe=robot.params.reader(file) == "rcl",
+            ),
             severity=robot.params.proven(file),
         )
     outside: dict[ParameterFile, list[Located | Span]] = {}

@@ -61,7 +61,7 @@ def mixed_list(robot: Robot) -> Iterator[Finding]:
             f"'{parameter.name}' mixes {' and '.join(types)}: "
             + ("the node gets no usable list" if only_pyyaml else "the process that loads the file exits at start"),
             advice=f"write {', '.join(f'{item.text}.0' for item in whole[:3])}" if doubles else "use one type",
-            fix=fix("write doubles", *((item.span, f"{item.text}.0") for item in whole))
+            fix=fix("write doubles", *((item.span, f"{item.text}.0") for item in whole), safe=not only_pyyaml)
             if doubles and all(_DECIMAL.match(item.text) for item in whole)
             else None,
             severity=robot.params.proven(file),

@@ -64,5 +64,5 @@ def use_sim_time_not_bool(robot: Robot) -> Iterator[Finding]:
             f"use_sim_time is the {value.type.replace('_', ' ')} {parameter.text}, not a boolean: the node rejects "
             "it and stays on wall time",
             advice=f"write {plain or 'true or false'}",
-            fix=fix(f"write {plain}", (parameter.span, plain)) if plain else None,
+            fix=fix(f"write {plain}", (parameter.span, plain), safe=plain == "false") if plain else None,
         )

@@ -36,7 +36,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.schema import Code
 
 
-@rule("error", fix="safe", symptoms=["Permissions validity period expired"])
+@rule("error", fix="unsafe", symptoms=["Permissions validity period expired"])
 def permissions_date_format(robot: Robot) -> Iterator[Finding]:
     for _, remark in robot.sros2.remarks(Code.DATE):
         text = remark.inside.text

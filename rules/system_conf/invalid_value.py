@@ -34,6 +34,6 @@ from bringup_lint.api import daemons
 from bringup_lint.api import rule
 
 
-@rule("error", fix="safe", symptoms=["Failed to parse", "ignoring:"])
+@rule("error", fix="unsafe", symptoms=["Failed to parse", "ignoring:"])
 def invalid_value(robot: Robot) -> Iterator[Finding]:
     yield from daemons.invalid_values(robot.system_conf, robot.target)

@@ -35,6 +35,6 @@ from bringup_lint.api import daemons
 from bringup_lint.api import rule
 
 
-@rule("error", fix="safe", symptoms=["Assignment outside of section"])
+@rule("error", fix="unsafe", symptoms=["Assignment outside of section"])
 def no_manager_section(robot: Robot) -> Iterator[Finding]:
     yield from daemons.lines_without_section(robot.system_conf)

@@ -39,7 +39,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import rule
 
 
-@rule("error", fix="safe", symptoms=["Missing '=', ignoring line"])
+@rule("error", fix="unsafe", symptoms=["Missing '=', ignoring line"])
 def backslash_space(robot: Robot) -> Iterator[Finding]:
     for file in robot.units.unit_files:
         for problem in file.problems:

@@ -49,7 +49,7 @@ from bringup_lint.api.systemd import Line
 from bringup_lint.api.systemd import ValueProblem
 
 
-@rule("error", fix="safe", symptoms=["Failed to parse", "Invalid memory limit", "is not absolute", "ignoring:"])
+@rule("error", fix="unsafe", symptoms=["Failed to parse", "Invalid memory limit", "is not absolute", "ignoring:"])
 def invalid_value(robot: Robot) -> Iterator[Finding]:
     for line in robot.units.lines:
         problems = [problem for problem in line.problems if _is_reported(line, problem)]
@@ -84,5 +84,5 @@ def _finding(line: Line, problem: ValueProblem, *others: ValueProblem) -> Findin
     if problem.suggestion is None:
         return finding(where, message, advice=f"write {problem.expected}", related=related)
     meant = [(each.where, each.suggestion) for each in (problem, *others) if each.suggestion is not None]
-    change = fix(f"write {problem.suggestion}", *meant, safe=all(each.safe for each in (problem, *others)))
+    change = fix(f"write {problem.suggestion}", *meant)
     return finding(where, message, advice=f"write {problem.suggestion}", related=related, fix=change)

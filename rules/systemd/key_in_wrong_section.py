@@ -46,7 +46,7 @@ from bringup_lint.api.systemd import directives
 from bringup_lint.api.systemd import move_lines
 
 
-@rule("error", fix="safe", symptoms=["Unknown key name", "Unknown lvalue"])
+@rule("error", fix="unsafe", symptoms=["Unknown key name", "Unknown lvalue"])
 def key_in_wrong_section(robot: Robot) -> Iterator[Finding]:
     for file in robot.units.unit_files:
         allowed = directives.sections_of_type(file.type)

@@ -66,7 +66,7 @@ BASES = {
 }
 
 
-@rule("warning", fix="safe", symptoms=["Failed to set up mount namespacing", "status=226/NAMESPACE"])
+@rule("warning", fix="unsafe", symptoms=["Failed to set up mount namespacing", "status=226/NAMESPACE"])
 def readwritepaths_missing(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.judged:
         box = robot.units.sandbox(unit)

@@ -45,7 +45,7 @@ OF_BASH = regex(r"\.(?:bash|bashrc|bash_profile)$")
 SHEBANG = regex(r"#!\s*(/(?:usr/)?bin/(?:da)?sh)\b")
 
 
-@rule("error", fix="safe", symptoms=["source: not found", 'Syntax error: "(" unexpected'])
+@rule("error", fix="unsafe", symptoms=["source: not found", 'Syntax error: "(" unexpected'])
 def sh_source(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         for process in robot.units.processes(unit):

@@ -44,7 +44,7 @@ from bringup_lint.api.systemd import directives
 from bringup_lint.api.systemd import misspelt_trigger
 
 
-@rule("error", fix="safe", symptoms=["Unknown key name", "Unknown lvalue"])
+@rule("error", fix="unsafe", symptoms=["Unknown key name", "Unknown lvalue"])
 def unknown_key(robot: Robot) -> Iterator[Finding]:
     reported = {misspelt.key.span for misspelt in map(misspelt_trigger, robot.units.judged) if misspelt}
     for file in robot.units.unit_files:
@@ -68,5 +68,5 @@ def _unknown(key: Located, section: str) -> Finding:
         return finding(key, message, advice=f"{key}= belongs in [{'] or ['.join(homes)}] of another unit type")
     if not meant:
         return finding(key, message, advice="remove the line, or see systemd.directives(7) for the right name")
-    change = fix(f"rename to {meant[0]}", (key, meant[0]), safe=meant[0].lower() == key.lower())
+    change = fix(f"rename to {meant[0]}", (key, meant[0]))
     return finding(key, message, advice=f"did you mean {meant[0]}?", fix=change if len(meant) == 1 else None)

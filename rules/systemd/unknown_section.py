@@ -39,7 +39,7 @@ from bringup_lint.api.spelling import nearest
 from bringup_lint.api.systemd import directives
 
 
-@rule("error", fix="safe", symptoms=["Unknown section", "Invalid section header"])
+@rule("error", fix="unsafe", symptoms=["Unknown section", "Invalid section header"])
 def unknown_section(robot: Robot) -> Iterator[Finding]:
     for file in robot.units.unit_files:
         allowed = directives.sections_of_type(file.type)

@@ -35,7 +35,7 @@ from bringup_lint.api import rule
 
 @rule(
     "error",
-    fix="safe",
+    fix="unsafe",
     symptoms=["Invalid operator for SUBSYSTEM", "Invalid operator for KERNEL", "Invalid operator for ATTRS"],
 )
 def assign_instead_of_match(robot: Robot) -> Iterator[Finding]:

@@ -32,7 +32,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import rule
 
 
-@rule("error", fix="safe", symptoms=["Only network interfaces can be renamed, ignoring"])
+@rule("error", fix="unsafe", symptoms=["Only network interfaces can be renamed, ignoring"])
 def name_not_net(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         if not line.subsystems or "net" in line.subsystems:

@@ -33,7 +33,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import rule
 
 
-@rule("error", fix="safe", symptoms=["The line has no effect, ignoring"])
+@rule("error", fix="unsafe", symptoms=["The line has no effect, ignoring"])
 def symlink_match(robot: Robot) -> Iterator[Finding]:
     for _, line in robot.udev.problems("no-effect"):
         for token in line.matches("SYMLINK"):

@@ -74,7 +74,7 @@ _KEPT = {
 
 @rule(
     "error",
-    fix="safe",
+    fix="unsafe",
     symptoms=[
         "Invalid key/value pair, ignoring",
         "Invalid key",

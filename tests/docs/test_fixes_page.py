@@ -21,9 +21,11 @@ from tests.rules.test_fixtures import arguments
 PAGE = PROJECT / "docs/fixes.md"
 HEAD = """# Fixes
 
-`--fix` applies the safe fixes, `--fix --unsafe-fixes` all of them. A safe fix corrects what does not work today: a
-name, a value, a syntax that the reader refuses or ignores. An unsafe fix changes what the robot does: who may log in,
-what starts, stops, is ordered or is rotated, which nodes find each other.
+`--fix` applies the safe fixes, `--fix --unsafe-fixes` all of them. A safe fix changes nothing that works: afterwards
+the robot does the same, or what it corrects keeps a program from starting at all and there is one way to write it. An
+unsafe fix changes what the robot does: who may log in, what starts, stops, is ordered or is rotated, which value a node
+gets, which nodes find each other. It is also unsafe to bring a line into effect that its reader ignores today, and to
+guess a name.
 
 For each fix, a test compares what the tool in the last column says of the file before and after the fix: it must not
 find anything new. Where it names none, the parser of bringup-lint alone judges the fixed file.

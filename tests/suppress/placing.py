@@ -36,6 +36,8 @@ class Found:
     """0 for the file as a whole."""
     message: str
     suppressed: bool
+    copies: tuple[tuple[str, int], ...] = ()
+    """The paths and lines of the same finding in copies of the file."""
 
 
 def found(case: Path, *arguments: str) -> list[Found]:
@@ -47,7 +49,9 @@ def found(case: Path, *arguments: str) -> list[Found]:
 def _found(each: dict[str, Any]) -> Found:
     place = each["location"]
     line = place["start"]["line"] if place["end"]["offset"] else 0
-    return Found(each["rule"], place["path"], line, each["message"], bool(each["suppressed"]))
+    others = (other["location"] for other in each["related"] if other["message"] == "the same line in a copy")
+    copies = tuple((other["path"], other["start"]["line"]) for other in others)
+    return Found(each["rule"], place["path"], line, each["message"], bool(each["suppressed"]), copies)
 
 
 def copied(case: Path, to: Path) -> Path:

@@ -41,7 +41,8 @@ def write_comments(folder: Path, findings: list[Found]) -> dict[str, set[str]]:
     """Silence the findings in their files; returns the rules to be silenced by the configuration, by path."""
     wanted: dict[str, dict[int, set[str]]] = defaultdict(lambda: defaultdict(set))
     for each in findings:
-        wanted[each.path][each.line].add(each.rule)
+        for path, line in ((each.path, each.line), *each.copies):
+            wanted[path][line].add(each.rule)
     left: dict[str, set[str]] = {}
     for name, lines in wanted.items():
         source = source_of(folder, name)
@@ -77,5 +78,5 @@ def test_finding_can_be_silenced(rule_id: str, case: Path, tmp_path: Path) -> No
     after = found(folder, *check)
     assert [each for each in after if each.rule == rule_id and not each.suppressed] == []
     assert any(each.suppressed for each in after)
-    known = {(each.rule, each.path) for each in before}
+    known = {(each.rule, path) for each in before for path, _ in ((each.path, each.line), *each.copies)}
     assert [each for each in after if (each.rule, each.path) not in known and not each.suppressed] == []
