@@ -39,6 +39,8 @@ class Source:
     """Where the symbolic link points, as written in it; None for a plain file."""
     uid: int | None = None
     gid: int | None = None
+    masked: bool = False
+    """Whether secrets in the text are hidden, so that it is not what the file holds."""
     origin: Origin | None = None
     """Where the text comes from when another file of the tree writes this one."""
 

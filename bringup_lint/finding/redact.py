@@ -88,7 +88,7 @@ class Mask:
             for _, start, end in self.spans.get(source, ()):
                 text[start:end] = _stars(source.text[start:end])
             masked = self.words("".join(text))
-            self.sources[source] = source if masked == source.text else replace(source, text=masked)
+            self.sources[source] = source if masked == source.text else replace(source, text=masked, masked=True)
         return self.sources[source]
 
     def span(self, span: Span) -> Span:

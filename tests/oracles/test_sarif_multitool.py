@@ -44,10 +44,24 @@ def multitool() -> Path:
     pytest.skip("the SARIF Multitool is not installed")
 
 
-def complaints(multitool: Path, file: Path) -> list[str]:
+AGENT = {
+    "TF_BUILD": "True",
+    "SYSTEM_COLLECTIONURI": "https://dev.azure.com/mowers/",
+    "SYSTEM_TEAMPROJECTID": "0b8f7e5c-5a10-4c34-9f5e-1f6f6a0c1d2e",
+    "SYSTEM_DEFINITIONID": "12",
+    "BUILD_DEFINITIONNAME": "bring-up",
+    "SYSTEM_PHASEID": "3a3a2a60-14c7-570b-14a4-fa42ad92f52a",
+    "SYSTEM_PHASENAME": "Job",
+    "BUILD_SOURCEBRANCH": "refs/heads/main",
+    "BUILD_BUILDID": "345",
+}
+"""What the agent of Azure Pipelines says of a build."""
+
+
+def complaints(multitool: Path, file: Path, rules: str = "Sarif;Gh") -> list[str]:
     settings = file.with_name("offline.xml")
     settings.write_text(OFFLINE, "utf-8")
-    kinds = ["--rule-kind", "Sarif;Ghas", "--level", "Error;Warning", "--max-file-size-in-kb", "1000000"]
+    kinds = ["--rule-kind", rules, "--level", "Error;Warning", "--max-file-size-in-kb", "1000000"]
     run = subprocess.run(
         [multitool, "validate", file, *kinds, "--config", settings],
         capture_output=True,
@@ -66,6 +80,16 @@ def test_validates(multitool: Path, name: str, tmp_path: Path) -> None:
     file = tmp_path / f"{name}.sarif"
     file.write_text(render("sarif", report), "utf-8")
     assert complaints(multitool, file) == []
+
+
+@pytest.mark.parametrize("name", ["sample", "clean", "bare"])
+def test_azure_takes_it(multitool: Path, name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    for variable, value in AGENT.items():
+        monkeypatch.setenv(variable, value)
+    file = tmp_path / f"{name}.sarif"
+    report = {"sample": sample, "clean": clean, "bare": Report}[name]()
+    file.write_text(render("sarif", report), "utf-8")
+    assert complaints(multitool, file, "Sarif;Ado") == []
 
 
 def test_tool_does_complain(multitool: Path, tmp_path: Path) -> None:

@@ -9,6 +9,9 @@ from typing import Any
 from bringup_lint.finding import Finding
 from bringup_lint.finding import Fix
 from bringup_lint.finding import Related
+from bringup_lint.finding.place import is_whole_file
+from bringup_lint.finding.place import place_of
+from bringup_lint.report.sarif.line_hash import line_hash
 from bringup_lint.report.sarif.places import Places
 from bringup_lint.report.sarif.places import exact_region
 from bringup_lint.report.sarif.rules import LEVELS
@@ -22,7 +25,7 @@ def result(finding: Finding, index: int, places: Places, silenced: bool) -> dict
         "level": LEVELS[finding.severity],
         "message": {"text": message(finding)},
         "locations": [{"physicalLocation": places.physical(finding.span)}],
-        "partialFingerprints": {"bringupLint/v1": finding.fingerprint},
+        "partialFingerprints": _fingerprints(finding),
         "properties": {"confidence": str(finding.confidence)},
     }
     if finding.related:
@@ -37,6 +40,14 @@ def result(finding: Finding, index: int, places: Places, silenced: bool) -> dict
     if silenced:
         made["suppressions"] = list(_suppressions(finding, places))
     return made
+
+
+def _fingerprints(finding: Finding) -> dict[str, str]:
+    """Ours, and the one that GitHub reads, for the line that the region starts in."""
+    known = {"bringupLint/v1": finding.fingerprint}
+    line = 1 if is_whole_file(finding.span) else place_of(finding.span).line
+    of_line = line_hash(finding.source, line)
+    return {**known, "primaryLocationLineHash": of_line} if of_line else known
 
 
 def message(finding: Finding) -> str:

@@ -16,6 +16,8 @@ from bringup_lint.report.model import RuleDoc
 DEFINITION = "https://cwe.mitre.org/data/definitions/{}.html"
 LEVELS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO: "note"}
 _PROBLEMS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO: "recommendation"}
+SECURITY_SEVERITIES = {Severity.ERROR: "8.0", Severity.WARNING: "5.5", Severity.INFO: "2.0"}
+"""Of rules that are tagged ``security``: high, medium and low to GitHub and Azure DevOps, by the scale of CVSS."""
 _PRECISION = {Confidence.HIGH: "high", Confidence.MEDIUM: "medium"}
 
 
@@ -32,6 +34,7 @@ def documented(report: Report) -> list[RuleDoc]:
 def descriptor(rule: RuleDoc, taxonomy: dict[str, Any] | None) -> dict[str, Any]:
     """A SARIF ``reportingDescriptor``."""
     cwes = [tag for tag in rule.tags if tag.startswith("CWE-")]
+    tags = _tags(rule)
     made: dict[str, Any] = {
         "id": rule.id,
         "name": "".join(word.capitalize() for word in rule.id.replace("/", "-").split("-")),
@@ -40,11 +43,13 @@ def descriptor(rule: RuleDoc, taxonomy: dict[str, Any] | None) -> dict[str, Any]
         "help": {"text": plain(rule), "markdown": markdown(rule)},
         "defaultConfiguration": {"level": LEVELS[rule.severity]},
         "properties": {
-            "tags": [rule.id.partition("/")[0], *_tags(rule)],
+            "tags": [rule.id.partition("/")[0], *tags],
             "precision": _PRECISION[rule.confidence],
             "problem.severity": _PROBLEMS[rule.severity],
         },
     }
+    if "security" in tags:
+        made["properties"]["security-severity"] = SECURITY_SEVERITIES[rule.severity]
     if rule.uri:
         made["helpUri"] = rule.uri
     if rule.aliases:

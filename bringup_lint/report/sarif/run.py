@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import shlex
+from dataclasses import replace
 from typing import Any
 
+from bringup_lint.finding import Finding
 from bringup_lint.finding.uri import file_uri
 from bringup_lint.report.model import Notification
 from bringup_lint.report.model import Report
+from bringup_lint.report.sarif.automation import automation_details
 from bringup_lint.report.sarif.places import Places
 from bringup_lint.report.sarif.places import location
 from bringup_lint.report.sarif.results import result
@@ -16,10 +19,13 @@ from bringup_lint.report.sarif.rules import descriptor
 from bringup_lint.report.sarif.rules import documented
 from bringup_lint.report.times import utc
 
+MOST = 5000
+"""Results; GitHub shows no more of one run."""
 HOME = "https://github.com/bringup-lint/bringup-lint"
 
 
 def run(report: Report) -> dict[str, Any]:
+    report = _limited(report)
     rules = documented(report)
     taxonomy = cwe_taxonomy(rules)
     indexes = {rule.id: number for number, rule in enumerate(rules)}
@@ -45,7 +51,7 @@ def run(report: Report) -> dict[str, Any]:
         "language": "en-US",
         "columnKind": "unicodeCodePoints",
         "defaultEncoding": "utf-8",
-        "automationDetails": {"id": "bringup-lint/"},
+        "automationDetails": automation_details(),
         "originalUriBaseIds": {"%SRCROOT%": _root(report)},
         "invocations": [_invocation(report, indexes)],
         **({"taxonomies": [taxonomy]} if taxonomy else {}),
@@ -57,6 +63,21 @@ def run(report: Report) -> dict[str, Any]:
             "kinds": dict(sorted(report.kinds.items())),
         },
     }
+
+
+def _limited(report: Report) -> Report:
+    """The report with the worst findings that a run may hold, in their order, and with a word on the others."""
+    if len(report.findings) <= MOST:
+        return report
+    ranks = sorted(range(len(report.findings)), key=lambda at: _rank(report.findings[at]))
+    kept = tuple(report.findings[at] for at in sorted(ranks[:MOST]))
+    left = len(report.findings) - MOST
+    said = f"{left} results are left out, since code scanning services show no more than {MOST}; errors come first"
+    return replace(report, findings=kept, notifications=(*report.notifications, Notification("warning", said)))
+
+
+def _rank(finding: Finding) -> tuple[bool, int]:
+    return finding.suppression is not None, -finding.severity
 
 
 def _root(report: Report) -> dict[str, Any]:
