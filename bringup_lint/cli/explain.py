@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Sequence
+from itertools import zip_longest
 from pathlib import Path
 
 import click
@@ -12,18 +13,16 @@ from bringup_lint.cli.options import rules_option
 from bringup_lint.cli.reporting import terminal_width
 from bringup_lint.cli.reporting import wants_colour
 from bringup_lint.finish import doc_of
-from bringup_lint.pattern import regex
+from bringup_lint.log_lines import Answer
+from bringup_lint.log_lines import OtherCause
+from bringup_lint.log_lines import explained
+from bringup_lint.log_lines import speaker_of
 from bringup_lint.registry import Registry
 from bringup_lint.registry import Rule
+from bringup_lint.report.docs import PROSE
 from bringup_lint.report.docs import plain
+from bringup_lint.report.wrap import wrap
 from bringup_lint.spelling import meant
-
-_WORD = regex(r"[A-Za-z0-9_./=-]{2,}")
-_COMMON = frozenset(
-    "no such the and for with was not has been from this that are error failed failure warning info to of in on at "
-    "is it by "
-    "service unit node process systemd ros2 launch start started".split()
-)
 
 
 @click.command(context_settings={"help_option_names": ["-h", "--help"]})
@@ -40,54 +39,48 @@ def command(ctx: click.Context, what: tuple[str, ...], rule_folders: tuple[Path,
     """
     text = " ".join(what)
     registry = Registry.of(rule_folders)
-    found = [registry[text]] if text in registry.paths else _found(text, list(registry.all()))
-    if len(found) > 1:
-        _list(text, found)
+    if text in registry.paths:
+        return _print(registry[text], colour)
+    rules = list(registry.all())
+    named = [rule for rule in rules if text in (rule.id.partition("/")[2], *rule.meta.aliases)]
+    answer = Answer() if named else explained(text, rules)
+    found = named or [match.rule for match in answer.matches]
+    if len(found) == 1:
+        _print(found[0], colour)
+    elif named:
+        _list(f"{len(named)} rules are called '{text}':", named)
     elif found:
-        painted = wants_colour(colour)
-        click.echo(plain(doc_of(found[0]), terminal_width(), painted), nl=False, color=painted)
+        _list(_heading(text, len(found)), found, [match.symptom for match in answer.matches])
+    elif answer.other:
+        _print_other(text, answer.other)
     else:
         click.echo(f"bringup-lint: {_unknown(text, registry)}", err=True)
         ctx.exit(2)
 
 
-def _found(text: str, rules: list[Rule]) -> list[Rule]:
-    """The rules of a name, else those of a log line."""
-    named = [rule for rule in rules if text in (rule.id.partition("/")[2], *rule.meta.aliases)]
-    return named or matching(text, rules)
+def _print(rule: Rule, colour: bool | None) -> None:
+    painted = wants_colour(colour)
+    click.echo(plain(doc_of(rule), terminal_width(), painted), nl=False, color=painted)
 
 
-def matching(line: str, rules: Iterable[Rule]) -> list[Rule]:
-    """The rules one of whose symptoms a log line holds, or shares its telling words with; the best first."""
-    scores = []
-    words = _telling(line)
-    for rule in rules:
-        score = max((_score(line, words, symptom) for symptom in rule.meta.symptoms), default=0.0)
-        if score:
-            scores.append((-score, rule.id, rule))
-    scores.sort(key=lambda item: item[:2])
-    best = -scores[0][0] if scores else 0
-    return [rule for negative, _, rule in scores if -negative >= best * 0.75]
+def _heading(line: str, count: int) -> str:
+    speaker = speaker_of(line)
+    written = f", a line of {speaker.program}" if speaker else ""
+    return f"{count} rules explain '{line}'{written}. The most likely first:"
 
 
-def _score(line: str, words: set[str], symptom: str) -> float:
-    if symptom.lower() in line.lower() or (len(line) > 8 and line.lower() in symptom.lower()):
-        return 2.0
-    telling = _telling(symptom)
-    shared = telling & words
-    share = len(shared) / len(telling) if telling else 0
-    return share if share >= 0.6 and len(shared) >= 2 else 0.0
-
-
-def _telling(text: str) -> set[str]:
-    return {word.lower() for word in _WORD.findall(text)} - _COMMON
-
-
-def _list(text: str, found: list[Rule]) -> None:
-    click.echo(f"{len(found)} rules explain '{text}':\n")
-    for rule in found:
+def _list(heading: str, found: Sequence[Rule], symptoms: Sequence[str] = ()) -> None:
+    click.echo(f"{heading}\n")
+    for rule, symptom in zip_longest(found, symptoms):
         click.echo(f"  {rule.id}\n      {rule.title}")
+        if symptom:
+            click.echo(f"      log line: {symptom}")
     click.echo("\nbringup-lint explain RULE prints one of them.")
+
+
+def _print_other(line: str, cause: OtherCause) -> None:
+    judged = "The cause is outside of the files that are checked" if cause.outside else "Not a configuration defect"
+    click.echo("\n".join(wrap(f"'{line}': {judged}. {cause.reason}", min(terminal_width(), PROSE))))
 
 
 def _unknown(text: str, registry: Registry) -> str:

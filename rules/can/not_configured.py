@@ -41,7 +41,11 @@ from bringup_lint.api import rule
 
 @rule(
     "error",
-    symptoms=["RTNETLINK answers: Invalid argument", "No valid settings found in the [Match] section"],
+    symptoms=[
+        "RTNETLINK answers: Invalid argument",
+        "No valid settings found in the [Match] section",
+        "RTNETLINK answers: Operation not supported",
+    ],
 )
 def not_configured(robot: Robot) -> Iterator[Finding]:
     for file in robot.can.files:

@@ -37,7 +37,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.yaml import first_key
 
 
-@rule("info", fix="unsafe")
+@rule("info", fix="unsafe", symptoms=["exited with code 137"])
 def stop_grace(robot: Robot) -> Iterator[Finding]:
     for service in robot.compose.whole_services:
         text, seconds = service.scalar("stop_grace_period"), service.stop_grace

@@ -50,7 +50,14 @@ _SEVERITY = {"argument": "info"}
 _RANK = ("literal", "unit", "host", "default", "script", "argument")
 
 
-@rule("warning", symptoms=["could not open port /dev/ttyUSB0", "Could not open device /dev/ttyUSB0"])
+@rule(
+    "warning",
+    symptoms=[
+        "could not open port '/dev/tty*': [Errno 2] No such file or directory",
+        "could not open port /dev/ttyUSB0",
+        "Could not open device /dev/ttyUSB0",
+    ],
+)
 def unstable_path(robot: Robot) -> Iterator[Finding]:
     found: dict[tuple[str, str], list[tuple[DeviceUse, list[Link]]]] = {}
     for use, links in robot.devices.unstable:

@@ -38,7 +38,11 @@ from bringup_lint.api import rule
 from bringup_lint.api.docker import lacking_sources
 
 
-@rule("error", confidence="medium", symptoms=["failed to calculate checksum of ref", "not found"])
+@rule(
+    "error",
+    confidence="medium",
+    symptoms=["failed to calculate checksum of ref", "COPY failed: file not found in build context"],
+)
 def copy_source_missing(robot: Robot) -> Iterator[Finding]:
     for lacking in lacking_sources(robot.files, robot.compose):
         service = lacking.service

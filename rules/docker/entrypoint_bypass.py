@@ -40,7 +40,7 @@ OFFICIAL = regex(rf"(?:^|/)(?:osrf/)?ros:(?:{'|'.join(distros_since('humble'))})
 SOURCES = regex(r"setup\.(?:ba|z)?sh|ros_entrypoint\.sh")
 
 
-@rule("info")
+@rule("info", symptoms=['exec: "ros2": executable file not found in $PATH'])
 def entrypoint_bypass(robot: Robot) -> Iterator[Finding]:
     for file in robot.dockerfiles:
         stage = file.final

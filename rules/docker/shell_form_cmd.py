@@ -41,7 +41,7 @@ from bringup_lint.api.docker import stays_in_shell
 ROS = regex(r"\bros2\s|/ros_entrypoint\.sh|\.launch\.(?:py|xml)")
 
 
-@rule("warning", fix="unsafe")
+@rule("warning", fix="unsafe", symptoms=["exited with code 137"])
 def shell_form_cmd(robot: Robot) -> Iterator[Finding]:
     for file in robot.dockerfiles:
         stage = file.final

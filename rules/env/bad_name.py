@@ -33,7 +33,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("error")
+@rule("error", symptoms=["Ignoring invalid environment assignment"])
 def bad_name(robot: Robot) -> Iterator[Finding]:
     for file in robot.env_files:
         for problem in file.model.problems:

@@ -46,7 +46,7 @@ from bringup_lint.api.systemd import Process
 from bringup_lint.api.systemd import Unit
 
 
-@rule("warning", symptoms=["ros2: command not found", "No module named 'ros2cli'", "Package not found"])
+@rule("warning", symptoms=["No module named 'ros2cli'", "Package not found", "ros2: command not found"])
 def bashrc_only(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     for unit in units.services:

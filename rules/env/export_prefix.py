@@ -35,7 +35,11 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("error", fix="unsafe")
+@rule(
+    "error",
+    fix="unsafe",
+    symptoms=["Ignoring invalid environment assignment 'export", "poorly formatted environment: variable 'export"],
+)
 def export_prefix(robot: Robot) -> Iterator[Finding]:
     for file in robot.env_files:
         sourced = file.sourced_by

@@ -59,7 +59,11 @@ DISTRO = regex(r"/opt/ros/[a-z]+")
 @rule(
     "error",
     fix="unsafe",
-    symptoms=["ModuleNotFoundError: No module named 'ros2cli'", "ros2: command not found"],
+    symptoms=[
+        "ros2: command not found",
+        "ModuleNotFoundError: No module named 'ros2cli'",
+        "Package '*' not found: \"package '*' not found, searching:",
+    ],
 )
 def ros2_not_sourced(robot: Robot) -> Iterator[Finding]:
     units = robot.units

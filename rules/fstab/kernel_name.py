@@ -35,7 +35,7 @@ from bringup_lint.api import rule
 KERNEL_NAME = regex(r"/dev/[sh]d[a-z]\d*")
 
 
-@rule("info")
+@rule("info", symptoms=["Timed out waiting for device /dev/sd"])
 def kernel_name(robot: Robot) -> Iterator[Finding]:
     for fstab in robot.fstabs:
         for mount in fstab.mounts:

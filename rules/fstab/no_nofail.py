@@ -41,7 +41,16 @@ STATE = ("/data", "/persist", "/persistent", "/userdata", "/state")
 """Where images with a read-only root keep what has to last, on the same disk."""
 
 
-@rule("warning", fix="unsafe", symptoms=["You are in emergency mode", "Timed out waiting for device"])
+@rule(
+    "warning",
+    fix="unsafe",
+    symptoms=[
+        "Timed out waiting for device /dev/disk/",
+        "You are in emergency mode",
+        "Timed out waiting for device",
+        "Dependency failed for Local File Systems",
+    ],
+)
 def no_nofail(robot: Robot) -> Iterator[Finding]:
     for fstab in robot.fstabs:
         for mount in fstab.mounts:

@@ -36,7 +36,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import rule
 
 
-@rule("warning", fix="unsafe")
+@rule("warning", fix="unsafe", symptoms=["No space left on device"])
 def no_size_limit(robot: Robot) -> Iterator[Finding]:
     for daemon in robot.journald:
         storage = daemon.get("Storage", read=str)

@@ -41,7 +41,7 @@ PLACEHOLDERS = ("/home/livox/livox_test.lvx",)
 """Values that drivers ask for and use only to replay a recording: livox_ros_driver2 with ``data_src`` 0."""
 
 
-@rule("warning")
+@rule("warning", symptoms=["No such file or directory: '/home/"])
 def hardcoded_path(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         for action, _ in robot.launch.visited(file):

@@ -38,7 +38,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("error")
+@rule("error", symptoms=["RecursionError: maximum recursion depth exceeded"])
 def include_cycle(robot: Robot) -> Iterator[Finding]:
     seen = set()
     for expansion in robot.launch.expansions:

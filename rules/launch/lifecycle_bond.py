@@ -41,7 +41,13 @@ from bringup_lint.api import rule
 BONDED = ("nav2_", "opennav_", "slam_toolbox")
 
 
-@rule("warning")
+@rule(
+    "warning",
+    symptoms=[
+        "was unable to be reached after * by bond. This server may be misconfigured",
+        "IS DOWN after not receiving a heartbeat for",
+    ],
+)
 def lifecycle_bond(robot: Robot) -> Iterator[Finding]:
     for expansion in robot.launch.entries:
         if robot.launch.simulated(expansion.entry):

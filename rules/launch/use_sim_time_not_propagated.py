@@ -40,7 +40,13 @@ from bringup_lint.api import rule
 TIMED = ("localization", "mapping", "planning", "control", "costmap", "map", "state")
 
 
-@rule("warning")
+@rule(
+    "warning",
+    symptoms=[
+        "the timestamp on the message is earlier than all the data in the transform cache",
+        "Lookup would require extrapolation into the",
+    ],
+)
 def use_sim_time_not_propagated(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         own = [

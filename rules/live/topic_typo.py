@@ -37,7 +37,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("warning", confidence="medium")
+@rule("warning", confidence="medium", symptoms=["does not appear to be published yet"])
 def topic_typo(robot: Robot) -> Iterator[Finding]:
     observed = robot.observed
     for subscription, publisher, why in observed.meant:

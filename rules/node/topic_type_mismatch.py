@@ -36,7 +36,7 @@ from bringup_lint.api import rule
 from bringup_lint.api import topics
 
 
-@rule("error")
+@rule("error", symptoms=["as it contains more than one type"])
 def topic_type_mismatch(robot: Robot) -> Iterator[Finding]:
     for publisher, subscription in robot.topics.pairs:
         if not topics.types_differ(publisher, subscription):

@@ -36,7 +36,7 @@ from bringup_lint.api import rule
 from bringup_lint.api import topics
 
 
-@rule("warning", confidence="medium")
+@rule("warning", confidence="medium", symptoms=["does not appear to be published yet"])
 def topic_unconnected(robot: Robot) -> Iterator[Finding]:
     for running in robot.topics.runs:
         near = {each.use.topic for each in topics.probable_typos(running)}

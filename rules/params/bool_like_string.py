@@ -40,7 +40,15 @@ from bringup_lint.api import rule
 _WORDS = {"true": "true", "yes": "true", "on": "true", "false": "false", "no": "false", "off": "false"}
 
 
-@rule("warning", fix="safe", symptoms=["InvalidParameterTypeException"])
+@rule(
+    "warning",
+    fix="safe",
+    symptoms=[
+        "InvalidParameterTypeException",
+        "is of type {string}, setting it to {bool} is not allowed",
+        "is of type {bool}, setting it to {string} is not allowed",
+    ],
+)
 def bool_like_string(robot: Robot) -> Iterator[Finding]:
     for parameter, declared in robot.params.typed:
         value = parameter.value

@@ -41,7 +41,17 @@ from bringup_lint.api import rule
 _WHOLE = regex(r"([+-]?(?:0|[1-9][0-9]*))\.0*\Z")
 
 
-@rule("warning", fix="safe", symptoms=["InvalidParameterTypeException", "of type {double}", "expecting type {integer}"])
+@rule(
+    "warning",
+    fix="safe",
+    symptoms=[
+        "has invalid type: expected [integer] got [double]",
+        "InvalidParameterTypeException",
+        "of type {double}",
+        "expecting type {integer}",
+        "is of type {integer}, setting it to {double} is not allowed",
+    ],
+)
 def double_for_int(robot: Robot) -> Iterator[Finding]:
     for parameter, declared in robot.params.typed:
         if (parameter.value.type, declared.type) not in (("double", "integer"), ("double_array", "integer_array")):

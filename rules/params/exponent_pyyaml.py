@@ -43,7 +43,11 @@ from bringup_lint.api import rule
 _EXPONENT = regex(r"([+-]?)([0-9]+)(\.[0-9]*)?[eE]([+-]?)([0-9]+)\Z")
 
 
-@rule("warning", fix="unsafe", symptoms=["InvalidParameterTypeException"])
+@rule(
+    "warning",
+    fix="unsafe",
+    symptoms=["InvalidParameterTypeException", "is of type {double}, setting it to {string} is not allowed"],
+)
 def exponent_pyyaml(robot: Robot) -> Iterator[Finding]:
     for file, parameter in robot.params.parameters:
         composed = next((load for load in robot.params.loads(file) if load.how == "pyyaml"), None)

@@ -42,7 +42,17 @@ from bringup_lint.api import rule
 _DECIMAL = regex(r"[+-]?(?:0|[1-9][0-9]*)\Z")
 
 
-@rule("warning", fix="safe", symptoms=["InvalidParameterTypeException", "of type {integer}", "expecting type {double}"])
+@rule(
+    "warning",
+    fix="safe",
+    symptoms=[
+        "has invalid type: expected [double] got [integer]",
+        "InvalidParameterTypeException",
+        "of type {integer}",
+        "expecting type {double}",
+        "is of type {double}, setting it to {integer} is not allowed",
+    ],
+)
 def int_for_double(robot: Robot) -> Iterator[Finding]:
     for parameter, declared in robot.params.typed:
         if (parameter.value.type, declared.type) not in (("integer", "double"), ("integer_array", "double_array")):

@@ -39,7 +39,15 @@ from bringup_lint.api import rule
 _NUMBER = regex(r"0o[0-7]+|0b[01]+|[+-]?[1-9][0-9]{0,2}(?:_[0-9]{3})+(?:\.[0-9]+)?")
 
 
-@rule("warning", fix="unsafe", symptoms=["InvalidParameterTypeException"])
+@rule(
+    "warning",
+    fix="unsafe",
+    symptoms=[
+        "InvalidParameterTypeException",
+        "is of type {integer}, setting it to {string} is not allowed",
+        "is of type {double}, setting it to {string} is not allowed",
+    ],
+)
 def yaml12_number(robot: Robot) -> Iterator[Finding]:
     for _, parameter in robot.params.parameters:
         if robot.params.declared_type(parameter) == "string":

@@ -38,7 +38,7 @@ from bringup_lint.api.shell import unwrapped
 CLIENTS = ("docker", "podman", "nvidia-docker")
 
 
-@rule("error")
+@rule("error", symptoms=["includes invalid characters for a local volume name"])
 def volume_glob(robot: Robot) -> Iterator[Finding]:
     seen = set()
     for words in _commands(robot):

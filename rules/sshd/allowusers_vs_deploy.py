@@ -41,7 +41,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("info")
+@rule("info", symptoms=["not allowed because not listed in AllowUsers"])
 def allowusers_vs_deploy(robot: Robot) -> Iterator[Finding]:
     if len(robot.sshd) != 1 or not robot.sshd[0].files:
         return

@@ -35,7 +35,12 @@ from bringup_lint.api import fix
 from bringup_lint.api import rule
 
 
-@rule("error", fix="unsafe", tags=["CWE-287", "CWE-307"])
+@rule(
+    "error",
+    fix="unsafe",
+    tags=["CWE-287", "CWE-307"],
+    symptoms=["Failed password for invalid user", "Failed password for"],
+)
 def password_auth(robot: Robot) -> Iterator[Finding]:
     for sshd in robot.sshd:
         if not sshd.files or sshd.says("PasswordAuthentication", "yes") != "yes" or sshd.get("AuthenticationMethods"):

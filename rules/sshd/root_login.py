@@ -33,7 +33,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import rule
 
 
-@rule("error", fix="unsafe", tags=["CWE-250"])
+@rule("error", fix="unsafe", tags=["CWE-250"], symptoms=["Failed password for root from"])
 def root_login(robot: Robot) -> Iterator[Finding]:
     for sshd in robot.sshd:
         value = sshd.says("PermitRootLogin", "prohibit-password")

@@ -44,7 +44,17 @@ from bringup_lint.api import rule
 _KEYS = ("BindsTo", "Requires", "Requisite", "Wants", "After")
 
 
-@rule("warning", fix="unsafe", symptoms=["Timed out waiting for device", "Job dev-", "Dependency failed for"])
+@rule(
+    "warning",
+    fix="unsafe",
+    symptoms=[
+        "Timed out waiting for device",
+        "Job dev-",
+        "Dependency failed for",
+        "A dependency job for * failed",
+        "failed with result 'dependency'",
+    ],
+)
 def device_dep_needs_tag(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.judged:
         seen = set()

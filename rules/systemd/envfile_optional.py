@@ -39,7 +39,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("info", fix="unsafe")
+@rule("info", fix="unsafe", symptoms=["Referenced but unset environment variable evaluates to an empty string"])
 def envfile_optional(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     for unit in units.services:

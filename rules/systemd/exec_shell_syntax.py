@@ -62,7 +62,7 @@ _HANDS_ON = (
 )
 
 
-@rule("error", fix="unsafe")
+@rule("error", fix="unsafe", symptoms=["unrecognized arguments: &&", "unrecognized arguments: |"])
 def exec_shell_syntax(robot: Robot) -> Iterator[Finding]:
     for line in robot.units.lines:
         for command in line.commands:

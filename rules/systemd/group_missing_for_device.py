@@ -46,7 +46,17 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("error", fix="unsafe", symptoms=["Permission denied: '/dev/", "could not open port /dev/"])
+@rule(
+    "error",
+    fix="unsafe",
+    symptoms=[
+        "Permission denied: '/dev/tty",
+        "/dev/tty*: Permission denied",
+        "Permission denied: '/dev/",
+        "could not open port /dev/",
+        "could not open port /dev/*: [Errno 13] Permission denied",
+    ],
+)
 def group_missing_for_device(robot: Robot) -> Iterator[Finding]:
     seen = set()
     for closed in robot.closed_devices:

@@ -43,7 +43,7 @@ from bringup_lint.api.systemd import Unit
 HOME = regex(r"/home/([^/$%]+)/")
 
 
-@rule("info")
+@rule("info", symptoms=["/home/*/install/setup.bash: No such file or directory"])
 def hardcoded_ws_home(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         user = unit.identity.user

@@ -46,7 +46,22 @@ from bringup_lint.api.systemd import directives
 from bringup_lint.api.systemd import move_lines
 
 
-@rule("error", fix="unsafe", symptoms=["Unknown key name", "Unknown lvalue"])
+@rule(
+    "error",
+    fix="unsafe",
+    symptoms=[
+        "Unknown key name",
+        "Unknown lvalue",
+        "Unknown key name 'StartLimitIntervalSec' in section 'Service'",
+        "Unknown key name 'StartLimitBurst' in section 'Service'",
+        "Unknown key name 'Restart' in section 'Unit'",
+        "Unknown key name 'RestartSec' in section 'Unit'",
+        "Unknown key name 'WantedBy' in section",
+        "Unknown key name 'After' in section 'Service'",
+        "Unknown key name 'ExecStart' in section 'Unit'",
+        "Unknown key name 'User' in section 'Unit'",
+    ],
+)
 def key_in_wrong_section(robot: Robot) -> Iterator[Finding]:
     for file in robot.units.unit_files:
         allowed = directives.sections_of_type(file.type)

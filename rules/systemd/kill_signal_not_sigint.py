@@ -47,7 +47,11 @@ THEN = {
 }
 
 
-@rule("warning", fix="unsafe", symptoms=["using SIGTERM or SIGQUIT can result in orphaned processes"])
+@rule(
+    "warning",
+    fix="unsafe",
+    symptoms=["State 'stop-sigterm' timed out. Killing.", "using SIGTERM or SIGQUIT can result in orphaned processes"],
+)
 def kill_signal_not_sigint(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.ros:
         service = robot.units.supervision(unit)

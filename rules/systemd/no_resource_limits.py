@@ -42,7 +42,7 @@ from bringup_lint.api.systemd import Unit
 LIMITS = ("MemoryMax", "MemoryHigh", "MemoryLimit", "CPUQuota")
 
 
-@rule("info")
+@rule("info", symptoms=["Out of memory: Killed process", "A process of this unit has been killed by the OOM killer"])
 def no_resource_limits(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.ros:
         service = robot.units.supervision(unit)

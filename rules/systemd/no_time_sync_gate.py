@@ -67,7 +67,11 @@ SIMULATED = regex(r"use_sim_time:=[Tt]rue|(?:^|[-_/])(?:sim|simulation|gazebo|gz
 @rule(
     "warning",
     confidence="medium",
-    symptoms=["Lookup would require extrapolation into the future", "TF_OLD_DATA"],
+    symptoms=[
+        "Lookup would require extrapolation into the future",
+        "TF_OLD_DATA",
+        "the timestamp on the message is earlier than all the data in the transform cache",
+    ],
 )
 def no_time_sync_gate(robot: Robot) -> Iterator[Finding]:
     units = robot.units

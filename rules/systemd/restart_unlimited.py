@@ -79,7 +79,11 @@ from bringup_lint.api.systemd import restart_loop
 @rule(
     "warning",
     fix="unsafe",
-    symptoms=["Scheduled restart job, restart counter is at", "Start request repeated too quickly"],
+    symptoms=[
+        "Start request repeated too quickly",
+        "Failed with result 'start-limit-hit'",
+        "Scheduled restart job, restart counter is at",
+    ],
 )
 def restart_unlimited(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:

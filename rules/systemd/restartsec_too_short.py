@@ -41,7 +41,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.systemd import duration
 
 
-@rule("info")
+@rule("info", symptoms=["Scheduled restart job, restart counter is at"])
 def restartsec_too_short(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         policy = robot.units.restart(unit)

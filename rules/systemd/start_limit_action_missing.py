@@ -39,7 +39,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.systemd import duration
 
 
-@rule("info")
+@rule("info", symptoms=["Start request repeated too quickly", "Failed with result 'start-limit-hit'"])
 def start_limit_action_missing(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.ros:
         policy = robot.units.restart(unit)

@@ -42,7 +42,7 @@ PATTERN = regex(r"^[ \t]*[\"']?(/[^\s\"'{]+)", re.M)
 SINKS = ("/dev/", "/proc/", "/run/")
 
 
-@rule("info")
+@rule("info", symptoms=["No space left on device"])
 def stdout_file_no_rotation(robot: Robot) -> Iterator[Finding]:
     told = {log.path for log in robot.logs.uncovered()} if robot.tree.complete else set()
     for unit in robot.units.services:

@@ -36,7 +36,16 @@ from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
-@rule("error", symptoms=["status=217/USER", "status=216/GROUP", "Failed to determine user credentials"])
+@rule(
+    "error",
+    symptoms=[
+        "status=217/USER",
+        "status=216/GROUP",
+        "Failed to determine user credentials",
+        "Failed at step USER spawning",
+        "Failed at step GROUP spawning",
+    ],
+)
 def user_missing(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         identity = unit.identity

@@ -34,7 +34,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import rule
 
 
-@rule("error", fix="unsafe")
+@rule("error", fix="unsafe", symptoms=["' failed with exit code"])
 def run_shell_syntax(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         for command in line.commands:

@@ -22,6 +22,7 @@ LAYERS = (
     {"cli"},
     {"fleet"},
     {"finish"},
+    {"log_lines"},
     {"engine"},
     {"isolation"},
     {"fix", "baseline", "suppress", "config", "registry"},

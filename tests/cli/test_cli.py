@@ -204,6 +204,19 @@ def test_explain_finds_the_rule_behind_a_log_line(tmp_path: Path) -> None:
     assert lint("explain", line, cwd=tmp_path).stdout.startswith("lint/encoding")
 
 
+def test_explain_ranks_the_rules_of_a_log_line(tmp_path: Path) -> None:
+    said = lint("explain", "rover.service: Main process exited, code=exited, status=217/USER", cwd=tmp_path).stdout
+    assert "3 rules explain" in said and "a line of systemd" in said
+    assert said.index("systemd/user-missing") < said.index("systemd/trailing-comment")
+    assert "log line: status=217/USER" in said
+
+
+def test_explain_of_a_line_that_is_not_a_defect(tmp_path: Path) -> None:
+    run = lint("explain", "rcl node's context is invalid", cwd=tmp_path)
+    assert run.code == 0
+    assert run.stdout.startswith("'rcl node's context is invalid': Not a configuration defect.")
+
+
 def test_the_settings_of_an_image_are_looked_for_in_the_image(tmp_path: Path) -> None:
     image = tmp_path / "image"
     (image / "etc").mkdir(parents=True)
@@ -220,7 +233,7 @@ def test_explain_of_nothing_known(tmp_path: Path) -> None:
 
 def test_explain_takes_a_rule_without_its_family(tmp_path: Path) -> None:
     assert lint("explain", "network-target", cwd=tmp_path).stdout.startswith("systemd/network-target")
-    assert "rules explain 'root-user'" in lint("explain", "root-user", cwd=tmp_path).stdout
+    assert "3 rules are called 'root-user'" in lint("explain", "root-user", cwd=tmp_path).stdout
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,186 @@
+"""From a line of a log to the rules that explain it.
+
+A rule knows log lines (``symptoms``), where ``*`` stands for any text. The rules are ranked by how much of a known line
+is repeated, rare words counting more than frequent ones, and by the program that writes the line.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterable
+from collections.abc import Iterator
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cache
+from math import log
+from typing import NamedTuple
+
+from bringup_lint.facts import table
+from bringup_lint.pattern import regex
+from bringup_lint.registry import Rule
+
+LONGEST = 2_000
+"""Characters of a line that are read."""
+MOST = 8
+"""Rules that are named for one line."""
+_NEAR = 0.6
+"""Share of the best score below which a rule is not named; also of a symptom's words that a line must repeat."""
+_LATER = 0.97
+"""What a symptom counts, compared with the one before it: the first is the one by which most people meet the defect."""
+_OWN, _OTHER = 1.4, 0.4
+"""What a symptom counts if its family knows the program that writes the line, or only another program."""
+_WORD = regex(r"[a-z0-9_./=-]{2,}")
+_FREQUENT = frozenset(
+    "no such the and for with was not has been from this that are error failed failure warning info to of in on at "
+    "is it by service unit node process systemd ros2 launch start started".split()
+)
+
+
+class Match(NamedTuple):
+    """A rule, and the known line by which it was found."""
+
+    rule: Rule
+    symptom: str
+    score: float
+
+
+class OtherCause(NamedTuple):
+    """What a line means that no rule explains."""
+
+    outside: bool
+    """Whether a setting that no file of the tree shows has a part in it."""
+    reason: str
+    score: float
+
+
+class Answer(NamedTuple):
+    """What is known of a line: rules, the best first, or another cause."""
+
+    matches: Sequence[Match] = ()
+    other: OtherCause | None = None
+
+
+class Speaker(NamedTuple):
+    """The program that writes a line."""
+
+    program: str
+    families: frozenset[str]
+
+
+def explained(line: str, rules: Iterable[Rule]) -> Answer:
+    """The rules that explain a line, or the cause that no rule knows if that fits better."""
+    known = list(rules)
+    weights = Weights.of(symptom for rule in known for symptom in rule.meta.symptoms)
+    read = _plain(line[:LONGEST])
+    matches = _matches(read, known, weights, speaker_of(line))
+    other = max(_other_causes(read, weights), key=lambda cause: cause.score, default=None)
+    if other is not None and (not matches or other.score > matches[0].score):
+        return Answer(other=other)
+    return Answer(tuple(matches))
+
+
+def speaker_of(line: str) -> Speaker | None:
+    """The program that writes a line, if the line shows it."""
+    read = line[:LONGEST]
+    return next((speaker for pattern, speaker in _speakers() if pattern.search(read)), None)
+
+
+@dataclass(frozen=True)
+class Weights:
+    """What a word says: little if many symptoms have it."""
+
+    counts: Counter[str]
+    total: int
+
+    @classmethod
+    def of(cls, symptoms: Iterable[str]) -> Weights:
+        texts = {_plain(symptom) for symptom in symptoms}
+        return cls(Counter(word for text in texts for word in _words(text)), len(texts))
+
+    def weight(self, words: Iterable[str]) -> float:
+        return sum(self._weight(word) for word in words)
+
+    def _weight(self, word: str) -> float:
+        rare = 1 + log((1 + self.total) / (1 + self.counts[word]))
+        return rare * 0.2 if word in _FREQUENT else rare
+
+
+def _matches(line: str, rules: Iterable[Rule], weights: Weights, speaker: Speaker | None) -> list[Match]:
+    found = [match for rule in rules if (match := _best(rule, line, weights, speaker)).score > 0]
+    found.sort(key=lambda match: (-match.score, -match.rule.severity, match.rule.id))
+    return [match for match in found if match.score >= found[0].score * _NEAR][:MOST]
+
+
+def _other_causes(line: str, weights: Weights) -> Iterator[OtherCause]:
+    for row in table("logs/other_causes"):
+        pattern = _plain(row["pattern"])
+        if _holds(line, pattern):
+            yield OtherCause(row["configuration"] == "outside", row["reason"], _score(line, pattern, weights))
+
+
+def _best(rule: Rule, line: str, weights: Weights, speaker: Speaker | None) -> Match:
+    heard = _heard(rule.family, speaker)
+    matches = (
+        Match(rule, symptom, _score(line, _plain(symptom), weights) * heard * _LATER**place)
+        for place, symptom in enumerate(rule.meta.symptoms)
+    )
+    return max(matches, key=lambda match: match.score, default=Match(rule, "", 0.0))
+
+
+def _heard(family: str, speaker: Speaker | None) -> float:
+    if speaker is None:
+        return 1.0
+    if family in speaker.families:
+        return _OWN
+    return _OTHER if family in _spoken_for() else 1.0
+
+
+def _score(line: str, symptom: str, weights: Weights) -> float:
+    words = _words(symptom)
+    if _holds(line, symptom):
+        return weights.weight(words) + len(symptom) / 100
+    said = _words(line)
+    if len(line) > 8 and line in symptom:
+        return weights.weight(said)
+    shared = words & said
+    whole = weights.weight(words)
+    if len(shared - _FREQUENT) < 2 or weights.weight(shared) < whole * _NEAR:
+        return 0.0
+    return weights.weight(shared) ** 3 / whole**2 / 2
+
+
+def _holds(line: str, pattern: str) -> bool:
+    """Whether a line holds the parts of a pattern between its ``*``, in their order."""
+    at = 0
+    for part in pattern.split("*"):
+        at = line.find(part, at)
+        if at < 0:
+            return False
+        at += len(part)
+    return True
+
+
+@cache
+def _plain(text: str) -> str:
+    """Without the case and the quotes, which differ between versions, and with single blanks."""
+    return " ".join(re.sub("[\"'`‘’“”]", "", text).lower().split())
+
+
+@cache
+def _words(text: str) -> frozenset[str]:
+    return frozenset(word.rstrip(".") for word in _WORD.findall(text))
+
+
+@cache
+def _speakers() -> Sequence[tuple[re.Pattern[str], Speaker]]:
+    return [
+        (re.compile(row["pattern"], re.I), Speaker(row["program"], frozenset(row["families"].split())))
+        for row in table("logs/speakers")
+    ]
+
+
+@cache
+def _spoken_for() -> frozenset[str]:
+    """The families that know the lines of some program."""
+    return frozenset().union(*(speaker.families for _, speaker in _speakers()))

@@ -1,0 +1,183 @@
+"""From a line of a log to the rule that explains it."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+from fnmatch import fnmatch
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from bringup_lint.facts import table
+from bringup_lint.log_lines import Answer
+from bringup_lint.log_lines import explained
+from bringup_lint.log_lines import speaker_of
+from bringup_lint.registry import Registry
+from bringup_lint.registry import Rule
+
+FIRST = {
+    "rover.service: Start request repeated too quickly.": "systemd/restart-unlimited",
+    "rover.service: Failed with result 'start-limit-hit'.": "systemd/restart-unlimited",
+    "rover.service: Failed at step USER spawning /opt/rover/run: No such process": "systemd/user-missing",
+    "rover.service: Main process exited, code=exited, status=217/USER": "systemd/user-missing",
+    "rover.service: Failed to load environment files: No such file or directory": "systemd/envfile-missing",
+    "rover.service: State 'stop-sigterm' timed out. Killing.": "systemd/kill-signal-not-sigint",
+    "systemd[1]: a.target: Found ordering cycle on b.service/start": "systemd/ordering-cycle",
+    "/etc/systemd/system/a.service:9: Unknown key name 'StartLimitBurst' in section 'Service', ignoring.": (
+        "systemd/key-in-wrong-section"
+    ),
+    "/etc/systemd/system/a.service:9: Unknown key name 'Colour' in section 'Service', ignoring.": "systemd/*",
+    "/etc/systemd/journald.conf:9: Unknown key name 'Colour' in section 'Journal', ignoring.": "journald/unknown-key",
+    "/etc/systemd/logind.conf:9: Unknown key name 'Colour' in section 'Login', ignoring.": "logind/unknown-key",
+    "/etc/systemd/system.conf:9: Unknown key name 'Colour' in section 'Manager', ignoring.": "system-conf/unknown-key",
+    "A dependency job for rover.service failed. See 'journalctl -xe' for details.": "systemd/device-*",
+    "Timed out waiting for device /dev/disk/by-label/data.": "fstab/no-nofail",
+    "bash: line 1: ros2: command not found": "env/ros2-not-sourced",
+    "Package 'rover' not found: \"package 'rover' not found, searching: ['/opt/ros/humble']\"": "env/ros2-not-sourced",
+    "[ERROR] [launch]: Caught exception in launch: executable 'drive' not found on the libexec directory '/opt/x'": (
+        "launch/executable-missing"
+    ),
+    "parameter 'gain' has invalid type: expected [double] got [integer]": "params/int-for-double",
+    "parameter 'port' has invalid type: expected [integer] got [double]": "params/double-for-int",
+    "could not open port '/dev/ttyUSB1': [Errno 2] No such file or directory: '/dev/ttyUSB1'": "device/unstable-path",
+    "[Errno 13] Permission denied: '/dev/ttyACM0'": "systemd/group-missing-for-device",
+    "/dev/ttyUSB0: Permission denied": "systemd/group-missing-for-device",
+    "/etc/udev/rules.d/70-rover.rules:3 Unknown group 'robots', ignoring.": "udev/group-unknown",
+    "error: /etc/logrotate.d/rover:4 unknown group 'robots'": "logrotate/unknown-user",
+    "RTNETLINK answers: Operation not supported": "can/not-configured",
+    "1712000000.5 [7] drive: wlp2s0: does not match an available interface.": "cyclonedds/interface-not-in-netplan",
+    "Invalid YAML at /etc/netplan/50-rover.yaml line 3 column 1: inconsistent indentation": "netplan/yaml-error",
+    "[lifecycle_manager_navigation]: Failed to change state for node: amcl": "launch/lifecycle-unknown-node",
+    "Ignoring invalid environment assignment 'export ROS_DOMAIN_ID=7': /etc/rover.env": "env/export-prefix",
+    "[UFW BLOCK] IN=eth0 OUT= SRC=10.0.0.7 DST=239.255.0.1 PROTO=UDP SPT=7412 DPT=7400 LEN=100": "firewall/dds-ports",
+}
+"""A line -> the rule that comes first."""
+OTHER = {
+    "rcl node's context is invalid, at ./src/rcl/node.c:404": "context was shut down",
+    "permission denied while trying to connect to the Docker daemon socket at unix:///run/docker.sock": "group docker",
+    "[INFO] [drive-1]: process started with pid [812]": "started a process",
+    "rover.service: Main process exited, code=exited, status=1/FAILURE": "message is some lines above",
+}
+"""A line that no rule explains -> words of the reason."""
+SPEAKERS = {
+    "systemd[1]: rover.service: Deactivated successfully.": "systemd",
+    "systemd-udevd[230]: video0: Failed to chown": "udev",
+    "** (generate:77): WARNING **: x": "netplan",
+    "sshd[12]: x": "sshd",
+    "[RTPS_TRANSPORT_SHM Error] x": "Fast DDS",
+    "1712000000.5 [7] drive: x": "Cyclone DDS",
+    "[ERROR] [launch]: x": "launch",
+    "[rcl]: x": "rcl",
+    "[   12.345678] usb 1-1: x": "kernel",
+    "hello": None,
+}
+
+
+@cache
+def rules() -> list[Rule]:
+    return list(Registry.of().all())
+
+
+def answer(line: str) -> Answer:
+    return explained(line, rules())
+
+
+def first(line: str) -> str:
+    return next((match.rule.id for match in answer(line).matches), "")
+
+
+@pytest.mark.parametrize(("line", "rule"), FIRST.items())
+def test_the_right_rule_comes_first(line: str, rule: str) -> None:
+    assert fnmatch(first(line), rule)
+
+
+@pytest.mark.parametrize(("line", "reason"), OTHER.items())
+def test_a_line_that_no_rule_explains_has_its_reason(line: str, reason: str) -> None:
+    found = answer(line)
+    assert not found.matches and found.other is not None
+    assert reason in found.other.reason
+
+
+@pytest.mark.parametrize(("line", "program"), SPEAKERS.items())
+def test_the_program_that_writes_the_line(line: str, program: str | None) -> None:
+    speaker = speaker_of(line)
+    assert (speaker.program if speaker else None) == program
+
+
+def test_nothing_is_known_of_other_words() -> None:
+    assert answer("no such words anywhere") == Answer()
+
+
+def test_a_longer_known_line_wins_over_another_cause() -> None:
+    assert first("user interrupted with ctrl-c (SIGINT) again, ignoring...") == "systemd/execstop-async-kill"
+    assert answer("[WARNING] [launch]: user interrupted with ctrl-c (SIGINT)").other
+
+
+def test_every_known_line_finds_its_rule() -> None:
+    """Where several rules know a line, the rule is among those that are named."""
+    lost = [
+        (rule.id, symptom)
+        for rule in rules()
+        for symptom in rule.meta.symptoms
+        if not any(symptom in match.rule.meta.symptoms for match in answer(symptom.replace("*", "x")).matches)
+    ]
+    assert lost == []
+
+
+def test_speakers_name_families() -> None:
+    families = {family.name for family in Registry.of().families}
+    assert {name for row in table("logs/speakers") for name in row["families"].split()} <= families
+
+
+def test_other_causes_name_rules_that_exist() -> None:
+    ids = set(Registry.of().paths)
+    families = {rule_id.partition("/")[0] for rule_id in ids}
+    reasons = " ".join(row["reason"] for row in table("logs/other_causes"))
+    named = {word for word in re.findall(r"\b[a-z0-9-]+/[a-z0-9-]+", reasons) if word.partition("/")[0] in families}
+    assert named and named <= ids
+
+
+SHORT = {"iface": "interface", "perms": "mode|permission", "ws": "workspace", "tf": "transform"}
+LINES = os.environ.get("BRINGUP_LINT_LOG_LINES", "")
+
+
+def collected() -> Iterator[tuple[str, str]]:
+    for line in Path(LINES).read_text("utf-8").splitlines():
+        if line and not line.startswith("#"):
+            text, _, about = line.partition("\t")
+            yield text, about
+
+
+def is_about(found: Answer, about: str) -> bool:
+    """Whether an answer is what ``about`` says: ids of rules (with ``*``), or words with which words of the
+    documentation begin, as alternatives (``|``, ``/``); ``?`` is a line that no rule explains."""
+    if about == "?":
+        return found.other is not None
+    rule = found.matches[0].rule if found.matches else None
+    text = f"{rule.id} {rule.doc} {rule.meta.symptoms}" if rule else found.other.reason if found.other else ""
+    return any(_fits(rule.id if rule else "", text.lower(), each) for each in about.split("|"))
+
+
+def _fits(rule_id: str, text: str, about: str) -> bool:
+    family = about.partition("/")[0]
+    if any(known.name == family for known in Registry.of().families) and "/" in about:
+        return fnmatch(rule_id, f"{about.rstrip('*')}*")
+    return any(all(_says(text, word) for word in each.split()) for each in about.lower().split("/"))
+
+
+def _says(text: str, word: str) -> bool:
+    return re.search(rf"\b(?:{SHORT.get(word, re.escape(word))})", text) is not None
+
+
+@pytest.mark.skipif(not LINES, reason="BRINGUP_LINT_LOG_LINES names no file")
+@pytest.mark.corpus
+def test_collected_lines() -> None:
+    """BRINGUP_LINT_LOG_LINES names a file with a line, a tab and what the right rule is about."""
+    lines = list(collected())
+    wrong = [(line, about, first(line)) for line, about in lines if not is_about(answer(line), about)]
+    for each in wrong:
+        print(*each, sep="\n    ")
+    assert len(wrong) <= len(lines) * 0.05
