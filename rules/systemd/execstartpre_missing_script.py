@@ -7,8 +7,8 @@ A program in Exec*= that belongs to the robot (below /usr/local, /opt, /etc, /ho
 - error: it does not exist in a complete root file system;
 - error: it is not executable there;
 - error: it is a script without a `#!` line, also in a repository;
-- warning, with medium confidence: a repository ships other files for the same folder, but not this one, and
-  no step creates it.
+- warning, with medium confidence: a repository ships other files for the same folder, or its units start other
+  files from the same folder of the checkout, but it does not have this one, and no step creates it.
 
 Commands with the prefix `-` may fail and are exempt.
 
@@ -80,7 +80,7 @@ def execstartpre_missing_script(robot: Robot) -> Iterator[Finding]:
             if sibling:
                 yield finding(
                     program,
-                    f"The tree ships {sibling} but not {program}: {process.key}= of {unit.name} fails "
+                    f"The tree has {sibling} but not {program}: {process.key}= of {unit.name} fails "
                     "with 203/EXEC unless something else installs it",
                     advice="ship it with mode 0755",
                     severity="warning",

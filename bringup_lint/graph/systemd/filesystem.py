@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Callable
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import chain
+from itertools import takewhile
 
 from bringup_lint.discover.roots import resolve_inside
 from bringup_lint.facts import table
@@ -24,6 +27,8 @@ _MAKERS = ("mkdir", "install")
 _MADE_BY_TMPFILES = frozenset("fFwdDvqQpLcbC")
 _STATE = ("/var/log/", "/var/lib/", "/var/cache/", "/var/spool/", "/run/", "/var/run/", "/tmp/", "/var/tmp/")
 """Where nothing is unless somebody makes it."""
+_SURE_TAIL = 2
+"""So many names at the end of a path say which file of the tree it is: its own and that of its folder."""
 _VOLATILE = ("/run/", "/var/run/", "/tmp/", "/dev/", "/proc/", "/sys/")
 
 
@@ -62,14 +67,15 @@ class Filesystem:
         return False if path != top and resolve_inside(root, top) is not None else None
 
     def shipped_sibling(self, path: str) -> str | None:
-        """A file of one's own that the repository ships for the same folder of the robot, when it ships and makes
+        """A file of one's own that the repository has for the same folder of the robot, when it ships and makes
         nothing at ``path``. Names that share their first word, and scripts, are one's own; the rest may come from
         elsewhere."""
         tree = self.files.tree
         if tree.root is not None or tree.find(path) is not None or path.startswith(_VOLATILE):
             return None
         folder, _, name = path.rpartition("/")
-        sibling = next((found for found in self._shipped_in.get(folder, []) if _related(name, _basename(found))), None)
+        there = chain(self._shipped_in.get(folder, []), self._checked_out_in(folder))
+        sibling = next((found for found in there if _related(name, _basename(found))), None)
         if sibling is None or any(True for _ in tree.named(name)) or makes(tree, name) or mentions(tree, path):
             return None
         return sibling
@@ -83,6 +89,33 @@ class Filesystem:
             if shipped:
                 found.setdefault(shipped.rpartition("/")[0], []).append(shipped)
         return found
+
+    def _checked_out_in(self, folder: str) -> Iterator[str]:
+        """The paths on the robot of the files in a folder of the checkout that units start programs from."""
+        for robot_top, top in sorted(self._checkouts):
+            if not f"{folder}/".startswith(f"{robot_top}/"):
+                continue
+            inside = top + folder[len(robot_top) :]
+            yield from (
+                f"{folder}/{_basename(path)}" for path in self.files.tree.paths if path.rpartition("/")[0] == inside
+            )
+
+    @cached_property
+    def _checkouts(self) -> frozenset[tuple[str, str]]:
+        """The folders on the robot that the repository is checked out in, each with its folder in the tree: where a
+        unit starts a file that the tree has in a folder of the same name."""
+        tree = self.files.tree
+        found = set()
+        for unit in self.units.services:
+            for process in self.units.processes(unit):
+                source = tree.find(process.program) if process.program.startswith("/") else None
+                if source is None or source.robot_path is not None:
+                    continue
+                robot_parts, parts = process.program.split("/"), os.path.abspath(source.name).split("/")
+                same = sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], zip(robot_parts[::-1], parts[::-1])))
+                if same >= _SURE_TAIL:
+                    found.add(("/".join(robot_parts[:-same]), "/".join(parts[:-same])))
+        return frozenset(found)
 
     @cached_property
     def _shipped(self) -> frozenset[str]:
