@@ -1,7 +1,8 @@
 """A launch argument is declared but never read.
 
 ## What it finds
-Declared arguments that neither the file nor any file that it includes reads.
+Declared arguments that neither the file nor any file that it includes reads. A variable that is only the default of
+the argument itself does not read it.
 
 ## Why it matters on a robot
 Setting the argument has no effect, and launch does not say so. The robot runs with another configuration than the

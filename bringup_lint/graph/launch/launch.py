@@ -423,10 +423,10 @@ class Launch:
             yield from action.conditions
 
     def dead_reads(self, file: LaunchFile, name: str) -> int:
-        """How often a launch configuration is bound to a variable that is used nowhere."""
-        text = file.source.text
+        """How often a launch configuration is bound to a variable that is used nowhere, or only as the default of the
+        argument itself."""
         variables = (variable for read, variable in file.bound if read.name == name)
-        return sum(len(re.findall(rf"(?<![\w.'\"]){variable}(?![\w'\"])", text)) == 1 for variable in variables)
+        return sum(_uses(file.source.text, variable, name) == 1 for variable in variables)
 
     def mentions(self, file: LaunchFile, name: str) -> int:
         """How often a name stands in a file's text as a word of its own."""
@@ -481,3 +481,10 @@ def _parser(kind: str) -> Callable[[Source], LaunchFile]:
     else:
         from bringup_lint.parsers.launch_yaml import parse
     return parse
+
+
+def _uses(text: str, variable: str, name: str) -> int:
+    """How often a variable is named, without the place that makes it the default of the argument ``name``."""
+    own_default = rf"""(['"]){re.escape(name)}\1\s*,\s*default_value\s*=\s*{variable}(?!\w)"""
+    named = len(re.findall(rf"(?<![\w.'\"]){variable}(?![\w'\"])", text))
+    return named - len(re.findall(own_default, text))
