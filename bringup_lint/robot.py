@@ -77,6 +77,7 @@ if TYPE_CHECKING:
     from bringup_lint.model.netplan import Netplan
     from bringup_lint.model.observed import ObservedGraph
     from bringup_lint.model.shell import Command
+    from bringup_lint.parsers.cloud_init import Login
     from bringup_lint.source import Located
     from bringup_lint.source import Problem
     from bringup_lint.source import Source
@@ -420,6 +421,13 @@ class Robot:
         from bringup_lint.graph.host.ssh_commands import ssh_forwards
 
         return list(ssh_forwards(self.files))
+
+    @property
+    def user_data_logins(self) -> Iterator[Login]:
+        """The users that cloud-init's user data lets log in with a password."""
+        from bringup_lint.parsers.cloud_init import logins
+
+        return (each for source in self.files.of_kind("cloud-init") if source.judged for each in logins(source))
 
     @cached_property
     def open_services(self) -> list[OpenService]:

@@ -1,8 +1,11 @@
-"""A script sets a password that it holds itself.
+"""A script or cloud-init's user data sets a password that it holds itself.
 
 ## What it finds
 A password as a literal that goes to `chpasswd` or `passwd`, or after `useradd -p` and `usermod -p`. A value from a
 variable that the script does not set, and a command that asks for it, are fine.
+
+In user data: `plain_text_passwd:` of a user, and `password:` or `chpasswd:` with `expire: false`. A hash is a warning,
+because it can be tried out on a computer; a password that expires at the first login and a random one are fine.
 
 ## Why it matters on a robot
 Everybody who can read the repository can log in on every robot that was set up with it: over SSH, or at a screen. For
@@ -24,6 +27,7 @@ When the password expires at the first login (`chage -d 0`), or when the image i
 
 ## References
 - chpasswd(8)
+- cloud-init documentation, modules "Set Passwords" and "Users and Groups"
 - CWE-798: Use of Hard-coded Credentials
 """
 
@@ -39,9 +43,11 @@ from bringup_lint.api import finding
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.shell import Run
+from bringup_lint.api.templates import is_stand_in
 
 PAIR = regex(r"^(?P<user>[a-z_][\w-]*):(?P<password>[^\s:{}$]+)$", re.M)
 TWICE = regex(r"(?P<password>[^\s{}$]+)\n(?P=password)\n?")
+HASH = regex(r"\$\w+\$")
 EXPIRES = regex(r"\bchage\s+(?:-d\s*0|--lastday[= ]0)|passwd\s+(?:-e|--expire)\b")
 
 
@@ -58,6 +64,21 @@ def login_password(robot: Robot) -> Iterator[Finding]:
                 secrets=[password],
                 confidence=None if run.certain else "medium",
             )
+    for login in robot.user_data_logins:
+        if not is_stand_in(login.password):
+            yield _of_user_data(login.user or "the default user", login.password)
+
+
+def _of_user_data(user: str, password: Located) -> Finding:
+    hashed = HASH.match(password) is not None
+    return finding(
+        password,
+        f"The password of {user} is in this user data{' as a hash' if hashed else ''}: every robot that is set up with "
+        "it has the same one",
+        advice="log in with ssh_authorized_keys:, or let the password expire at the first login",
+        severity="warning" if hashed else None,
+        secrets=[password],
+    )
 
 
 def _set(run: Run) -> Iterator[tuple[str, Located]]:
