@@ -5,8 +5,8 @@
 
 - Warning: units and their environment files, compose, launch and parameter files, scripts; the default of a launch
   argument where a unit launches the file without giving the argument a value.
-- Info: any other default of a launch argument; the default of a driver, in its own launch file or in a parameter file
-  that only the default of a launch argument names; the only camera of the robot.
+- Info: any other default of a launch argument; the default of a driver in its own launch file; the only camera of
+  the robot in a launch file, a script or code.
 
 Several uses of one path in a file are one finding.
 

@@ -6,8 +6,10 @@ A service with Restart= and a start limit that acts too late or too early:
 - The unit sets a limit that can never trip: StartLimitBurst= × RestartSec= > StartLimitIntervalSec=. The setting
   has no effect, and a failing service restarts forever. With a delay of 60 s or more it is an info.
 - The limit is disabled, and the service restarts more than once a second, forever.
-- The limit is disabled on purpose, or the unit sets none and the default of 5 starts in 10 s never trips
-  (RestartSec=3 alone is enough). Slow endless retries are often wanted: it is an info.
+- The unit sets no limit, and the default of 5 starts in 10 s never trips (RestartSec=3 alone is enough). With
+  Restart=always it is a warning, one for all services of the robot. With Restart=on-failure, or a delay of 60 s or
+  more, endless retries are often wanted: it is an info.
+- The limit is disabled on purpose. It is an info.
 - The limit trips only if every start fails almost at once. It is an info.
 - The opposite: Restart=always with less than a second between restarts and no limit of its own. The default
   limit trips after about a second, and the service stays down for good. It is a warning for ROS services, and
@@ -58,6 +60,7 @@ operator plugs in. A RestartSec= of a minute or more, or RestartSteps=, makes th
 
 import math
 from collections.abc import Iterator
+from typing import NamedTuple
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Fix
@@ -76,6 +79,14 @@ from bringup_lint.api.systemd import duration
 from bringup_lint.api.systemd import restart_loop
 
 
+class Crash(NamedTuple):
+    """A service, and what becomes of it when it fails again and again."""
+
+    unit: Unit
+    policy: RestartPolicy
+    loop: Loop
+
+
 @rule(
     "warning",
     fix="unsafe",
@@ -86,21 +97,41 @@ from bringup_lint.api.systemd import restart_loop
     ],
 )
 def restart_unlimited(robot: Robot) -> Iterator[Finding]:
+    loops = list(_loops(robot))
+    by_default = [each for each in loops if _rests_on_default(each)]
+    for each in loops:
+        if each not in by_default:
+            yield _finding(each, [])
+        elif each is by_default[0]:
+            yield _finding(each, by_default[1:])
+
+
+def _loops(robot: Robot) -> Iterator[Crash]:
     for unit in robot.units.services:
         policy = robot.units.restart(unit)
         loop = restart_loop(unit, policy, robot.units)
-        if loop is None:
-            continue
-        where = _where(policy) or unit.where
-        yield finding(
-            where,
-            _message(loop, policy, unit),
-            advice=_advice(loop, policy),
-            related=_parts(policy, where),
-            fix=_limit(unit, policy) if unit.editable else None,
-            severity="warning" if loop.intended else "info",
-            confidence="high" if policy.never_trips else "medium",
-        )
+        if loop is not None:
+            yield Crash(unit, policy, loop)
+
+
+def _rests_on_default(crash: Crash) -> bool:
+    """Whether the default limit is what a service counts on, the same cause in all such services of a robot."""
+    return crash.loop.outcome is Outcome.NEVER_TRIPS and crash.loop.is_unwanted and not crash.policy.own_limit
+
+
+def _finding(crash: Crash, others: list[Crash]) -> Finding:
+    unit, policy, loop = crash
+    where = _where(policy) or unit.where
+    also = [note(_where(other.policy) or other.unit.where, f"{other.unit.name} as well") for other in others]
+    return finding(
+        where,
+        _message(loop, policy, unit),
+        advice=_advice(loop, policy),
+        related=[*_parts(policy, where), *also],
+        fix=_limit(unit, policy) if unit.editable else None,
+        severity="warning" if loop.is_unwanted else "info",
+        confidence="high" if policy.never_trips else "medium",
+    )
 
 
 def _advice(loop: Loop, policy: RestartPolicy) -> str:

@@ -34,6 +34,7 @@ if TYPE_CHECKING:
 
 _BY_DISCOVERY = regex(r"/dev/(?:ttyUSB\d+|ttyACM\d+|video\d)")
 _CAMERA = "/dev/video"
+_OF_THE_ROBOT = ("systemd-unit", "compose", "params", "udev-rules")
 _OF_KERNEL = frozenset(
     [
         "block",
@@ -128,18 +129,18 @@ class Devices:
                 yield use, [link for link in self.udev().stable_names(use.path) if self._is_near(link, use)]
 
     def is_default(self, use: DeviceUse) -> bool:
-        """Whether a path is only what a driver starts with, for whoever uses it to replace."""
-        from bringup_lint.graph.host.driver_defaults import is_default_file
+        """Whether a path is only what the launch file of a driver starts with, for whoever uses it to replace."""
         from bringup_lint.graph.host.driver_defaults import is_driver_launch
 
         source = use.path.span.source
-        if source.kind == "params":
-            return is_default_file(source, self.params(), self.launch())
         return source.kind.startswith("launch-") and is_driver_launch(source, self.launch())
 
     def is_single_camera(self, use: DeviceUse) -> bool:
-        """Whether a path is that of the only camera that the tree names by its number."""
-        if not use.path.startswith(_CAMERA):
+        """Whether a program opens the only camera that the tree names by its number.
+
+        A unit, a container or a parameter file says what this robot has: there, the number counts.
+        """
+        if not use.path.startswith(_CAMERA) or use.path.span.source.kind in _OF_THE_ROBOT:
             return False
         cameras = {str(other.path) for other in self.uses if _BY_DISCOVERY.fullmatch(other.path)}
         return len([path for path in cameras if path.startswith(_CAMERA)]) == 1

@@ -1,51 +1,22 @@
-"""Device paths that a package gives only as its default, for others to replace."""
+"""Device paths that the launch file of a driver gives only as its default, for others to replace."""
 
 from __future__ import annotations
 
-import os
 from typing import TYPE_CHECKING
 
 from bringup_lint.facts.ros import node_roles
-from bringup_lint.graph.launch.resolve import Resolver
-from bringup_lint.graph.launch.scope import Scope
-from bringup_lint.model.launch import DeclareArgument
 from bringup_lint.model.launch import Node
 from bringup_lint.model.launch import walk_actions
 from bringup_lint.model.launch_values import literal
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
-
     from bringup_lint.graph.launch.launch import Launch
-    from bringup_lint.graph.params.params import Params
     from bringup_lint.graph.workspace import Package
     from bringup_lint.model.launch import LaunchFile
-    from bringup_lint.model.launch_values import Value
     from bringup_lint.source import Source
 
 ALTERNATIVES = 3
 """Launch files of one package that start its own node, from which they are one for each model of a device."""
-
-
-def is_default_file(source: Source, params: Params, launch: Launch) -> bool:
-    """Whether a parameter file is the default of a launch argument, and no node of the tree is given it."""
-    file = next((file for file in params.files if file.source is source), None)
-    if file is None or params.loads(file):
-        return False
-    resolver, path = Resolver(Scope()), os.path.abspath(source.name)
-    naming = (file for file in launch.files if source.basename in file.source.text)
-    for default in (default for file in naming for default in _defaults(file)):
-        found = launch.find(resolver.value(default))
-        if found is not None and found.file is not None and os.path.abspath(found.file) == path:
-            return True
-    return False
-
-
-def _defaults(file: LaunchFile) -> Iterator[Value]:
-    """The defaults of the arguments that a file declares."""
-    for action in walk_actions(file.actions):
-        if isinstance(action, DeclareArgument) and action.default is not None:
-            yield action.default
 
 
 def is_driver_launch(source: Source, launch: Launch) -> bool:

@@ -27,7 +27,7 @@ class Outcome(Enum):
 
 class Loop(NamedTuple):
     outcome: Outcome
-    intended: bool
+    is_unwanted: bool
     """The unit counts on an end, or the loop does harm by itself; else somebody may want it."""
 
 
@@ -57,4 +57,5 @@ def _endless(policy: RestartPolicy) -> Loop | None:
         return None
     if not policy.limited:
         return Loop(Outcome.NO_LIMIT, policy.longest < FAST)
-    return Loop(Outcome.NEVER_TRIPS, policy.own_limit and policy.longest < SLOW)
+    is_unwanted = policy.own_limit or policy.restart == "always"
+    return Loop(Outcome.NEVER_TRIPS, is_unwanted and policy.longest < SLOW)
