@@ -159,7 +159,7 @@ class Located(str):
     pieces: tuple[tuple[int, int], ...] | None
 
     def __new__(cls, text: str, span: Span, pieces: tuple[tuple[int, int], ...] | None = None) -> Located:
-        self = super().__new__(cls, text)
+        self = str.__new__(cls, text)
         self.span = span
         self.pieces = pieces
         return self
@@ -177,20 +177,26 @@ class Located(str):
 
     def part(self, start: int, end: int) -> Located:
         """The characters from ``start`` to ``end``, with their own span."""
+        source, opens, closes = self.span
         if end <= start:
             at = self.origin(start)
-            return Located("", Span(self.span.source, at, at))
+            return Located("", Span(source, at, at))
+        text = str.__getitem__(self, slice(start, end))
+        if self.pieces is None and opens + end <= closes:
+            return Located(text, Span(source, opens + start, opens + end))
         first = self.origin(start)
         last = self.origin(end - 1) + 1
-        text = str.__getitem__(self, slice(start, end))
         if self.pieces is None or last - first == end - start:
-            return Located(text, Span(self.span.source, first, last))
+            return Located(text, Span(source, first, last))
         inside = tuple((i - start, o) for i, o in self.pieces if start < i < end)
-        return Located(text, Span(self.span.source, first, last), ((0, first), *inside))
+        return Located(text, Span(source, first, last), ((0, first), *inside))
 
     def strip_located(self, chars: str | None = None) -> Located:
         """Like ``str.strip``, keeping the place."""
-        start = len(self) - len(self.lstrip(chars))
+        length = len(self)
+        if len(self.strip(chars)) == length == self.span.end - self.span.start and self.pieces is None:
+            return self
+        start = length - len(self.lstrip(chars))
         return self.part(start, max(start, len(self.rstrip(chars))))
 
     def words(self) -> Iterator[Located]:

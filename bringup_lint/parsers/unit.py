@@ -12,7 +12,6 @@ from collections.abc import Iterator
 from bringup_lint.model.unit import Assignment
 from bringup_lint.model.unit import Section
 from bringup_lint.model.unit import UnitFile
-from bringup_lint.parsers.matching import end_of
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
@@ -21,7 +20,7 @@ from bringup_lint.templates import final_name
 from bringup_lint.templates import has_control_flow
 from bringup_lint.templates import has_placeholder
 
-_LINE = regex(r"[^\r\n]*")
+_LINE = regex(r"([^\r\n]*)(?:\r\n|[\r\n]|\Z)")
 _BLANK = " \t\n\r"
 _TEMPLATE_LINE = regex(r"\{%.*%\}|\{#.*#\}|@\[.*\]|(?:m4_)?(?:ifdef|ifelse|dnl|divert)\b|<%|#(?:if|else|endif)\b")
 
@@ -63,6 +62,9 @@ def logical_lines(source: Source, problems: list[Problem]) -> Iterator[Located]:
         content = line.lstrip(_BLANK)
         if content[:1] in ("#", ";"):
             continue
+        if not joined and "\\" not in line:
+            yield source.located(start, end)
+            continue
         if joined:
             start += len(line) - len(content)
             line = content
@@ -91,12 +93,9 @@ def _joined(source: Source, lines: list[str], pieces: list[tuple[int, int]], end
 
 
 def _physical_lines(text: str) -> Iterator[tuple[int, int]]:
-    at = 1 if text.startswith("\ufeff") else 0
-    size = len(text)
-    while at < size:
-        end = end_of(_LINE, text, at)
-        yield at, end
-        at = end + (2 if text.startswith("\r\n", end) else 1)
+    for line in _LINE.finditer(text, 1 if text.startswith("\ufeff") else 0):
+        if line.start() < len(text):
+            yield line.span(1)
 
 
 def _ends_with_backslash(line: str) -> bool:

@@ -24,6 +24,9 @@ def content(source: Source, start: int, end: int, value: str, style: str, named:
     ``named`` tells that an anchor or a tag stands before it, which the whole span leaves out.
     """
     text = source.text
+    if not (style or named) and text[start:end] == value:
+        whole = Span(source, start, end)
+        return Located(value, whole), whole
     if named and (match := PROPERTIES.match(text, start, end)):
         start = match.end()
     if style in ("|", ">"):

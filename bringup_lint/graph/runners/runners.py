@@ -14,6 +14,7 @@ from bringup_lint.graph.commands.ros_command import Ros
 from bringup_lint.graph.files import Files
 from bringup_lint.graph.launch.expansion import Expansion
 from bringup_lint.graph.purpose import Purpose
+from bringup_lint.graph.runners.described import Described
 from bringup_lint.graph.runners.launching import Launching
 from bringup_lint.graph.runners.launching import expansion_of
 from bringup_lint.graph.runners.layers import Layers
@@ -80,12 +81,15 @@ class Runners:
 
     def purpose(self, place: Span) -> Purpose:
         """What the runner at a place is for; for a Dockerfile, all those that build it."""
-        around = [runner for runner in self._by_source.get(place.source, ()) if _holds(runner, place)]
+        described = self._described.get(place.source)
+        if described is None:
+            return Purpose.ROBOT
+        around = described.around(place)
         purposes = {runner.purpose for runner in around}
         return Purpose.ROBOT if Purpose.ROBOT in purposes or not around else around[0].purpose
 
     @cached_property
-    def _by_source(self) -> dict[Source, list[Runner]]:
+    def _described(self) -> dict[Source, Described]:
         """The runners that a file describes, whole or in a part of it."""
         found: dict[Source, list[Runner]] = {}
         for runner in self.all:
@@ -93,7 +97,7 @@ class Runners:
             own = [] if runner.extent is None else [runner.extent.source]
             for source in dict.fromkeys((*image, *own)):
                 found.setdefault(source, []).append(runner)
-        return found
+        return {source: Described(source, runners) for source, runners in found.items()}
 
     def expansion(self, start: Start) -> Expansion | None:
         """What a command leads to with its arguments, always the same object; None when its launch file is not in
@@ -105,16 +109,6 @@ class Runners:
     @cached_property
     def _expansions(self) -> dict[Ros, Expansion | None]:
         return {}
-
-
-def _holds(runner: Runner, place: Span) -> bool:
-    """Whether a place is in what a file says of a runner, or in the Dockerfile of its image."""
-    if runner.stage is not None and runner.stage.start.keyword.span.source is place.source:
-        return True
-    extent = runner.extent
-    if extent is None or extent.source is not place.source:
-        return False
-    return extent.start <= place.start < extent.end or runner.where == place
 
 
 def _is_started(runner: Runner, scripts: Set[Source | None]) -> bool:
