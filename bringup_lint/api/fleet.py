@@ -10,6 +10,7 @@ from bringup_lint.fleet.fleet import Difference
 from bringup_lint.fleet.fleet import Fleet
 from bringup_lint.fleet.fleet import FleetFinding
 from bringup_lint.fleet.fleet import FleetPlace
+from bringup_lint.fleet.fleet import Majority
 from bringup_lint.fleet.fleet import Marked
 from bringup_lint.fleet.fleet import Stated
 from bringup_lint.fleet.fleet import listed
@@ -21,11 +22,14 @@ __all__ = [
     "Fact",
     "Fleet",
     "FleetFinding",
+    "Majority",
     "Marked",
     "Stated",
     "Summary",
+    "difference",
     "fleet_finding",
     "listed",
+    "missing",
     "names",
 ]
 
@@ -56,3 +60,19 @@ def fleet_finding(
 def names(places: Iterable[Marked | Stated], most: int = 3) -> str:
     """The names of the robots, as a sentence has them."""
     return listed((each.robot.name for each in places), most)
+
+
+def difference(key: str, usual: list[Stated], odd: list[Stated]) -> Difference:
+    """What most robots say and what some say instead, for the report to show side by side."""
+    return Difference(
+        key,
+        usual[0].fact.value,
+        tuple(each.robot.name for each in usual),
+        odd[0].fact.value,
+        tuple(each.robot.name for each in odd),
+    )
+
+
+def missing(robots: Iterable[Summary]) -> list[Stated]:
+    """The places of what robots do not have: what was read of them."""
+    return [Stated(robot, Fact("missing", "", "", robot.path, 1)) for robot in robots]

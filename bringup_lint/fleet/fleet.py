@@ -16,6 +16,11 @@ from bringup_lint.fleet.summary import Fact
 from bringup_lint.fleet.summary import Mark
 from bringup_lint.fleet.summary import Summary
 
+FEWEST = 3
+"""Robots of which a majority says anything."""
+SHORTEST_NAME = 3
+"""Characters of a robot's name by which it is recognized in a value."""
+
 
 class FleetPlace(NamedTuple):
     """A line of a file of one robot. Line 1 is the first."""
@@ -55,6 +60,9 @@ class FleetFinding:
 
     @property
     def robots(self) -> tuple[str, ...]:
+        """Those that are to be changed."""
+        if self.difference is not None:
+            return self.difference.odd_robots
         return tuple(dict.fromkeys(place.robot for place in self.places))
 
 
@@ -63,6 +71,14 @@ class Stated(NamedTuple):
 
     robot: Summary
     fact: Fact
+
+
+class Majority(NamedTuple):
+    """What most robots of a group say of one key, and what the others say."""
+
+    usual: list[Stated]
+    others: dict[str, list[Stated]]
+    """By value."""
 
 
 class Marked(NamedTuple):
@@ -106,6 +122,43 @@ class Fleet:
             for stated in self.stated(subject, robots):
                 found[stated.fact.key, stated.fact.value].setdefault(stated.robot.name, stated)
             yield from (list(group.values()) for group in found.values() if len(group) > 1)
+
+    def talking(self) -> Iterator[list[Summary]]:
+        """The robots of each site that the inventory wants to hear each other."""
+        for robots in self.sites.values():
+            if len(robots) > 1 and all(robot.talks == "shared" for robot in robots):
+                yield robots
+
+    def majorities(self, subject: str, robots: Iterable[Summary]) -> Iterator[tuple[str, Majority]]:
+        """Each key of a subject of which most of these robots, at least two thirds, say the same, and some do not."""
+        by_key: dict[str, dict[str, list[Stated]]] = defaultdict(lambda: defaultdict(list))
+        for stated in self.stated(subject, robots):
+            by_key[stated.fact.key][stated.robot.name].append(stated)
+        for key, by_robot in sorted(by_key.items()):
+            found = _majority([said[0] for said in by_robot.values() if len({_plain(each) for each in said}) == 1])
+            if found is not None:
+                yield key, found
+
+
+def _majority(said: list[Stated]) -> Majority | None:
+    values: dict[str, list[Stated]] = defaultdict(list)
+    for each in said:
+        values[_plain(each)].append(each)
+    usual = max(values.values(), key=len, default=[])
+    if len(values) < 2 or len(said) < FEWEST or 3 * len(usual) < 2 * len(said):
+        return None
+    others = (group for group in values.values() if group is not usual)
+    return Majority(usual, {group[0].fact.value: group for group in others})
+
+
+def _plain(stated: Stated) -> str:
+    """A value in which the robot does not name itself, so that it can be the same on all of them."""
+    value = stated.fact.value
+    own = stated.robot.one("host-name")
+    for name in (stated.robot.name, own.value if own else ""):
+        if len(name) >= SHORTEST_NAME:
+            value = value.replace(name, "\0")
+    return value
 
 
 def _grouped(robots: Iterable[Summary], key: Callable[[Summary], str]) -> dict[str, list[Summary]]:

@@ -1,0 +1,72 @@
+"""A robot is set up differently from the others of its role.
+
+## What it finds
+A setting of a unit, a kernel parameter, a parameter of a node or a version that differs from what at least two thirds
+of the robots of one role have. Names of the robots in values do not count as differences.
+
+## Why it matters on a robot
+Somebody changed one robot by hand, or an update did not reach it. What was tested on the others says nothing about this
+one, and the change is lost with the next image.
+
+## Bad
+```ini
+# alpha, beta: rover.service
+Restart=on-failure
+# gamma: rover.service
+Restart=no
+```
+
+## Good
+```ini
+# alpha, beta, gamma: rover.service
+Restart=on-failure
+```
+
+## When to ignore it
+When the difference is meant: declare it in fleet.toml with `[[accept]]`, its rule, key, robots and reason, or give the
+robot a role of its own.
+
+## References
+- systemd-delta(1) shows what differs from the files of the packages
+- systemd.unit(5), sysctl.d(5)
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import rule
+from bringup_lint.api.fleet import Fleet
+from bringup_lint.api.fleet import FleetFinding
+from bringup_lint.api.fleet import difference
+from bringup_lint.api.fleet import fleet_finding
+from bringup_lint.api.fleet import names
+
+_WHAT = {
+    "setting": "unit",
+    "kernel-parameter": "kernel parameter",
+    "parameter": "parameter",
+    "version": "version",
+    "middleware": "variable",
+    "security": "variable",
+    "discovery": "variable",
+    "time-source": "time source",
+}
+"""What is compared."""
+_BY_SITE = {"middleware", "security", "discovery", "time-source"}
+"""What other rules compare where the inventory says that the robots hear each other."""
+
+
+@rule("warning")
+def drift(fleet: Fleet) -> Iterator[FleetFinding]:
+    for role, members in fleet.roles.items():
+        for subject, what in _WHAT.items():
+            robots = [robot for robot in members if subject not in _BY_SITE or robot.talks != "shared"]
+            for key, found in fleet.majorities(subject, robots):
+                for odd in found.others.values():
+                    total = len(found.usual) + sum(map(len, found.others.values()))
+                    yield fleet_finding(
+                        [*odd, found.usual[0]],
+                        f"{names(odd)} {'differs' if len(odd) == 1 else 'differ'} from {len(found.usual)} of {total}"
+                        f" robots of the role {role} in the {what} {key}".rstrip(),
+                        advice="bring it in line, or declare it in fleet.toml: [[accept]]",
+                        difference=difference(key or what, found.usual, odd),
+                    )
