@@ -18,6 +18,7 @@ import click
 from bringup_lint import __version__
 from bringup_lint.cli import COMMANDS
 from bringup_lint.cli.options import baseline_options
+from bringup_lint.cli.options import changes_options
 from bringup_lint.cli.options import colour_option
 from bringup_lint.cli.options import configuration_options
 from bringup_lint.cli.options import ignores_option
@@ -62,6 +63,7 @@ EPILOG = "\n\n".join(
 @configuration_options
 @click.option("--stdin-filename", help="Check standard input as the file of this name.")
 @click.option("--tracked", is_flag=True, help="Leave out the files that git does not track.")
+@changes_options
 @baseline_options
 @click.option("--fix", is_flag=True, help="Apply the safe fixes.")
 @click.option("--unsafe-fixes", is_flag=True, help="With --fix or --diff: the unsafe fixes too.")
@@ -80,6 +82,8 @@ def command(ctx: click.Context, paths: tuple[str, ...], **options) -> None:
     _usage(paths, options)
     if options["stdin_filename"]:
         paths = (options["stdin_filename"],)
+    if options["changed"]:
+        options["changed_files"], paths = paths, (".",)
     try:
         code = _check(ctx.meta["outputs"], paths or ("/" if options["root"] else ".",), options)
     except (ConfigError, RuleError) as error:
@@ -89,6 +93,7 @@ def command(ctx: click.Context, paths: tuple[str, ...], **options) -> None:
 
 
 def _check(outputs: list[Output], paths: tuple[str, ...], options: dict[str, Any]) -> int:
+    from bringup_lint.cli.changes import changes_limit
     from bringup_lint.engine import run
     from bringup_lint.registry import Registry
 
@@ -98,9 +103,11 @@ def _check(outputs: list[Output], paths: tuple[str, ...], options: dict[str, Any
     if options["stdin_filename"]:
         options["stdin_data"] = _standard_input()
 
+    limit = changes_limit(options)
+
     def checked() -> tuple[Robot, Outcome]:
         robot = read_robot(paths, config, options)
-        return robot, run(robot, registry, config, ignores=not options["no_ignores"])
+        return robot, limit(run(robot, registry, config, ignores=not options["no_ignores"]))
 
     robot, outcome = checked()
     unsafe = options["unsafe_fixes"]
@@ -199,6 +206,12 @@ def _usage(paths: tuple[str, ...], options: dict[str, Any]) -> None:
         raise click.UsageError("standard input needs a name, which says what kind of file it is: --stdin-filename NAME")
     if name and (options["root"] or options["tracked"] or set(paths) - {"-"}):
         raise click.UsageError("--stdin-filename checks standard input alone: leave out paths, --root and --tracked")
+    if options["changed"] and (not paths or name or options["root"]):
+        raise click.UsageError("--changed takes the changed files of the working folder as PATHs, and no --root")
+    if options["since"] and (name or options["root"]):
+        raise click.UsageError(
+            "--since compares a working tree with git's objects: leave out --root and --stdin-filename"
+        )
     if options["unsafe_fixes"] and not (options["fix"] or options["diff"]):
         raise click.UsageError("--unsafe-fixes needs --fix or --diff")
 

@@ -72,6 +72,10 @@ verdict_options = _together(
     click.option("--exit-zero", is_flag=True, help="Exit with 0 whatever is found."),
 )
 ignores_option = click.option("--no-ignores", is_flag=True, help="Show what comments in the files suppress.")
+changes_options = _together(
+    click.option("--since", metavar="REV", help="Show what the changes since a git revision have a part in."),
+    click.option("--changed", is_flag=True, help="PATHs are changed files: show what they have a part in."),
+)
 baseline_options = _together(
     click.option("--baseline", type=click.Path(dir_okay=False, path_type=Path), help="Leave out what this file holds."),
     click.option(

@@ -1,0 +1,58 @@
+"""``--since`` and ``--changed``: the findings that changed files have a part in."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from dataclasses import replace
+from typing import TYPE_CHECKING
+from typing import Any
+
+import click
+
+from bringup_lint.config import ConfigError
+from bringup_lint.finding.reach import reached
+
+if TYPE_CHECKING:
+    from bringup_lint.engine import Outcome
+
+Limit = Callable[["Outcome"], "Outcome"]
+
+
+def changes_limit(options: dict[str, Any]) -> Limit:
+    """What leaves out the findings that no change has a part in. Raises ConfigError for an unknown revision."""
+    limits = []
+    if options.get("since"):
+        limits.append(_since(options["since"]))
+    if options.get("changed"):
+        limits.append(_files(options["changed_files"]))
+
+    def limit(outcome: Outcome) -> Outcome:
+        for each in limits:
+            outcome = each(outcome)
+        return outcome
+
+    return limit
+
+
+def _since(revision: str) -> Limit:
+    from bringup_lint.discover.git_changes import Changes
+    from bringup_lint.discover.git_changes import UnknownRevision
+
+    try:
+        changes = Changes(os.getcwd(), revision)
+    except UnknownRevision as error:
+        raise ConfigError(f"--since: {error}") from error
+    if changes.note:
+        click.echo(f"bringup-lint: --since: {changes.note}", err=True)
+    return lambda outcome: _only(outcome, changes.touched, changes.gone)
+
+
+def _files(paths: tuple[str, ...]) -> Limit:
+    named = {os.path.abspath(path) for path in paths}
+    gone = {os.path.basename(path) for path in named if not os.path.lexists(path)}
+    return lambda outcome: _only(outcome, lambda name: os.path.abspath(name) in named, frozenset(gone))
+
+
+def _only(outcome: Outcome, touched: Callable[[str], bool], gone: frozenset[str]) -> Outcome:
+    return replace(outcome, findings=tuple(reached(outcome.findings, touched, gone)))
