@@ -13,6 +13,7 @@ from bringup_lint.model.dockerfile import Stage
 from bringup_lint.model.dockerfile import runs_as_root
 from bringup_lint.model.dockerfile import stays_in_shell
 from bringup_lint.model.image_build import image_name
+from bringup_lint.parsers.dockerfile import assignments
 from bringup_lint.parsers.dockerfile import commands_of
 from bringup_lint.parsers.dockerfile import commands_of_run
 
@@ -21,6 +22,7 @@ __all__ = [
     "Dockerfile",
     "Runner",
     "Stage",
+    "assignments",
     "broken_references",
     "can_be_pulled",
     "commands_of",

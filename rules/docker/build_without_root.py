@@ -2,8 +2,9 @@
 
 ## What it finds
 `apt-get`, `apt`, `dpkg -i`, `useradd` and the like, and files that the shell writes below `/etc`, `/usr` or `/opt`,
-in a `RUN` after a `USER` that is not root. Commands that run through sudo are not reported. Where `|| true` hides the
-failure, the finding is a warning. After `RUN chown`, `chmod` or `setfacl` of a folder, writes to it are not judged.
+in a `RUN` after a `USER` that is not root. A build argument counts as its default. Commands that run through sudo
+are not reported. Where `|| true` hides the failure, the finding is a warning. After `RUN chown`, `chmod` or `setfacl`
+of a folder, writes to it are not judged.
 
 ## Why it matters on a robot
 The build stops with "Permission denied", so the robot keeps the old image. With `|| true` the image is built without
@@ -29,6 +30,7 @@ When the user has the id 0 under another name.
 """
 
 from collections.abc import Iterator
+from collections.abc import Mapping
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
@@ -38,6 +40,7 @@ from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.docker import Stage
+from bringup_lint.api.docker import assignments
 from bringup_lint.api.docker import commands_of
 from bringup_lint.api.docker import commands_of_run
 from bringup_lint.api.shell import Command
@@ -57,13 +60,17 @@ def build_without_root(robot: Robot) -> Iterator[Finding]:
 
 def _judged(stage: Stage) -> Iterator[Finding]:
     before = stage.base.last("USER") if stage.base else None
-    user = _without_root(before.value) if before else None
+    user = _without_root(before.value, {}) if before else None
+    defaults: dict[str, Located] = {}
     opened = any(command.name in OPENS for base in list(stage.chain)[1:] for command in commands_of(base))
-    for instruction in stage.all("USER", "RUN", "SHELL"):
+    for instruction in stage.all("ARG", "USER", "RUN", "SHELL"):
+        if instruction.name == "ARG":
+            defaults.update(assignments(instruction))
+            continue
         if instruction.name == "SHELL":
             return
         if instruction.name == "USER":
-            user = _without_root(instruction.value)
+            user = _without_root(instruction.value, defaults)
             continue
         commands = list(commands_of_run(instruction))
         opened = opened or any(command.name in OPENS for command in commands)
@@ -80,9 +87,10 @@ def _judged(stage: Stage) -> Iterator[Finding]:
             )
 
 
-def _without_root(user: Located) -> Located | None:
-    """The user of USER, if it is certainly not root."""
-    return None if ROOT.match(user) or "$" in user else user
+def _without_root(user: Located, defaults: Mapping[str, Located]) -> Located | None:
+    """The user of USER, if it is not root; that of a build argument is its default."""
+    user = defaults.get(user.strip("${}"), user) if user.startswith("$") else user
+    return None if not user or ROOT.match(user) or "$" in user else user
 
 
 def _needs_root(command: Command, opened: bool) -> Located | None:

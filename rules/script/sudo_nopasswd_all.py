@@ -1,7 +1,10 @@
-"""A user may run everything as root without a password.
+"""A user may run everything as root without a password, or everybody something.
 
 ## What it finds
-A line `USER ALL=(ALL) NOPASSWD: ALL` in a sudoers file, or in what a script writes to one.
+In a sudoers file, or in what a script writes to one:
+
+- A line `USER ALL=(ALL) NOPASSWD: ALL`.
+- A line `ALL ALL=(ALL) NOPASSWD: COMMAND`: every user and service of the robot may run the command as root.
 
 ## Why it matters on a robot
 Whatever runs as this user is root: a node with a hole, a web interface, a USB stick that types. File permissions,
@@ -39,6 +42,9 @@ RULE = regex(
     r"(?P<what>NOPASSWD:[ \t]*ALL)[ \t]*$",
     re.M,
 )
+EVERYBODY = regex(
+    r"^[ \t]*ALL[ \t]+\S+[ \t]*=[ \t]*(?:\((?:ALL|root)[^)\n]*\)[ \t]*)?NOPASSWD:[ \t]*(?P<command>/[^\s,]+)", re.M
+)
 
 
 @rule("warning", tags=["CWE-250", "CWE-269"])
@@ -52,4 +58,10 @@ def sudo_nopasswd_all(robot: Robot) -> Iterator[Finding]:
                 source.located(*match.span("what")),
                 f"Every program that runs as {who} can become root without a password",
                 advice="name the commands that are needed, with their full paths and arguments",
+            )
+        for match in EVERYBODY.finditer(source.text):
+            yield finding(
+                source.located(*match.span("command")),
+                f"Every user and service can run {match['command']} as root without a password",
+                advice="name the user that needs it in place of the first ALL",
             )
