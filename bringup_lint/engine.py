@@ -45,6 +45,8 @@ class Outcome:
     """What failed inside, one line each."""
     hidden: dict[Severity, int]
     """How many findings of each severity lie below the lowest severity shown."""
+    elsewhere: int = 0
+    """How many findings are left out because the change that is judged has no part in them."""
 
 
 class Selection:

@@ -70,6 +70,7 @@ def finish(
         exit_code=exit_code(sifted.new, outcome.failures, fail_on),
         notifications=(*(Notification("error", failure) for failure in failures), *_not_read(robot)),
         below=outcome.hidden,
+        elsewhere=outcome.elsewhere,
         known=sifted.known,
         picture=picture,
     )

@@ -55,4 +55,7 @@ def _files(paths: tuple[str, ...]) -> Limit:
 
 
 def _only(outcome: Outcome, touched: Callable[[str], bool], gone: frozenset[str]) -> Outcome:
-    return replace(outcome, findings=tuple(reached(outcome.findings, touched, gone)))
+    shown = tuple(reached(outcome.findings, touched, gone))
+    count = sum(finding.suppression is None for finding in outcome.findings)
+    left = count - sum(finding.suppression is None for finding in shown)
+    return replace(outcome, findings=shown, elsewhere=outcome.elsewhere + left)

@@ -75,6 +75,7 @@ def _notes(report: Report) -> Iterator[str]:
     suppressed = sum(finding.suppression is not None for finding in report.findings)
     notes = [f"{suppressed} suppressed"] if suppressed else []
     notes += [f"{len(report.known)} known to the baseline"] if report.known else []
+    notes += [f"{report.elsewhere} more in which the change has no part"] if report.elsewhere else []
     if notes:
         yield " · ".join(notes)
     for told in report.notifications:

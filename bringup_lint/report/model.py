@@ -88,6 +88,8 @@ class Report:
     notifications: tuple[Notification, ...] = ()
     below: Mapping[Severity, int] = field(default_factory=dict)
     """How many findings of each severity were left out by ``--min-severity``."""
+    elsewhere: int = 0
+    """How many findings were left out because the change that is judged has no part in them."""
     known: tuple[Finding, ...] = ()
     """Findings that were left out because the baseline holds them."""
     picture: dict[str, Any] | None = None

@@ -18,6 +18,8 @@ def summary(report: Report, width: int, paint: Paint) -> str:
     files = "1 file" if report.files == 1 else f"{report.files} files"
     if said:
         head = f"{', '.join(reversed(said))} in {files}"
+    elif report.elsewhere:
+        head = f"{paint('good', 'Nothing to report of the change')}: {files} checked"
     elif report.files:
         head = f"{paint('good', 'Clear for bring-up')}: {files} checked, nothing to report"
     else:
@@ -37,6 +39,8 @@ def _asides(report: Report) -> Iterator[str]:
     suppressed = sum(finding.suppression is not None for finding in report.findings)
     if suppressed:
         yield f"{suppressed} suppressed: --no-ignores"
+    if report.elsewhere:
+        yield f"{report.elsewhere} more in which the change has no part"
     if report.known:
         yield f"{len(report.known)} known to the baseline"
 

@@ -213,3 +213,11 @@ def test_a_deleted_file_may_be_named(robot: Path) -> None:
 )
 def test_options_without_effect(robot: Path, options: tuple[str, ...]) -> None:
     assert lint(*options, cwd=robot).code == 2
+
+
+def test_what_is_left_out_is_counted(robot: Path) -> None:
+    everything = found(lint("--isolated", "--output-format", "concise", ".", cwd=robot))
+    run = lint("--isolated", "--since", "main", ".", cwd=robot)
+    assert run.code == 0
+    assert run.stdout.startswith("Nothing to report of the change: 6 files checked\n")
+    assert f"{len(everything)} more in which the change has no part" in run.stdout
