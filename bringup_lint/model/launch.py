@@ -240,6 +240,15 @@ class Call(NamedTuple):
     """Inside a function that only the run calls, not while the description is built."""
 
 
+class ObjectAsValue(NamedTuple):
+    """A ``LaunchConfiguration`` that code takes for its text."""
+
+    how: str
+    """``compared``, ``condition``, ``text``, ``path``, ``number``, ``added``, ``looked-up`` or ``argument-name``."""
+    span: Span
+    argument: Argument
+
+
 @dataclass(eq=False, slots=True)
 class Coverage:
     """How much of a launch file was understood."""
@@ -276,8 +285,9 @@ class LaunchFile:
     keywords: list[tuple[str, Located]] = field(default_factory=list)
     """Keyword arguments of nodes that only old distributions have, each with its class."""
     refused: list[Problem] = field(default_factory=list)
-    """What launch_ros does not take: ``not-a-list``, ``key``, ``nested-list``, ``list-of-maps`` and ``nothing`` in
-    ``parameters=``, ``remapping``."""
+    """What launch_ros does not take: ``not-a-list``, ``action``, ``key``, ``nested-list``, ``list-of-maps`` and
+    ``nothing`` in ``parameters=``, ``remapping``."""
+    objects: list[ObjectAsValue] = field(default_factory=list)
     bare_excepts: list[Span] = field(default_factory=list)
     tag: Tag | None = None
     """The root of an XML or YAML file, as it is written."""

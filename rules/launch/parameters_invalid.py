@@ -1,8 +1,9 @@
 """The parameters or remappings of a node are not what launch_ros takes.
 
 ## What it finds
-`parameters=` that is a dictionary or a text instead of a list, and in the dictionaries of the list keys that are no
-text, None, lists of lists and lists of dictionaries. `remappings=` with anything but tuples of two.
+`parameters=` that is a dictionary or a text instead of a list, actions such as `OpaqueFunction` in the list, and in its
+dictionaries keys that are no text, None, lists of lists and lists of dictionaries. `remappings=` with anything but
+tuples of two.
 
 ## Why it matters on a robot
 launch_ros raises an exception while the file is loaded: nothing starts.
@@ -33,6 +34,7 @@ from bringup_lint.api import rule
 
 WRONG = {
     "not-a-list": ("parameters= is no list", "put it into a list"),
+    "action": ("An action is given as parameters", "start the node in the OpaqueFunction, with what it computes"),
     "key": ("The name of a parameter is no text", "quote it"),
     "nested-list": ("A parameter is a list of lists", "write a flat list"),
     "list-of-maps": ("A parameter is a list of dictionaries", "write a list of names, and a dictionary for each name"),

@@ -37,6 +37,7 @@ from bringup_lint.parsers.launch_python.objects import Sequence
 from bringup_lint.parsers.launch_python.state import Builder
 from bringup_lint.parsers.launch_python.state import State
 from bringup_lint.parsers.launch_python.substitutions import parameter
+from bringup_lint.parsers.launch_python.unperformed import note_object
 
 
 def conditions(args: Arguments) -> tuple[Condition, ...]:
@@ -84,7 +85,10 @@ def _include(state: State, args: Arguments) -> Any:
         )
     else:
         file = freeze.text(state, source)
-    pairs, more = freeze.pairs(state, args.get("launch_arguments"))
+    arguments = args.get("launch_arguments")
+    pairs, more = freeze.pairs(state, arguments)
+    for key, _ in pairs:
+        note_object(state, "argument-name", key, freeze.span_of(arguments, args.span))
     return Include(span=args.span, conditions=conditions(args), file=file, arguments=pairs, open=more or args.more)
 
 

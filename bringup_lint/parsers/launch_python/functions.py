@@ -32,8 +32,14 @@ from bringup_lint.parsers.launch_python.operators import performed
 from bringup_lint.parsers.launch_python.state import Builder
 from bringup_lint.parsers.launch_python.state import State
 from bringup_lint.parsers.launch_python.truth import truth
+from bringup_lint.parsers.launch_python.unperformed import forget_printed
+from bringup_lint.parsers.launch_python.unperformed import is_object
+from bringup_lint.parsers.launch_python.unperformed import note_object
 from bringup_lint.source import Located
 from bringup_lint.source import Span
+
+_OPENING = frozenset(("open", "os.path.expanduser", "xacro.process_file"))
+"""Functions that take a path."""
 
 
 def path(state: State, thing: Any) -> Value:
@@ -71,9 +77,10 @@ def parent(value: Value, span: Span) -> Value:
 def _join(state: State, args: Arguments) -> Any:
     if args.more or not args.positional:
         return Unknown("path", args.span)
-    for thing in args.positional:
-        if isinstance(thing, Argument) and not thing.performed:
-            return Unknown("a substitution object in os.path.join", args.span)
+    objects = [thing for thing in args.positional if is_object(thing)]
+    if objects:
+        note_object(state, "path", objects[0], args.span)
+        return Unknown("a substitution object in os.path.join", args.span)
     return _distributed(state, args.positional, args.span)
 
 
@@ -90,6 +97,8 @@ def _distributed(state: State, things: list[Any], span: Span) -> Any:
 def _path(state: State, args: Arguments) -> Any:
     if not args.positional:
         return Unknown("working folder", args.span)
+    for thing in args.positional:
+        note_object(state, "path", thing, args.span)
     return _distributed(state, args.positional, args.span)
 
 
@@ -107,7 +116,9 @@ def _basename(state: State, args: Arguments) -> Any:
 
 
 def _exists(state: State, args: Arguments) -> Any:
-    return Operation("exists", (path(state, args.need("path", 0)),), args.span)
+    thing = args.need("path", 0)
+    note_object(state, "path", thing, args.span)
+    return Operation("exists", (path(state, thing),), args.span)
 
 
 def _share(state: State, args: Arguments) -> Any:
@@ -128,6 +139,8 @@ def _getenv(state: State, args: Arguments) -> Any:
 
 def _noted(name: str, why: str) -> Builder:
     def builder(state: State, args: Arguments) -> Any:
+        if name in _OPENING and args.positional:
+            note_object(state, "path", args.positional[0], args.span)
         values = tuple(freeze.value(state, thing) for thing in args.positional)
         state.file.calls.append(Call(name, args.span, values, state.deferred > 0))
         return Unknown(why, args.span)
@@ -142,6 +155,7 @@ def _str(state: State, args: Arguments) -> Any:
 def _number(kind: Callable[[Any], int | float]) -> Builder:
     def builder(state: State, args: Arguments) -> Any:
         value = args.get("x", 0)
+        note_object(state, "number", value, args.span)
         if isinstance(value, Literal) and len(args.positional) == 1:
             try:
                 return Literal(kind(value.value), args.span)
@@ -155,7 +169,9 @@ def _number(kind: Callable[[Any], int | float]) -> Builder:
 
 
 def _bool(state: State, args: Arguments) -> Any:
-    outcome = truth(state, args.need("x", 0), args.span)
+    thing = args.need("x", 0)
+    note_object(state, "condition", thing, args.span)
+    outcome = truth(state, thing, args.span)
     return Literal(outcome, args.span) if isinstance(outcome, bool) else outcome
 
 
@@ -257,6 +273,11 @@ def _quiet(state: State, args: Arguments) -> Any:
     return Literal(None, args.span)
 
 
+def _print(state: State, args: Arguments) -> Any:
+    forget_printed(state, args.span)
+    return Literal(None, args.span)
+
+
 def _isinstance(state: State, args: Arguments) -> Any:
     thing, kind = args.get("obj", 0), args.get("type", 1)
     if isinstance(thing, Literal) and isinstance(kind, Symbol) and kind.name == "builtins.str":
@@ -313,7 +334,7 @@ _BUILTINS = {
     "builtins.dict": _dict,
     "collections.OrderedDict": _dict,
     "builtins.map": _map,
-    "builtins.print": _quiet,
+    "builtins.print": _print,
     "os.remove": _quiet,
     "os.unlink": _quiet,
     "os.makedirs": _quiet,

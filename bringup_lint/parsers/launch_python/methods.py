@@ -34,6 +34,7 @@ from bringup_lint.parsers.launch_python.operators import joined
 from bringup_lint.parsers.launch_python.operators import performed
 from bringup_lint.parsers.launch_python.state import State
 from bringup_lint.parsers.launch_python.state import relative
+from bringup_lint.parsers.launch_python.unperformed import note_object
 from bringup_lint.source import Located
 from bringup_lint.source import Span
 
@@ -63,13 +64,19 @@ def method(state: State, bound: Bound, args: Arguments) -> Any:
     if isinstance(owner, Context):
         return _context(state, name, args)
     if isinstance(owner, Placed) and name == "evaluate":
-        return owner.condition.predicate if owner.condition.wanted else _not(owner.condition.predicate, args.span)
+        outcome = _outcome(owner.condition.predicate, args.span)
+        return outcome if owner.condition.wanted else _not(outcome, args.span)
     if isinstance(owner, Options):
         cases = [(own, method(state, Bound(option, name, bound.span), args)) for own, option in owner.options[:16]]
         return Options(cases, args.span)
     if isinstance(owner, VALUE_TYPES):
         return _value(state, owner, name, args)
     return Unknown(f"method {name}", args.span)
+
+
+def _outcome(predicate: Value, span: Span) -> Value:
+    """The bool that ``evaluate(context)`` gives."""
+    return Operation("as-bool", (perform(predicate),), span) if isinstance(predicate, Argument) else predicate
 
 
 def _not(predicate: Value, span: Span) -> Value:
@@ -147,6 +154,7 @@ def _dict(state: State, owner: Mapping, name: str, args: Arguments) -> Any:
 def _entry(state: State, owner: Mapping, name: str, args: Arguments) -> Any:
     key = args.get("key", 0)
     default = args.get("default", 1)
+    note_object(state, "looked-up", key, args.span)
     if not isinstance(key, Literal) or owner.open or owner.others:
         return Unknown("key", args.span)
     if key.value in owner.entries:

@@ -133,6 +133,9 @@ def _note_refused(state: State, thing: Any) -> None:
         _refuse(state, "not-a-list", thing.span)
     if not isinstance(thing, Sequence) or thing.open:
         return
+    for _, item in thing.items:
+        if isinstance(item, Action):
+            _refuse(state, "action", item.span)
     dictionaries = (item for _, item in thing.items if isinstance(item, Mapping))
     for key, value in (pair for dictionary in dictionaries for pair in dictionary.pairs()):
         if isinstance(key, Literal) and not _is_text(key):

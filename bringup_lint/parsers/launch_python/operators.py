@@ -32,6 +32,8 @@ from bringup_lint.parsers.launch_python.objects import Sequence
 from bringup_lint.parsers.launch_python.objects import Symbol
 from bringup_lint.parsers.launch_python.state import State
 from bringup_lint.parsers.launch_python.truth import truth
+from bringup_lint.parsers.launch_python.unperformed import is_object
+from bringup_lint.parsers.launch_python.unperformed import note_object
 from bringup_lint.source import Located
 from bringup_lint.source import Span
 
@@ -50,7 +52,8 @@ _ORDER: dict[type[ast.cmpop], Callable[[Any, Any], Any]] = {
 def performed(state: State, thing: Any, span: Span) -> Value:
     """The value as text inside an f-string or ``str()``: a substitution object would print as an object."""
     value = freeze.value(state, thing)
-    if isinstance(value, Argument) and not value.performed:
+    if is_object(value):
+        note_object(state, "text", value, span)
         return Unknown("a substitution object as text", span)
     if isinstance(value, Literal) and not isinstance(value.value, str):
         return Literal(Located(str(value.value), value.span), value.span)
@@ -71,6 +74,8 @@ def binary(state: State, op: ast.operator, left: Any, right: Any, span: Span) ->
         if isinstance(left, Options) or isinstance(right, Options):
             return _added(state, left, right, span)
         if _is_text(left) and _is_text(right):
+            for thing in (left, right):
+                note_object(state, "added", thing, span)
             return budget.concat([freeze.value(state, left), freeze.value(state, right)], span)
     if kind is ast.Div:
         first = freeze.value(state, left)
@@ -155,6 +160,7 @@ def joined(parts: list[Value], span: Span) -> Value:
 
 def unary(state: State, op: ast.unaryop, operand: Any, span: Span) -> Any:
     if isinstance(op, ast.Not):
+        note_object(state, "condition", operand, span)
         outcome = truth(state, operand, span)
         if isinstance(outcome, bool):
             return Literal(not outcome, span)
@@ -180,16 +186,12 @@ def compare(state: State, op: ast.cmpop, left: Any, right: Any, span: Span) -> A
         except TypeError:
             return Unknown("comparison", span)
     if kind in (ast.Eq, ast.NotEq) and _is_text(left) and _is_text(right):
-        if _is_object(left) != _is_object(right):
+        if is_object(left) != is_object(right):
+            note_object(state, "compared", left if is_object(left) else right, span)
             return Literal(kind is ast.NotEq, span)
         operands = (freeze.value(state, left), freeze.value(state, right))
         return budget.bounded(Operation("==" if kind is ast.Eq else "!=", operands, span))
     return Unknown("comparison", span)
-
-
-def _is_object(thing: Any) -> bool:
-    """A substitution object, which equals no text."""
-    return isinstance(thing, Argument) and not thing.performed
 
 
 def _identity(left: Any, right: Any, negative: bool, span: Span) -> Any:
@@ -236,6 +238,8 @@ def subscript(state: State, owner: Any, key: Any, span: Span) -> Any:
         if key.value in owner.entries:
             return owner.entries[key.value][1]
         return Unknown("key", span)
+    if isinstance(owner, Mapping):
+        note_object(state, "looked-up", key, span)
     if isinstance(owner, Mapping) and not owner.open and not owner.others and isinstance(key, _DECIDED_LATER):
         return _selected(state, owner, key, span)
     if isinstance(owner, (Sequence, Literal)):

@@ -22,6 +22,7 @@ from bringup_lint.parsers.launch_python.objects import Mapping
 from bringup_lint.parsers.launch_python.objects import Options
 from bringup_lint.parsers.launch_python.objects import Sequence
 from bringup_lint.parsers.launch_python.state import State
+from bringup_lint.parsers.launch_python.unperformed import note_object
 from bringup_lint.source import Span
 
 _ALWAYS = (PackageShare, PackagePrefix, PathJoin, Command)
@@ -60,5 +61,6 @@ def negated(condition: Condition) -> Condition:
 
 def branch(state: State, thing: Any, where: Span) -> bool | Condition:
     """What an ``if`` does: a known outcome, or the condition of its body."""
+    note_object(state, "condition", thing, where)
     outcome = truth(state, thing, where)
     return outcome if isinstance(outcome, bool) else Condition(outcome, True, "python", where)

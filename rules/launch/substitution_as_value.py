@@ -1,0 +1,64 @@
+"""Python code takes a launch configuration for its value.
+
+## What it finds
+`LaunchConfiguration('x')` that is compared with a text, used as a condition, formatted into a text, joined to a path
+with `os.path.join`, added to a text, converted to a number, or looked up in a dictionary. Also a `LaunchConfiguration`
+instead of a name as the key in `launch_arguments`.
+
+## Why it matters on a robot
+The description is built before launch knows any argument, and the object is not its value. A comparison is always
+False, a condition is always true, a text contains `<launch.substitutions.launch_configuration.LaunchConfiguration
+object at 0x7f…>`. `os.path.join`, `int` and `+` raise a TypeError, and nothing starts.
+
+## Bad
+```python
+model = LaunchConfiguration('model')
+urdf = os.path.join(get_package_share_directory('rover_description'), 'urdf', model)
+```
+
+## Good
+```python
+model = LaunchConfiguration('model')
+urdf = PathJoinSubstitution([FindPackageShare('rover_description'), 'urdf', model])
+```
+
+## When to ignore it
+Never; give the object to launch, or read its value in an OpaqueFunction with `perform(context)`.
+
+## References
+- https://docs.ros.org/en/jazzy/Tutorials/Intermediate/Launch/Using-Substitutions.html
+- launch, `LaunchConfiguration.perform`
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+ADVICE = "read the value in an OpaqueFunction with perform(context)"
+EFFECTS = {
+    "compared": ("is compared as an object: the outcome never depends on the argument", "use EqualsSubstitution"),
+    "condition": ("is an object, which is always true: the argument decides nothing", "use IfCondition"),
+    "text": ("is an object: the text holds '<launch.substitutions…>' instead of the value", "write a list of parts"),
+    "path": ("is an object and no path: launch ends with a TypeError", "use PathJoinSubstitution"),
+    "added": ("is an object and no text: launch ends with a TypeError", "write a list of parts"),
+    "number": ("is an object and no number: launch ends with a TypeError", ADVICE),
+    "looked-up": ("is an object: the dictionary has no such key", ADVICE),
+    "argument-name": ("is the name of an argument here: the include gets one called as its value", "quote the name"),
+}
+
+
+@rule("error", symptoms=["argument must be str, bytes, or os.PathLike object, not 'LaunchConfiguration'"])
+def substitution_as_value(robot: Robot) -> Iterator[Finding]:
+    for file in robot.launch.judged:
+        for use in file.objects:
+            effect, advice = EFFECTS[use.how]
+            yield finding(
+                use.span,
+                f"The launch configuration '{use.argument.name}' {effect}",
+                advice=advice,
+                related=[note(use.argument.name, "read here")],
+            )
