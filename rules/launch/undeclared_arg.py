@@ -2,9 +2,9 @@
 
 ## What it finds
 `LaunchConfiguration('x')` or `$(var x)` without a default, where neither the file nor a file that includes it
-declares or sets `x`. A certain read in a Python file is an error, other reads are warnings. If the file reads more
-than two such names, or another launch file mentions it, it is probably part of a larger launch file, and the
-finding is info.
+declares or sets `x`. The declaration in a file that it includes comes too late. A certain read in a Python file is an
+error, other reads are warnings. If the file reads more than two such names, or another launch file mentions it, it is
+probably part of a larger launch file, and the finding is info.
 
 ## Why it matters on a robot
 launch stops with "launch configuration 'x' does not exist" unless somebody passes `x:=…` by hand. A unit that
@@ -57,10 +57,11 @@ LEVELS: dict[str | None, int] = {None: 0, "warning": 1, "info": 2}
 @rule("error", symptoms=["launch configuration 'robot_name' does not exist"])
 def undeclared_arg(robot: Robot) -> Iterator[Finding]:
     for expansion in robot.launch.entries:
-        declared = {each.name: each for each in expansion.declared}
-        missing = {str(used.argument.name) for used in expansion.unbound} - declared.keys()
+        later = {(id(each.file), each.name) for each in expansion.declared}
+        unbound = [used for used in expansion.unbound if (id(used.file), str(used.argument.name)) not in later]
+        missing = {str(used.argument.name) for used in unbound}
         for name in sorted(missing - set(OWN)):
-            uses = [used for used in expansion.unbound if used.certain and used.argument.name == name]
+            uses = [used for used in unbound if used.certain and used.argument.name == name]
             if uses:
                 yield undeclared(robot, expansion, uses, missing)
 
@@ -69,11 +70,14 @@ def undeclared(robot: Robot, expansion: Expansion, uses: list[Used], missing: se
     """One finding for a name, where it does most harm, with the other places that read it."""
     declared = {each.name: each for each in expansion.declared}
     name = str(uses[0].argument.name)
-    near = nearest(name, declared)
+    late = declared.get(name)
+    near = [] if late else nearest(name, declared)
     grades = [None if near else grade(robot, expansion, used, missing) for used in uses]
     first = min(range(len(uses)), key=lambda at: LEVELS[grades[at]])
     related = [note(span, "included from here") for span in uses[first].chain]
     related += [note(declared[other].action.span, f"'{other}' is declared here") for other in near]
+    if late is not None:
+        related.append(note(late.action.span, "declared here, after the read"))
     related += [note(used.argument.name, "read here, too") for used in uses if used is not uses[first]]
     return finding(
         uses[first].argument.name,
