@@ -35,11 +35,13 @@ from bringup_lint.graph.nodes.questions.undefined_names import undefined
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.graph.topics.questions.undeclared import asked_in_vain
 from bringup_lint.graph.topics.questions.undeclared import unset
+from bringup_lint.model.cpp_source import UNTIL_OTHER_NODE
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import Timer
 from bringup_lint.pattern import regex
 
 __all__ = [
+    "UNTIL_OTHER_NODE",
     "UNTIL_TIMEOUT",
     "Endpoint",
     "Purpose",

@@ -15,6 +15,9 @@ from bringup_lint.source import Problem
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 
+UNTIL_OTHER_NODE = "until the other node appears"
+"""How long a wait for a service without a timeout lasts."""
+
 
 class Waiting(NamedTuple):
     """A call or loop that gives the executor nothing back for a while."""
@@ -63,4 +66,6 @@ class CppNode:
     """It makes an executor of several threads, or callback groups."""
     devices: list[Located] = field(default_factory=list)
     """Literal paths below ``/dev`` that a call opens."""
+    threads: list[Located] = field(default_factory=list)
+    """Variables and members to which it gives a thread, each where it does."""
     problems: list[Problem] = field(default_factory=list)

@@ -125,14 +125,14 @@ def _in_cpp(robot: Robot) -> Iterator[Finding]:
         for wait in source.waits:
             callback = wait.callback
             shared = [each for each in source.callbacks if each.span != callback.span and each.role in URGENT]
-            if not shared:
+            if not shared and wait.how_long != nodes.UNTIL_OTHER_NODE:
                 continue
             name = f"{callback.name}()" if callback.name is not None else "a lambda"
             lasts = wait.how_long or "forever, because only this executor could end the wait"
+            others = f"the node's {len(shared)} other callback{'s' if len(shared) > 1 else ''}"
             yield finding(
                 wait.span,
-                f"{wait.what} in {name} stops the node's {len(shared)} other "
-                f"callback{'s' if len(shared) > 1 else ''} {lasts}",
+                f"{wait.what} in {name} stops {others if shared else 'the node'} {lasts}",
                 advice="use a timer, async_send_request with a callback, or a separate thread",
                 related=[
                     note(callback.span, f"{name} is the callback of a {callback.role}"),

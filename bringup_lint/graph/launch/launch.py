@@ -154,19 +154,29 @@ class Launch:
     def is_named_elsewhere(self, file: LaunchFile) -> bool:
         """Whether another launch file speaks of a file of this name, so that it may include it in a way that is not
         known."""
-        return bool(self._mentions.get(file.source.basename, set()) - {id(file)})
+        name = file.source.basename
+        for other in self._mentions.get(name, set()) - {id(file)}:
+            meant = self._meant.get((other, name))
+            if meant is None or id(file) in meant:
+                return True
+        return False
 
     @cached_property
     def included(self) -> set[int]:
         """Files (by ``id``) that another file of the tree includes by a name that is known without running."""
-        found = set()
+        return {each for targets in self._meant.values() for each in targets}
+
+    @cached_property
+    def _meant(self) -> dict[tuple[int, str], set[int]]:
+        """File (by ``id``) and name of a launch file -> the files of this name that it is known to include."""
+        found: dict[tuple[int, str], set[int]] = {}
         resolver = Resolver(Scope())
         for file in self.files:
             for action in walk_actions(file.actions):
                 if isinstance(action, Include):
                     target = self.locate(resolver.value(action.file))
                     if target is not None and target is not file:
-                        found.add(id(target))
+                        found.setdefault((id(file), target.source.basename), set()).add(id(target))
         return found
 
     @cached_property

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.finding import Related
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import literal_text
+from bringup_lint.graph.nodes.questions.threads import ends_thread
 from bringup_lint.graph.nodes.resolved.programs import Program
 from bringup_lint.graph.nodes.resolved.programs import made
 from bringup_lint.graph.nodes.resolved.programs import program_of
@@ -97,6 +98,10 @@ class Nodes:
         sources = (each for each in self.files.of_kind("cpp-node") if each.judged and not each.template)
         programs = [each for each in sources if self.purpose(each) not in _UNJUDGED]
         return self.files.parsed(parse_cpp, programs)
+
+    def ends_thread(self, source: Source, name: str) -> bool:
+        """Whether the package of a C++ source joins or detaches a thread."""
+        return ends_thread(self.files, self.launch.workspace.owner(source), source, name)
 
     @property
     def classes(self) -> Iterator[NodeClass]:

@@ -17,6 +17,7 @@ from bringup_lint.parsers.cpp_node.parameters import declarations
 from bringup_lint.parsers.cpp_node.parameters import is_open
 from bringup_lint.parsers.cpp_node.parameters import reads
 from bringup_lint.parsers.cpp_node.syntax import Code
+from bringup_lint.parsers.cpp_node.threads import threads
 from bringup_lint.parsers.cpp_node.values import Names
 from bringup_lint.parsers.cpp_node.waits import waits
 from bringup_lint.pattern import regex
@@ -32,7 +33,7 @@ CALLBACKS = 200
 """Callbacks of one file that are looked into."""
 _OF_NODES = regex(
     r"\bcreate_(?:publisher|subscription|service|client|server|wall_timer|timer)\b|_parameters?\w{0,64}\s*[<(]"
-    r"|\bNode\b|\bLifecycleNode\b|/dev/|RCLCPP_COMPONENTS_REGISTER_NODE"
+    r"|\bNode\b|\bLifecycleNode\b|/dev/|RCLCPP_COMPONENTS_REGISTER_NODE|\bstd::thread\b"
 )
 _BRACKET = regex(r"[()\[\]{}]")
 _EXECUTORS = regex(r"MultiThreadedExecutor|EventsExecutor|create_callback_group|component_container_(?:mt|isolated)")
@@ -59,6 +60,7 @@ def parse(source: Source) -> CppNode:
     node.declares_others |= bool(LOOSE.search(source.text))
     node.executors = bool(_EXECUTORS.search(source.text))
     node.devices = list(_devices(code))
+    node.threads = list(threads(code))
     if "Twist" in source.text or "Ackermann" in source.text:
         node.kept = kept(code, node.callbacks[:CALLBACKS])
         node.sent = sent(code, node.callbacks[:CALLBACKS])

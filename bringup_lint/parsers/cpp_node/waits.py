@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.model.cpp_source import UNTIL_OTHER_NODE
 from bringup_lint.model.cpp_source import Waiting
 from bringup_lint.model.node_source import Callback
 from bringup_lint.parsers.cpp_node.endpoints import seconds
@@ -113,7 +114,7 @@ def _call(code: Code, call: Call) -> tuple[str, str] | None:
         own = call.arguments and ("this" in code.text(call.arguments[0]))
         return (call.qualified, "") if own else None
     if call.name in ("wait_for_service", "wait_for_action_server") and not call.arguments and "." not in call.qualified:
-        return f"{call.name}()", "until the other node appears"
+        return f"{call.name}()", UNTIL_OTHER_NODE
     return None
 
 

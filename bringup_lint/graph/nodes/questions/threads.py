@@ -1,0 +1,47 @@
+"""Whether the sources of a package end a thread that one of them starts."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.source import Source
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.files import Files
+    from bringup_lint.graph.workspace import Package
+
+SUFFIXES = (".cpp", ".cc", ".cxx", ".hpp", ".hh", ".h", ".hxx", ".ipp", ".tpp", ".inl")
+FILES = 400
+"""Source files of one package that are read."""
+
+
+def ends_thread(files: Files, package: Package | None, source: Source, name: str) -> bool:
+    """Whether a source joins or detaches a thread, or hands it to something that may. True where too much is there to
+    be read."""
+    written = re.escape(name)
+    ends = re.compile(
+        rf"\b{written}\s*(?:\[[^\]]*\])?\s*\)?\s*(?:\.|->)\s*(?:join|detach|swap|release|begin|get)\b"
+        rf"|\b(?:move|ref|swap|exchange)\s*\(\s*(?:this->)?{written}\b|&\s*(?:this->)?{written}\b"
+        rf"|\b(?:push_back|emplace_back|emplace|insert)\s*\([^;]*\b{written}\b|[^:]:\s*(?:this->)?{written}\s*\)"
+        rf"|\breturn\s+{written}\b"
+    )
+    return any(each is None or ends.search(each.text) for each in _sources(files, package, source))
+
+
+def _sources(files: Files, package: Package | None, source: Source) -> Iterator[Source | None]:
+    """The file and the others of its package; None where these are too many, or not known."""
+    yield source
+    if package is None:
+        yield None
+        return
+    inside = [each for each in files.tree.paths if each.startswith(package.folder + os.sep) and each.endswith(SUFFIXES)]
+    if len(inside) > FILES:
+        yield None
+        return
+    for path in inside:
+        found = files.tree.read(path, judged=False)
+        if found is not None:
+            yield found

@@ -1,0 +1,54 @@
+"""A node's thread is neither joined nor detached.
+
+## What it finds
+In C++ sources of nodes, a `std::thread` that is started, and that no source of its package joins, detaches or moves
+elsewhere.
+
+## Why it matters on a robot
+The destructor of a thread that is still joinable calls `std::terminate`: each shutdown ends with SIGABRT and a core
+dump, also after the thread's function has returned. What the node does after the thread in its destructor, such as
+switching the motors off, does not run. systemd counts a failure, and restarts the node with `Restart=on-failure`.
+
+## Bad
+```cpp
+Gripper() : Node("gripper") { reader_ = std::thread([this] { read_loop(); }); }
+```
+
+## Good
+```cpp
+~Gripper() override {
+  running_ = false;
+  if (reader_.joinable()) reader_.join();
+}
+```
+
+## When to ignore it
+When the object that holds the thread is never destroyed.
+
+## References
+- C++ standard, [thread.thread.destr]
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import nodes
+from bringup_lint.api import rule
+
+
+@rule("warning", symptoms=["terminate called without an active exception"])
+def thread_not_joined(robot: Robot) -> Iterator[Finding]:
+    for source in robot.nodes.cpp:
+        for thread in source.threads:
+            if robot.nodes.ends_thread(source.source, str(thread)):
+                continue
+            vendored = robot.launch.workspace.is_vendored(source.source)
+            yield finding(
+                thread,
+                f"Nothing joins the thread '{thread}': the program aborts when it is destroyed, at each shutdown",
+                advice=f"end its loop and call {thread}.join() in the destructor",
+                severity="info" if vendored else nodes.lowered(robot.nodes.purpose(source.source), "warning"),
+                confidence="medium",
+            )
