@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.parsers.cpp_node.syntax import Code
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
-_STARTED = re.compile(r"std::thread\s*[({](?!\s*[)}])|std::make_(?:unique|shared)<\s*std::thread\s*>\s*\(")
-_TARGET = re.compile(r"(?:this->)?([A-Za-z_]\w*)(?:\[[^\]]*\])?\Z")
-_DECLARED = re.compile(r"std::thread\s+\w+\s*[({]")
+_STARTED = regex(r"std::thread\s*[({](?!\s*[)}])|std::make_(?:unique|shared)<\s*std::thread\s*>\s*\(")
+_TARGET = regex(r"(?:this->)?([A-Za-z_]\w*)(?:\[[^\]]*\])?\Z")
+_DECLARED = regex(r"std::thread\s+\w+\s*[({]")
 
 
 def threads(code: Code) -> Iterator[Located]:
