@@ -178,10 +178,12 @@ def _is_real(source: Source) -> bool:
 
 def secret(name: str, value: Located, holder: str) -> Secret | None:
     """The secret that a value is, by its name or its form; None when it is none."""
-    known = _KNOWN_VALUE.search(value) or _USER_INFO.search(value)
+    known = _KNOWN_VALUE.search(value)
+    in_address = _USER_INFO.search(value)
     if known:
-        group = 1 if known.re is _USER_INFO else 0
-        part = value.part(*known.span(group))
+        part = value.part(*known.span())
+    elif in_address:
+        part = value.part(*in_address.span(1))
     elif value and _NAME.search(name) and not _NO_NAME.match(name):
         part = value
     else:
