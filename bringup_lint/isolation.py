@@ -106,13 +106,14 @@ def _attempt(rules: Iterable[Rule], robot: Robot, purposes: Purposes, findings: 
     for rule in rules:
         left = end - time.process_time()
         place = Source(rule.path.name)
+        own = purposes(rule.id)
         if left <= 0:
             findings.append(too_slow(place, f"Not run: the rules before {rule.id}", budget.RUN))
             continue
         try:
             with limited(min(left, budget.RULE)):
                 for found in rule.check(robot) or ():
-                    _gather(rule, found, robot, purposes, findings, failed)
+                    _gather(rule, found, robot, own, findings, failed)
         except OutOfTime:
             findings.append(too_slow(place, f"Not judged whole: the rule {rule.id}", min(left, budget.RULE)))
         except Exception as error:
@@ -131,12 +132,17 @@ def too_slow(source: Source, what: str, seconds: float) -> Finding:
 
 
 def _gather(
-    rule: Rule, found: Finding, robot: Robot, purposes: Purposes, findings: list[Finding], failed: list[_Failure]
+    rule: Rule,
+    found: Finding,
+    robot: Robot,
+    purposes: Mapping[Purpose, Severity | None],
+    findings: list[Finding],
+    failed: list[_Failure],
 ) -> None:
     try:
         _validate(found)
         if found.source.judged:
-            findings += _for_purpose(at_origin(replace(found, rule=rule.id)), robot, purposes(rule.id))
+            findings += _for_purpose(at_origin(replace(found, rule=rule.id)), robot, purposes)
     except Exception as error:
         failed.append(_Failure(rule, error))
 

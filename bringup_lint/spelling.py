@@ -48,6 +48,7 @@ def edits(one: str, other: str, limit: int) -> int:
     """The edit distance with swaps of neighbours, or ``limit + 1`` when it is more."""
     if abs(len(one) - len(other)) > limit:
         return limit + 1
+    one, other = _different(one, other)
     before: list[int] = []
     row = list(range(len(other) + 1))
     for i, char in enumerate(one, 1):
@@ -60,3 +61,14 @@ def edits(one: str, other: str, limit: int) -> int:
         if min(row) > limit:
             return limit + 1
     return row[-1]
+
+
+def _different(one: str, other: str) -> tuple[str, str]:
+    """Two words without what both begin and end with, which takes no edit."""
+    start, shorter = 0, min(len(one), len(other))
+    while start < shorter and one[start] == other[start]:
+        start += 1
+    end = 0
+    while end < shorter - start and one[-1 - end] == other[-1 - end]:
+        end += 1
+    return one[start : len(one) - end], other[start : len(other) - end]

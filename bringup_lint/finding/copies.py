@@ -28,6 +28,8 @@ def merged(findings: Iterable[Finding]) -> Iterator[Finding]:
     copies: dict[int, list[Finding]] = {}
     gone: set[int] = set()
     for group in groups.values():
+        if len({found.source for found in group}) == 1:
+            continue
         kept: dict[Hashable, dict[Source, tuple[int, Finding]]] = {}
         for number, found in enumerate(sorted(group, key=_rank)):
             alike = dict(pair for key in _alike(found.source) for pair in kept.get(key, {}).values())

@@ -141,9 +141,10 @@ def undefined_names(compose: Compose) -> Iterator[UndefinedName]:
         root = file.yaml.root
         if not isinstance(root, Mapping) or root.get("include") is not None or _has_parts(compose, file):
             continue
+        defined = {kind: _defined(root, kind) for kind in ("volume", "network", "service")}
         for service in file.services:
             for found in _named(service):
-                if _is_own(service, found.name) and str(found.name) not in _defined(root, found.kind):
+                if _is_own(service, found.name) and str(found.name) not in defined[found.kind]:
                     yield found
 
 

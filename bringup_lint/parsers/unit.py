@@ -2,7 +2,8 @@
 
 Per the systemd source (``src/shared/conf-parser.c``): a comment is a line whose first non-blank character is ``#`` or
 ``;``, also between continued lines; an unescaped backslash before the line end becomes a blank and joins the next
-line without its leading blanks; a blank line ends a continuation.
+line without its leading blanks; a blank line ends a continuation. A file with a line of more than LONG_LINE_MAX
+bytes, continued lines joined, is not loaded.
 """
 
 from __future__ import annotations
@@ -22,6 +23,8 @@ from bringup_lint.templates import has_placeholder
 
 _LINE = regex(r"([^\r\n]*)(?:\r\n|[\r\n]|\Z)")
 _BLANK = " \t\n\r"
+LONGEST = 1024 * 1024
+"""Bytes of a line (LONG_LINE_MAX)."""
 _TEMPLATE_LINE = regex(r"\{%.*%\}|\{#.*#\}|@\[.*\]|(?:m4_)?(?:ifdef|ifelse|dnl|divert)\b|<%|#(?:if|else|endif)\b")
 
 
@@ -32,6 +35,9 @@ def parse(source: Source) -> UnitFile:
     In a template, a line without ``=`` is a macro that may open another section: what follows it belongs to none."""
     unit = UnitFile(source, *unit_name(source))
     unit.uncertain = bool(source.template) and has_control_flow(source.text)
+    if len(source.text) > LONGEST and _has_endless_line(source):
+        unit.uncertain = True
+        return unit
     section: Section | None = None
     broken_header = False
     for line in logical_lines(source, unit.problems):
@@ -50,6 +56,11 @@ def parse(source: Source) -> UnitFile:
         elif not broken_header:
             unit.problems.append(Problem("line-outside-section", text))
     return unit
+
+
+def _has_endless_line(source: Source) -> bool:
+    """Whether a line is so long that systemd does not load the file."""
+    return any(len(line.encode("utf-8", "replace")) > LONGEST for line in logical_lines(source, []))
 
 
 def logical_lines(source: Source, problems: list[Problem]) -> Iterator[Located]:

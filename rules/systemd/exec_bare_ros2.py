@@ -63,13 +63,12 @@ _SHELL_WORDS = (
 @rule("error", fix="unsafe", symptoms=["status=203/EXEC", "Failed to locate executable", "is not executable"])
 def exec_bare_ros2(robot: Robot) -> Iterator[Finding]:
     for line in robot.units.lines:
-        searched = any(other.key == "ExecSearchPath" for other in line.file.assignments)
         for command in line.commands:
             program = command.program
             if program in _SHELL_WORDS:
                 message = f"'{program}' is a shell command, and systemd runs no shell: the service fails to start"
                 yield finding(program, message, advice="put the whole line into /bin/bash -c '...'")
-            elif program in _PROGRAMS and not searched:
+            elif program in _PROGRAMS and not any(other.key == "ExecSearchPath" for other in line.file.assignments):
                 message = f"'{program}' is not in systemd's search path, and nothing sources the ROS setup file"
                 advice = f"write /bin/bash -c 'source <setup.bash> && exec {program} ...'"
                 yield finding(program, message, advice=advice, fix=_wrapped(robot, command))

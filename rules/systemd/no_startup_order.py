@@ -48,8 +48,11 @@ def no_startup_order(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     for stack in units.enabled_ros_groups:
         layers = units.layers(stack)
+        lowest = min((RANK.get(layers.get(unit.name, ""), 9) for unit in stack), default=9)
         for unit in stack:
             rank = RANK.get(layers.get(unit.name, ""), 0)
+            if rank <= lowest:
+                continue
             lower = [
                 other
                 for other in stack

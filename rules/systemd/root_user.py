@@ -77,6 +77,7 @@ CERTAIN = (Work.ROS, Work.IN_HOME)
     symptoms=["$HOME is not set", "Failed to get logging directory"],
 )
 def root_user(robot: Robot) -> Iterator[Finding]:
+    others = {unit.identity.name for unit in robot.units.ros if unit.identity.is_other}
     for unit in robot.units.services:
         is_root = unit.identity.is_root
         if unit.manager == "user" or is_root is None or reads_display_of_root(unit, robot.units):
@@ -88,7 +89,7 @@ def root_user(robot: Robot) -> Iterator[Finding]:
             if needless is None:
                 continue
             if is_root:
-                yield _without_user(robot, unit, needless)
+                yield _without_user(robot, unit, needless, others)
             else:
                 set_user = unit.identity.user or unit.identity.dynamic.at
                 says = f"User={unit.identity.user}" if unit.identity.user else "DynamicUser="
@@ -101,14 +102,14 @@ def root_user(robot: Robot) -> Iterator[Finding]:
             break
 
 
-def _without_user(robot: Robot, unit: Unit, needless: NeedlessRoot) -> Finding:
+def _without_user(robot: Robot, unit: Unit, needless: NeedlessRoot, others: set[str | None]) -> Finding:
     user = unit.identity.user
     return finding(
         user or unit.where,
         f"{unit.name} runs {_text(needless)} as root" + ("" if user else ": it has no User="),
         advice="add a User= of its own, and SupplementaryGroups= for the devices that it opens",
         related=[note(needless.where, "the unit starts it here")],
-        fix=_fix(robot, unit),
+        fix=_fix(unit, others),
         severity="info" if _is_separated(robot, unit) else None,
         confidence="high" if needless.work in CERTAIN else "medium",
     )
@@ -135,9 +136,8 @@ def _text(needless: NeedlessRoot) -> str:
     return TEXTS[needless.work].format(name=name, owner=needless.owner)
 
 
-def _fix(robot: Robot, unit: Unit) -> Fix | None:
+def _fix(unit: Unit, others: set[str | None]) -> Fix | None:
     """The user of the other ROS services, when they have one in common."""
-    others = {other.identity.name for other in robot.units.ros if other.identity.is_other}
     if len(others) != 1:
         return None
     (name,) = others

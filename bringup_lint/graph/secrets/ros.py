@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.params.params import Params
     from bringup_lint.model.launch import Action
     from bringup_lint.model.launch_values import Value
-    from bringup_lint.model.params import Parameter
+    from bringup_lint.model.params import Block
 
 SUBSTITUTIONS = ("$(env ", "$(var ", "$(optenv ")
 USERS = ("user", "username", "user_name", "login")
@@ -95,20 +95,25 @@ def _is_filled(value: Value) -> bool:
 
 
 def _of_params(params: Params) -> Iterator[Named]:
+    users: dict[Block, dict[str, set[str]]] = {}
     for _, parameter in params.parameters:
+        block = parameter.block
+        if block not in users:
+            users[block] = _users(block)
         values = [item for item in params.items(parameter) if item.type in ("string", "integer") and item.text]
-        users = {str(each.value.data) for each in _beside(parameter)} if values else set()
+        beside = users[block].get(parameter.name.rpartition(".")[0], ())
         for item in values:
             value = Located(item.text, _inner(item.span, item.text))
-            yield Named(str(parameter.key).rpartition(".")[2], value, "params", item.text in users)
+            yield Named(str(parameter.key).rpartition(".")[2], value, "params", item.text in beside)
 
 
-def _beside(parameter: Parameter) -> Iterator[Parameter]:
-    """The user names in the same mapping."""
-    space = parameter.name.rpartition(".")[0]
-    for other in parameter.block.parameters:
-        if other.name.rpartition(".")[0] == space and other.name.endswith(USERS):
-            yield other
+def _users(block: Block) -> dict[str, set[str]]:
+    """The user names of a block, by the mapping that they are in."""
+    found: dict[str, set[str]] = {}
+    for parameter in block.parameters:
+        if parameter.name.endswith(USERS):
+            found.setdefault(parameter.name.rpartition(".")[0], set()).add(str(parameter.value.data))
+    return found
 
 
 def _inner(span: Span, text: str) -> Span:
