@@ -9,12 +9,14 @@ from typing import NamedTuple
 from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.model.yaml_node import Scalar
 from bringup_lint.parsers.yaml_nodes import parse
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
 _MODULES = frozenset({"copy", "template", "blockinfile", "lineinfile"})
 _CONTENTS = {"content": False, "block": True, "line": True}
 """Key that holds the text of a file -> whether the text is added to the file."""
+_VARIABLE = regex(r"\{\{ *(?P<name>\w+) *\}\}")
 
 
 class Put(NamedTuple):
@@ -32,20 +34,40 @@ class Put(NamedTuple):
 
 def puts(source: Source) -> Iterator[Put]:
     """The files that the tasks or the user data put on the machine."""
-    for node in parse(source).nodes:
-        if not isinstance(node, Mapping):
-            continue
+    nodes = [node for node in parse(source).nodes if isinstance(node, Mapping)]
+    variables = _variables(nodes)
+    for node in nodes:
         for key, value in node.entries:
             if isinstance(value, Mapping) and key.value.rpartition(".")[2] in _MODULES:
-                yield from _put(value, node.get("when") is None and node.get("loop") is None)
+                yield from _put(value, node.get("when") is None and node.get("loop") is None, variables)
         files = node.sequence("write_files")
         for each in files or ():
             if isinstance(each, Mapping) and each.get("encoding") is None:
-                yield from _put(each, True)
+                yield from _put(each, True, variables)
 
 
-def _put(module: Mapping, certain: bool) -> Iterator[Put]:
+def _variables(nodes: list[Mapping]) -> dict[str, str]:
+    """The texts of ``vars:`` that the file gives one value only and that need no others."""
+    found: dict[str, set[str]] = {}
+    for node in nodes:
+        given = node.mapping("vars")
+        for key, value in given.entries if given is not None else ():
+            text = str(value.value) if isinstance(value, Scalar) else "{{"
+            found.setdefault(str(key.value), set()).add(text)
+    return {name: text for name, (text, *others) in found.items() if not others and "{{" not in text}
+
+
+def _path(module: Mapping, variables: dict[str, str]) -> Located | None:
+    """Where the file goes, with the variables of the same file."""
     path = module.scalar("dest") or module.scalar("path")
+    if path is None:
+        return None
+    text = _VARIABLE.sub(lambda match: variables.get(match["name"], match[0]), path.value)
+    return path.value if text == path.value else Located(text, path.value.span)
+
+
+def _put(module: Mapping, certain: bool, variables: dict[str, str]) -> Iterator[Put]:
+    path = _path(module, variables)
     state = module.scalar("state")
     if path is None or (state is not None and state.value == "absent"):
         return
@@ -53,8 +75,8 @@ def _put(module: Mapping, certain: bool) -> Iterator[Put]:
         text = module.scalar(key)
         if isinstance(text, Scalar):
             added = appends or module.get("append") is not None
-            yield Put(path.value, text.value, None, added, certain)
+            yield Put(path, text.value, None, added, certain)
             return
     copied = module.scalar("src")
     if copied is not None:
-        yield Put(path.value, None, copied.value, False, certain)
+        yield Put(path, None, copied.value, False, certain)

@@ -181,6 +181,24 @@ def test_ansible_and_cloud_init(tmp_path: Path) -> None:
     assert [unit.name for unit in robot.units.all] == ["rover.service"]
 
 
+@pytest.mark.parametrize(
+    ("variables", "names"),
+    [
+        ("unit: rover", ["rover.service"]),
+        ("unit: 'rover-{{ robot }}'", ["{{ unit }}.service"]),
+        ("other: rover", ["{{ unit }}.service"]),
+    ],
+)
+def test_ansible_knows_the_variables_of_its_file(tmp_path: Path, variables: str, names: list[str]) -> None:
+    play = (
+        f"- hosts: all\n  vars:\n    {variables}\n  tasks:\n    - name: unit\n      copy:\n"
+        "        dest: '/etc/systemd/system/{{ unit }}.service'\n        content: |\n"
+        "          [Service]\n          ExecStart=/opt/base --name {{ unit }}\n"
+    )
+    robot = robot_of(tmp_path, **{"roles__tasks__main.yml": play})
+    assert [unit.name for unit in robot.units.all] == names
+
+
 def test_a_script_with_unknown_values_is_not_joined(tmp_path: Path) -> None:
     script = "cat > /usr/local/bin/env.sh <<EOF\nexport ROS_DOMAIN_ID=$ID\nEOF\n"
     assert not written(tmp_path, script)
