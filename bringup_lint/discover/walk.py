@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import stat
 from collections.abc import Callable
+from collections.abc import Collection
 from collections.abc import Iterable
 from collections.abc import Iterator
 from pathlib import Path
@@ -22,6 +23,7 @@ from bringup_lint.discover.roots import root_of
 from bringup_lint.discover.tree import Tree
 from bringup_lint.discover.tree import display_name
 from bringup_lint.discover.tree import is_below
+from bringup_lint.pattern import regex
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
 from bringup_lint.spelling import meant
@@ -32,6 +34,25 @@ SKIPPED_FOLDERS = frozenset(
 )
 IGNORE_MARKERS = frozenset({"COLCON_IGNORE", "AMENT_IGNORE"})
 """colcon leaves these in build/, install/ and log/, and people put them where nothing is to be built."""
+_MADE_BY_COLCON = frozenset({".built_by", ".colcon_install_layout", "latest_build", "local_setup.bash"})
+_COLCON_FOLDER = regex(r"(?:build|install|log)(?:[._-].*)?")
+_OF_PACKAGES = frozenset(
+    {
+        "cmake",
+        "cpp-node",
+        "launch-python",
+        "launch-ros1",
+        "launch-xml",
+        "launch-yaml",
+        "params",
+        "python-node",
+        "ros-package",
+        "setup-cfg",
+        "setup-py",
+    }
+)
+"""Kinds that only count where colcon builds: not in a folder that it ignores. An image, a unit or a playbook there is
+used all the same."""
 
 DEPTH_LIMIT = 60
 _LEADS_OUT = "a symbolic link leads out of the tree; name the place that it leads to"
@@ -61,6 +82,7 @@ def discover(
     tree.asked = tuple(paths)
     tree.tops = tuple(dict.fromkeys(map(_top_of, paths))) if tree.root is None else (str(tree.root),)
     walked: set[str] = set()
+    ignored: set[str] = set()
     for path in paths:
         if leads_out(tree, path):
             _leave_out(tree, path, _LEADS_OUT)
@@ -68,8 +90,8 @@ def discover(
         if not os.path.isdir(path):
             _read_named(tree, path, walked)
             continue
-        for file in walk(path, excluded, lambda folder, error: _unreadable(tree, folder, error)):
-            _read_walked(tree, file, walked, judged=not _is_vendor(tree, file, path))
+        for file in walk(path, excluded, lambda folder, error: _unreadable(tree, folder, error), ignored=ignored):
+            _read_walked(tree, file, walked, ignored, judged=not _is_vendor(tree, file, path))
     if tree.root is not None:
         _read_context(tree, walked, _context_folders(tree.root))
     else:
@@ -146,23 +168,30 @@ def walk(
     excluded: Excluded = lambda path: False,
     failed: Callable[[str, OSError], None] = lambda path, error: None,
     depth: int = 0,
+    ignored: set[str] | None = None,
 ) -> Iterator[str]:
     """All files and links below a folder, in the order of their names. Linked folders are not entered; ``failed`` is
-    told of folders that cannot be."""
+    told of folders that cannot be, and ``ignored`` of those in which colcon builds nothing."""
+    ignored = set() if ignored is None else ignored
     try:
         with os.scandir(top) as iterator:
             entries = sorted(iterator, key=lambda entry: entry.name)
     except OSError as error:
         failed(top, error)
         return
-    if depth and any(entry.name in IGNORE_MARKERS for entry in entries):
+    names = {entry.name for entry in entries}
+    if depth and names & IGNORE_MARKERS:
+        if names & _MADE_BY_COLCON or _COLCON_FOLDER.fullmatch(os.path.basename(top)):
+            return
+        ignored.add(top)
+    if "package.xml" in names and is_below(top, ignored):
         return
     if depth == 0 and is_root(Path(top)):
         excluded = _with_system_folders(excluded, top)
     for entry in entries:
         if entry.is_dir(follow_symlinks=False):
             if entry.name not in SKIPPED_FOLDERS and depth < DEPTH_LIMIT and not excluded(entry.path + "/"):
-                yield from walk(entry.path, excluded, failed, depth + 1)
+                yield from walk(entry.path, excluded, failed, depth + 1, ignored)
         elif not excluded(entry.path) and (entry.is_file(follow_symlinks=False) or entry.is_symlink()):
             yield entry.path
 
@@ -172,13 +201,13 @@ def _with_system_folders(excluded: Excluded, root: str) -> Excluded:
     return lambda path: path in folders or excluded(path)
 
 
-def _read_walked(tree: Tree, path: str, walked: set[str], judged: bool = True) -> None:
+def _read_walked(tree: Tree, path: str, walked: set[str], ignored: Collection[str] = (), judged: bool = True) -> None:
     if path in walked:
         return
     walked.add(path)
     tree.remember(path)
     kind = kind_of(display_name(path), lambda: read_head(path, HEAD_SIZE))
-    if not kind:
+    if not kind or (kind in _OF_PACKAGES and is_below(path, ignored)):
         return
     if os.path.islink(path) and not _is_meant(tree, path, kind):
         return
@@ -272,5 +301,6 @@ def _read_context(
 ) -> None:
     """Read what is needed to judge the rest, without judging it."""
     for folder in folders:
-        for path in walk(folder, excluded):
-            _read_walked(tree, path, walked, judged=False)
+        ignored: set[str] = set()
+        for path in walk(folder, excluded, ignored=ignored):
+            _read_walked(tree, path, walked, ignored, judged=False)
