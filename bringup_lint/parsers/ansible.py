@@ -49,9 +49,8 @@ def puts(source: Source) -> Iterator[Put]:
 def _variables(nodes: list[Mapping]) -> dict[str, str]:
     """The texts of ``vars:`` that the file gives one value only and that need no others."""
     found: dict[str, set[str]] = {}
-    for node in nodes:
-        given = node.mapping("vars")
-        for key, value in given.entries if given is not None else ():
+    for given in filter(None, (node.mapping("vars") for node in nodes)):
+        for key, value in given.entries:
             text = str(value.value) if isinstance(value, Scalar) else "{{"
             found.setdefault(str(key.value), set()).add(text)
     return {name: text for name, (text, *others) in found.items() if not others and "{{" not in text}
