@@ -20,8 +20,8 @@ from bringup_lint.report import RuleDoc
 from bringup_lint.report import Target
 from bringup_lint.robot import Robot
 
-DOCS = "https://github.com/bringup-lint/bringup-lint/blob/main/rules/{}.py"
-"""Where a built-in rule is documented on the web: its file, which begins with its documentation."""
+DOCS = "https://bringup-lint.github.io/bringup-lint/rules/{}/"
+"""Where a built-in rule is documented on the web: its page of the site."""
 
 
 class Invocation(NamedTuple):
@@ -104,5 +104,5 @@ def doc_of(rule: Rule) -> RuleDoc:
         meta.symptoms,
         meta.tags,
         meta.aliases,
-        DOCS.format(rule.id.replace("-", "_")) if rule.builtin else "",
+        DOCS.format(rule.id) if rule.builtin else "",
     )
