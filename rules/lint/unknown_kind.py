@@ -21,7 +21,7 @@ $ bringup-lint robot.service
 When a tool such as pre-commit passes a fixed list of files and some of them are not configuration.
 
 ## References
-- the README, "What it finds"
+- [Rules by kind of file](https://bringup-lint.github.io/bringup-lint/rules/files/)
 """
 
 from collections.abc import Iterator

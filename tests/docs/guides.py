@@ -54,7 +54,7 @@ INTRODUCTION = """\
 
 Four guides to the bring-up of ROS 2 robots are widely followed. Each thing that they warn of or ask for is here, in
 the words of this project, with the rules that find it, or with the reason why the files of a robot cannot show it.
-Some of the guides' own examples do not do what they say; there the rules tell what really happens.
+Some of the guides' own examples do not do what they say; there the rules say what really happens.
 `fixtures/robots/guide` is a robot that follows all four, and its
 [traps.toml](../fixtures/robots/guide/traps.toml) lists the examples that fail.
 
