@@ -17,6 +17,9 @@ DESCRIPTIONS = 200
 """Build descriptions of one package that are searched."""
 _DESCRIBES = regex(r"(?:CMakeLists\.txt|\.cmake(?:\.in)?|setup\.py|setup\.cfg|pyproject\.toml|package\.xml)\Z")
 _FETCHES = regex(r"(?i)\b(?:ExternalProject_Add|FetchContent\w*|file\s*\(\s*DOWNLOAD|urlretrieve|git\s+clone)")
+_NO_PROGRAM = regex(
+    r"\.(?:ya?ml|xml|md|rst|txt|urdf|xacro|sdf|srdf|rviz|png|jpe?g|svg|stl|dae|obj|lua)\Z|[._]launch\.(?:py|xml|ya?ml)\Z"
+)
 DEPTH = 12
 """Folders below a package that are looked into."""
 
@@ -47,6 +50,11 @@ class Absence:
         return frozenset(name.partition(".")[0] for name in self._names)
 
     @cached_property
+    def _programs(self) -> frozenset[str]:
+        """The stems of files that a program may be made of: a node and its parameters often have the same name."""
+        return frozenset(name.partition(".")[0] for name in self._names if not _NO_PROGRAM.search(name))
+
+    @cached_property
     def _is_open(self) -> bool:
         """Whether the build makes things under names that are written nowhere, or takes them from elsewhere."""
         computed = any(build.names_computed for build in self._builds)
@@ -54,7 +62,7 @@ class Absence:
 
     def of_executable(self, name: str) -> bool:
         """Whether no file is called so, with whatever ending, and no build description has the word."""
-        if self._is_open or name.partition(".")[0] in self._stems:
+        if self._is_open or name.partition(".")[0] in self._programs:
             return False
         return not re.search(rf"(?<![\w.-]){re.escape(name)}(?![\w-])", self._descriptions)
 
