@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
 from collections.abc import Mapping
@@ -10,6 +11,8 @@ from dataclasses import dataclass
 from dataclasses import replace
 
 from bringup_lint import budget
+from bringup_lint.apart import Steps
+from bringup_lint.apart import failing
 from bringup_lint.config import OFF
 from bringup_lint.config import Config
 from bringup_lint.config import ConfigError
@@ -29,6 +32,7 @@ from bringup_lint.robot import Robot
 from bringup_lint.source import Source
 from bringup_lint.spelling import meant
 from bringup_lint.suppress import UNUSED
+from bringup_lint.suppress import Ignores
 from bringup_lint.suppress import ignores_in
 from bringup_lint.suppress.files import file_ignores
 
@@ -94,6 +98,9 @@ class Selection:
         return not self.select or any(names(selected, self.known(name)) for selected in self.select)
 
 
+SUPPRESSING, COMMENTS = "suppressing", "reading the comments"
+
+
 def names(name: str, rule_id: str) -> bool:
     """Whether a name of a rule or family means the rule."""
     return name == rule_id or rule_id.startswith(name + "/")
@@ -107,21 +114,31 @@ def run(robot: Robot, registry: Registry, config: Config, *, ignores: bool = Tru
     failures = [*checked.failures, *unread(robot)]
     findings = [*checked.findings, *failures]
     findings += [too_slow(source, "Not judged: to parse it", budget.FILE) for source in robot.unfinished]
+    steps = Steps()
     if ignores:
-        findings = _suppressed(findings, robot, rules, selection, config)
-    graded = sorted((_graded(found, rules.get(found.rule), selection) for found in findings), key=_order)
+        findings = _suppressed(findings, robot, rules, selection, config, steps)
+    graded = list(
+        steps.each(findings, "grading", lambda found: _graded(found, rules.get(found.rule), selection)),
+    )
+    unique = list(_unique(sorted(graded, key=_order)))
     lowest = Severity[config.min_severity.upper()]
     shown, hidden = [], Counter[Severity]()
-    for found in merged(_unique(graded)):
+    for found in (*steps.attempt("looking for copies", lambda: list(merged(unique)), unique), *steps.unplaced):
         if found.severity >= lowest or found.rule in selection.select:
             shown.append(found)
         else:
             hidden[found.severity] += 1
-    return Outcome(tuple(shown), rules, tuple(dict.fromkeys(failure.message for failure in failures)), hidden)
+    said = dict.fromkeys(failure.message for failure in (*failures, *steps.failures))
+    return Outcome(tuple(shown), rules, tuple(said), hidden)
 
 
 def _suppressed(
-    findings: Iterable[Finding], robot: Robot, rules: Mapping[str, Rule], selection: Selection, config: Config
+    findings: Iterable[Finding],
+    robot: Robot,
+    rules: Mapping[str, Rule],
+    selection: Selection,
+    config: Config,
+    steps: Steps,
 ) -> list[Finding]:
     """The findings with what comments and configuration say of them, and what there is to say of these."""
 
@@ -131,14 +148,30 @@ def _suppressed(
     def ran(name: str) -> bool:
         return _counts(name, rules, selection)
 
-    comments = ignores_in(robot.sources, is_name_of)
+    comments = _comments(robot.sources, is_name_of, steps)
     files = file_ignores(config.per_file_ignores, Source(display_name(str(config.path)), config.text), is_name_of)
-    applied = [files.apply(comments.apply(found)) for found in findings]
-    complaints = [found for found in comments.complaints(ran) if found.rule in rules]
-    applied += (files.apply(comments.apply(found)) for found in complaints)
+
+    def silenced(found: Finding) -> Finding:
+        return files.apply(comments.apply(found))
+
+    applied = list(steps.each(findings, SUPPRESSING, silenced))
+    complaints: list[Finding] = steps.attempt(COMMENTS, lambda: list(comments.complaints(ran)), [])
+    applied += steps.each((found for found in complaints if found.rule in rules), SUPPRESSING, silenced)
     if config.per_file_ignores and UNUSED in rules:
-        applied += files.complaints(robot.tree.paths, robot.sources, ran)
+        applied += steps.attempt(COMMENTS, lambda: list(files.complaints(robot.tree.paths, robot.sources, ran)), [])
     return applied
+
+
+def _comments(sources: list[Source], is_name_of: Callable[[str, str], bool], steps: Steps) -> Ignores:
+    """The suppression comments of the sources of which they can be read."""
+    try:
+        return ignores_in(sources, is_name_of)
+    except Exception:
+        broken = {id(source): error for source, error in failing(sources, lambda part: ignores_in(part, is_name_of))}
+        for source in sources:
+            if id(source) in broken:
+                steps.lost(Source(source.name), f"{COMMENTS} in {source.name}", broken[id(source)])
+        return ignores_in([source for source in sources if id(source) not in broken], is_name_of)
 
 
 def _graded(found: Finding, rule: Rule | None, selection: Selection) -> Finding:

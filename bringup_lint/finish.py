@@ -2,23 +2,34 @@
 
 from __future__ import annotations
 
+import contextlib
 import time
 from collections import Counter
 from collections.abc import Iterable
 from collections.abc import Iterator
+from dataclasses import replace
+from typing import TYPE_CHECKING
+from typing import Any
 from typing import NamedTuple
 
+from bringup_lint.apart import Steps
 from bringup_lint.baseline import sift
 from bringup_lint.engine import Outcome
 from bringup_lint.finding import Finding
 from bringup_lint.finding import Severity
+from bringup_lint.finding.presented import Presented
 from bringup_lint.finding.presented import presented
 from bringup_lint.registry import Rule
 from bringup_lint.report import Notification
 from bringup_lint.report import Report
 from bringup_lint.report import RuleDoc
 from bringup_lint.report import Target
+from bringup_lint.report import render
 from bringup_lint.robot import Robot
+from bringup_lint.source import Source
+
+if TYPE_CHECKING:
+    from bringup_lint.finding.redact import Mask
 
 DOCS = "https://bringup-lint.github.io/bringup-lint/rules/{}/"
 """Where a built-in rule is documented on the web: its page of the site."""
@@ -49,16 +60,14 @@ def finish(
     """
     cwd, target = invocation.cwd, robot.target
     root = str(robot.tree.root or cwd)
-    findings, mask = presented(outcome.findings, root, cwd)
+    steps = Steps()
+    findings, mask = _masked(outcome.findings, root, cwd, steps)
     sifted = sift(findings, baseline)
+    picture = steps.attempt("drawing the picture", lambda: _drawn(robot, sifted.new, mask), None) if drawn else None
     failures = [mask.words(failure) if mask else failure for failure in outcome.failures]
-    picture = None
-    if drawn:
-        from bringup_lint.report.picture.document import picture as draw
-
-        picture = draw(robot.graph, sifted.new, mask)
+    failures += (failure.message for failure in steps.failures)
     return Report(
-        findings=sifted.new,
+        findings=(*sifted.new, *steps.unplaced),
         rules={rule_id: doc_of(rule) for rule_id, rule in outcome.rules.items()},
         kinds=Counter(source.kind for source in robot.sources if source.judged),
         root=root,
@@ -67,13 +76,52 @@ def finish(
         command=invocation.command,
         started=invocation.started,
         ended=time.time(),
-        exit_code=exit_code(sifted.new, outcome.failures, fail_on),
+        exit_code=exit_code(sifted.new, failures, fail_on),
         notifications=(*(Notification("error", failure) for failure in failures), *_not_read(robot)),
         below=outcome.hidden,
         elsewhere=outcome.elsewhere,
         known=sifted.known,
         picture=picture,
     )
+
+
+def _masked(findings: tuple[Finding, ...], root: str, cwd: str, steps: Steps) -> Presented:
+    """The findings without their secrets. Those that cannot be masked are not shown."""
+    try:
+        return presented(findings, root, cwd)
+    except Exception:
+        sound = steps.sound(findings, "masking", lambda part: presented(part, root, cwd))
+        return steps.attempt("masking", lambda: presented(sound, root, cwd), Presented((), None))
+
+
+def _drawn(robot: Robot, findings: tuple[Finding, ...], mask: Mask | None) -> dict[str, Any]:
+    from bringup_lint.report.picture.document import picture
+
+    return picture(robot.graph, findings, mask)
+
+
+def rendered(output_format: str, report: Report) -> tuple[str, int]:
+    """The report in a format, and the exit code. A finding that cannot be rendered is replaced, and a picture left
+    out."""
+    try:
+        return render(output_format, report), report.exit_code
+    except Exception as error:
+        first = error
+    what = f"rendering as {output_format}"
+    plain = replace(report, picture=None, known=())
+    render(output_format, replace(plain, findings=()))
+    steps = Steps()
+    sound = steps.sound(report.findings, what, lambda part: render(output_format, replace(plain, findings=tuple(part))))
+    if steps.failures:
+        with contextlib.suppress(Exception):
+            return render(output_format, _failed(report, sound, steps)), 3
+    steps.lost(Source("bringup-lint"), what, first)
+    return render(output_format, _failed(plain, (*sound, *steps.unplaced), steps)), 3
+
+
+def _failed(report: Report, findings: tuple[Finding, ...], steps: Steps) -> Report:
+    told = (Notification("error", failure.message) for failure in steps.failures)
+    return replace(report, findings=findings, exit_code=3, notifications=(*report.notifications, *told))
 
 
 def _not_read(robot: Robot) -> Iterator[Notification]:

@@ -40,6 +40,31 @@ class Changes:
         return rewritten(self.source.text, self.edits) if self.text is None else self.text
 
 
+@dataclass
+class Proposal:
+    """Rounds of fixes that write nothing."""
+
+    before: dict[str, Source] = field(default_factory=dict)
+    """The files that would change, by name, as they are."""
+    texts: dict[str, bytes] = field(default_factory=dict)
+    """What they would hold, by absolute path."""
+
+    def apply(self, findings: Iterable[Finding], *, unsafe: bool = False) -> Fixed:
+        plan = planned(findings, unsafe=unsafe)
+        for change in plan.changes.values():
+            self.before.setdefault(change.source.name, change.source)
+            self._hold(change.source, change.new_text())
+        return Fixed(tuple(finding for finding, _ in plan.taken), (), tuple(plan.changes.values()))
+
+    def take_back(self, written: Iterable[Changes]) -> tuple[NotWritten, ...]:
+        for change in written:
+            self._hold(change.source, change.source.text)
+        return ()
+
+    def _hold(self, source: Source, text: str) -> None:
+        self.texts[os.path.abspath(source.name)] = text.encode("utf-8")
+
+
 class Plan(NamedTuple):
     """What fixes would do to the files."""
 

@@ -156,6 +156,8 @@ def _validate(found: Finding) -> None:
     for span in places:
         if not isinstance(span, Span) or not isinstance(span.source, Source):
             raise TypeError("a finding without its place")
+    if not isinstance(found.message, str):
+        raise TypeError("a finding without words")
 
 
 def _for_purpose(found: Finding, robot: Robot, purposes: Mapping[Purpose, Severity | None]) -> Iterator[Finding]:

@@ -42,8 +42,8 @@ def _code(command: Callable[[], object]) -> int:
     import click
 
     from bringup_lint.cli.streams import complain
-    from bringup_lint.cli.streams import plain
     from bringup_lint.cli.streams import prepare
+    from bringup_lint.cli.streams import say
 
     try:
         prepare()
@@ -51,7 +51,7 @@ def _code(command: Callable[[], object]) -> int:
         done = command()
     except click.ClickException as error:
         usage = error.ctx.get_usage() + "\n\n" if isinstance(error, click.UsageError) and error.ctx else ""
-        click.echo(f"{usage}Error: {plain(error.format_message())}", err=True)
+        say(f"{usage}Error: {error.format_message()}")
         return error.exit_code
     except (KeyboardInterrupt, click.Abort):
         return 130
@@ -96,4 +96,6 @@ def _hint(word: str) -> None:
     from bringup_lint.spelling import meant
 
     if command := meant(word, COMMANDS):
-        print(f"bringup-lint: there is no '{word}' here; did you mean the command '{command}'?", file=sys.stderr)
+        from bringup_lint.cli.streams import complain
+
+        complain(f"there is no '{word}' here; did you mean the command '{command}'?")

@@ -114,7 +114,8 @@ def _check(outputs: list[Output], paths: tuple[str, ...], options: dict[str, Any
     if options["diff"]:
         from bringup_lint.cli.fixing import show_diff
 
-        return show_diff(outcome, unsafe=unsafe)
+        code = show_diff(robot, outcome, checked, unsafe=unsafe)
+        return 0 if options["exit_zero"] and code == 1 else code
     if options["fix"] and options["stdin_filename"]:
         from bringup_lint.cli.fixing import print_fixed
 
@@ -141,8 +142,8 @@ def deliver(
     from bringup_lint.cli.reporting import report_of
     from bringup_lint.cli.reporting import save_baseline
     from bringup_lint.cli.reporting import wants_colour
+    from bringup_lint.finish import rendered
     from bringup_lint.report import DRAWN
-    from bringup_lint.report import render
 
     drawn = any(output.format in DRAWN for output in outputs)
     report = report_of(outcome, robot, config, started, drawn=drawn)
@@ -150,18 +151,20 @@ def deliver(
         report = dataclasses.replace(report, exit_code=0)
     for told in report.notifications:
         if told.level == "note":
-            click.echo(f"bringup-lint: {told.message}", err=True)
-    failures = list(unwritten)
+            complain(told.message)
+    failures, code = list(unwritten), report.exit_code
     for output in outputs:
         colour = output.file is None and wants_colour(options["colour"])
-        failures += _failed(write, render(output.format, dataclasses.replace(report, colour=colour)), output.file)
+        text, rendered_code = rendered(output.format, dataclasses.replace(report, colour=colour))
+        failures += _failed(write, text, output.file)
+        code = max(code, rendered_code)
     if options["write_baseline"]:
         failures += _failed(save_baseline, report, options["write_baseline"])
     for failure in failures:
-        click.echo(f"bringup-lint: not written: {failure}", err=True)
+        complain(f"not written: {failure}")
     if failures:
-        return max(report.exit_code, 2)
-    return report.exit_code
+        return max(code, 2)
+    return code
 
 
 def _failed(write: Callable[..., None], *arguments: Any) -> list[str]:
@@ -225,7 +228,7 @@ def configuration(paths: tuple[str, ...], options: dict[str, Any]) -> tuple[Conf
     if config.rules and named:
         rule_folders += [config.folder / folder for folder in config.rules]
     elif config.rules:
-        click.echo(f"bringup-lint: {path}: 'rules' is only read from a file named by --config", err=True)
+        complain(f"{path}: 'rules' is only read from a file named by --config")
     given = {
         "select": options["select"],
         "ignore": (*config.ignore, *options["ignore"]),

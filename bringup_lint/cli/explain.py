@@ -12,6 +12,7 @@ from bringup_lint.cli.options import colour_option
 from bringup_lint.cli.options import rules_option
 from bringup_lint.cli.reporting import terminal_width
 from bringup_lint.cli.reporting import wants_colour
+from bringup_lint.cli.streams import complain
 from bringup_lint.finish import doc_of
 from bringup_lint.log_lines import Answer
 from bringup_lint.log_lines import OtherCause
@@ -54,7 +55,7 @@ def command(ctx: click.Context, what: tuple[str, ...], rule_folders: tuple[Path,
     elif answer.other:
         _print_other(text, answer.other)
     else:
-        click.echo(f"bringup-lint: {_unknown(text, registry)}", err=True)
+        complain(_unknown(text, registry))
         ctx.exit(2)
 
 

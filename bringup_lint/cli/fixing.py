@@ -3,19 +3,26 @@
 from __future__ import annotations
 
 import difflib
+import os
+import sys
 from collections import Counter
 from collections.abc import Callable
 from collections.abc import Iterable
-from collections.abc import Iterator
+from dataclasses import dataclass
+from dataclasses import field
 from dataclasses import replace
 from typing import TYPE_CHECKING
 from typing import Any
 
 import click
 
+from bringup_lint.cli.streams import plain
+from bringup_lint.cli.streams import say
 from bringup_lint.fix import TOUCHES
 from bringup_lint.fix import Changes
+from bringup_lint.fix import Fixed
 from bringup_lint.fix import Plan
+from bringup_lint.fix import Proposal
 from bringup_lint.fix import apply_fixes
 from bringup_lint.fix import planned
 from bringup_lint.fix import taken_back
@@ -24,37 +31,53 @@ if TYPE_CHECKING:
     from bringup_lint.engine import Outcome
     from bringup_lint.finding import Finding
     from bringup_lint.robot import Robot
+    from bringup_lint.source import Source
+    from bringup_lint.writing import NotWritten
 
 Checked = Callable[[], "tuple[Robot, Outcome]"]
 ROUNDS = 20
 """Fixes that touch each other are applied one after the other; no more than so often."""
 
 
+@dataclass
+class Rounds:
+    """Rounds of fixes, until there is nothing to do. After each one there must be less to fix for each rule that was
+    fixed, and no text may come back; else the round is taken back, and these rules are left alone."""
+
+    checked: Checked
+    apply: Callable[..., Fixed] = apply_fixes
+    take_back: Callable[[Iterable[Changes]], tuple[NotWritten, ...]] = taken_back
+    fixed: Counter[str] = field(default_factory=Counter)
+    stubborn: set[str] = field(default_factory=set)
+
+    def run(self, robot: Robot, outcome: Outcome, unsafe: bool) -> tuple[Robot, Outcome, list[str]]:
+        """What is there afterwards, and why files were not written."""
+        unwritten: list[str] = []
+        seen: set[tuple[str, str]] = set()
+        for _ in range(ROUNDS):
+            before = _to_do(outcome, unsafe)
+            done = self.apply((each for each in outcome.findings if each.rule not in self.stubborn), unsafe=unsafe)
+            unwritten = [str(failure) for failure in done.failures]
+            if not done.findings:
+                break
+            robot, outcome = self.checked()
+            seen |= {(change.source.name, change.source.text) for change in done.written}
+            returned = any((change.source.name, change.new_text()) in seen for change in done.written)
+            again = _not_less({finding.rule for finding in done.findings}, before, _to_do(outcome, unsafe), returned)
+            if again:
+                self.stubborn |= again
+                unwritten += map(str, self.take_back(done.written))
+                robot, outcome = self.checked()
+            else:
+                self.fixed.update(finding.rule for finding in done.findings)
+        return robot, outcome, unwritten
+
+
 def fix_files(robot: Robot, outcome: Outcome, checked: Checked, *, unsafe: bool) -> tuple[Robot, Outcome, list[str]]:
-    """Apply fixes until there is nothing to do. After each round there must be less to fix for each rule that was
-    fixed, and no text may come back; else the round is taken back, and these rules are left alone. Returns what is
-    there afterwards, and why files were not written."""
-    unwritten: list[str] = []
-    fixed: Counter[str] = Counter()
-    stubborn: set[str] = set()
-    seen: set[tuple[str, str]] = set()
-    for _ in range(ROUNDS):
-        before = _to_do(outcome, unsafe)
-        done = apply_fixes((found for found in outcome.findings if found.rule not in stubborn), unsafe=unsafe)
-        unwritten = [str(failure) for failure in done.failures]
-        if not done.findings:
-            break
-        robot, outcome = checked()
-        seen |= {(change.source.name, change.source.text) for change in done.written}
-        returned = any((change.source.name, change.new_text()) in seen for change in done.written)
-        again = _not_less({finding.rule for finding in done.findings}, before, _to_do(outcome, unsafe), returned)
-        if again:
-            stubborn |= again
-            unwritten += map(str, taken_back(done.written))
-            robot, outcome = checked()
-        else:
-            fixed.update(finding.rule for finding in done.findings)
-    _tell(fixed, planned(outcome.findings, unsafe=unsafe), stubborn)
+    """Apply fixes and say what was done. Returns what is there afterwards, and why files were not written."""
+    rounds = Rounds(checked)
+    robot, outcome, unwritten = rounds.run(robot, outcome, unsafe)
+    _tell(rounds.fixed, planned(outcome.findings, unsafe=unsafe), rounds.stubborn)
     return robot, outcome, unwritten
 
 
@@ -70,40 +93,57 @@ def _to_do(outcome: Outcome, unsafe: bool) -> Counter[str]:
     return Counter(finding.rule for finding in found)
 
 
-def _tell(fixed: Counter[str], plan: Plan, stubborn: Iterable[str] = ()) -> None:
+def _tell(fixed: Counter[str], plan: Plan, stubborn: Iterable[str] = (), done: str = "Fixed") -> None:
     """Say on stderr what was fixed, by rule, and what was not and why."""
     count = fixed.total()
     if count:
-        click.echo(f"Fixed {count} finding{'s' * (count > 1)}.", err=True)
+        say(f"{done} {count} finding{'s' * (count > 1)}.")
     for rule, times in sorted(fixed.items()):
-        click.echo(f"  {times} {rule}", err=True)
+        say(f"  {times} {rule}")
     for rule in sorted(stubborn):
-        click.echo(f"Not fixed: {rule} (as much would be left to fix afterwards)", err=True)
+        say(f"Not fixed: {rule} (as much would be left to fix afterwards)")
     left = Counter((why, finding.rule) for finding, why in plan.left)
     for (why, rule), times in sorted(left.items()):
-        click.echo(f"Not fixed: {times} {rule} ({why})", err=True)
+        say(f"Not fixed: {times} {rule} ({why})")
 
 
-def show_diff(outcome: Outcome, *, unsafe: bool) -> int:
-    """Print what the fixes would change, without secrets; 1 when that is something, 3 when something failed inside."""
-    plan = planned(outcome.findings, unsafe=unsafe)
-    for name in sorted(plan.changes):
-        click.echo("".join(_diff(name, plan.changes[name], outcome.findings)), nl=False)
-    if outcome.failures:
+def show_diff(robot: Robot, outcome: Outcome, checked: Checked, *, unsafe: bool) -> int:
+    """Print what all rounds of fixes would change, without secrets; 1 when that is something, 3 when something failed
+    inside."""
+    from bringup_lint.discover.reading import proposed
+
+    proposal = Proposal()
+
+    def proposed_check() -> tuple[Robot, Outcome]:
+        with proposed(proposal.texts):
+            return checked()
+
+    rounds = Rounds(proposed_check, proposal.apply, proposal.take_back)
+    _, last, _ = rounds.run(robot, outcome, unsafe)
+    _tell(rounds.fixed, planned(last.findings, unsafe=unsafe), rounds.stubborn, done="Would fix")
+    diffs = [_diff(source, proposal, (*outcome.findings, *last.findings)) for source in _in_order(proposal)]
+    text = "".join(diffs)
+    click.echo(plain(text) if sys.stdout.isatty() else text, nl=False)
+    if outcome.failures or last.failures:
         return 3
-    return int(bool(plan.changes))
+    return int(bool(text))
 
 
-def _diff(name: str, change: Changes, findings: Iterable[Finding]) -> Iterator[str]:
+def _in_order(proposal: Proposal) -> list[Source]:
+    return [proposal.before[name] for name in sorted(proposal.before)]
+
+
+def _diff(old: Source, proposal: Proposal, findings: Iterable[Finding]) -> str:
     from bringup_lint.finding.redact import mask_of
 
-    old, new = change.source, replace(change.source, text=change.new_text())
-    mask = mask_of((found for found in findings if found.source is old), (old, new))
+    text = proposal.texts[os.path.abspath(old.name)].decode("utf-8")
+    about = [found for found in findings if found.source.name == old.name]
+    new = next((found.source for found in about if found.source.text == text), replace(old, text=text))
+    mask = mask_of((found for found in about if found.source in (old, new)), (old, new))
     if mask:
         old, new = mask.source(old), mask.source(new)
-    lines = difflib.unified_diff(_lines(old.text), _lines(new.text), fromfile=name, tofile=name)
-    for line in lines:
-        yield line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n"
+    lines = difflib.unified_diff(_lines(old.text), _lines(new.text), fromfile=old.name, tofile=old.name)
+    return "".join(line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n" for line in lines)
 
 
 def _lines(text: str) -> list[str]:

@@ -28,6 +28,7 @@ from bringup_lint.cli.outputs import file_option
 from bringup_lint.cli.outputs import write
 from bringup_lint.cli.reporting import terminal_width
 from bringup_lint.cli.reporting import wants_colour
+from bringup_lint.cli.streams import complain
 from bringup_lint.config import ConfigError
 from bringup_lint.report.fleet import FORMATS
 from bringup_lint.report.fleet import FleetReport
@@ -65,7 +66,7 @@ def command(ctx: click.Context, paths: tuple[str, ...], **options) -> None:
     try:
         code = _judge(ctx.meta["outputs"], paths, options)
     except (ConfigError, RuleError, NotWritten) as error:
-        click.echo(f"bringup-lint: {error}", err=True)
+        complain(error)
         code = 2
     ctx.exit(code)
 

@@ -72,7 +72,7 @@ def _draw(paths: tuple[str, ...], options: dict[str, Any]) -> str:
     robot = read_robot(paths, config, settings)
     outcome = run(robot, Registry.of(rule_folders), config)
     for failure in (*outcome.failures, *(f"the picture is not whole: {error!r}" for error in robot.graph.failures)):
-        click.echo(f"bringup-lint: {failure}", err=True)
+        complain(failure)
     document = report_of(outcome, robot, config, time.time(), drawn=True).picture
     assert document is not None, "it was asked for"
     if options["focus"]:

@@ -8,6 +8,7 @@ from pathlib import Path
 import click
 
 from bringup_lint.cli.streams import complain
+from bringup_lint.cli.streams import say
 from bringup_lint.config import FILE_NAME
 from bringup_lint.config import schema
 from bringup_lint.writing import NotWritten
@@ -53,4 +54,4 @@ def command(ctx: click.Context, print_schema: bool) -> None:
     except NotWritten as error:
         complain(error)
         ctx.exit(2)
-    click.echo(f"Wrote {path}.", err=True)
+    say(f"Wrote {path}.")

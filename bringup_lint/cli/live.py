@@ -30,6 +30,7 @@ from bringup_lint.cli.outputs import file_option
 from bringup_lint.cli.outputs import format_option
 from bringup_lint.cli.outputs import write
 from bringup_lint.cli.streams import complain
+from bringup_lint.cli.streams import say
 from bringup_lint.config import ConfigError
 
 if TYPE_CHECKING:
@@ -148,7 +149,7 @@ def seen(robot: Robot, options: dict[str, Any]) -> Source:
     said = None if os.environ.get("RMW_IMPLEMENTATION") else middleware(robot.ros)
     rmw = str(said) if said else None
     with_rmw = f" with {rmw} ({_at(said)})" if said else ""
-    click.echo(f"Looking at domain {domain} ({told}){with_rmw} ...", err=True)
+    say(f"Looking at domain {domain} ({told}){with_rmw} ...")
     how = {"enclave": options["enclave"], "rmw": rmw}
     with ThreadPoolExecutor(1) as pool:
         looking = pool.submit(look, [domain], options["wait"], **how)
@@ -160,7 +161,7 @@ def seen(robot: Robot, options: dict[str, Any]) -> Source:
     if observed.wants or (observed.configured and observed.configured.number != domain):
         others = [each for each in mentioned(robot.ros) if each != domain][:AT_MOST]
         also = f", and at {', '.join(map(str, others))}" if others else ""
-        click.echo(f"Looking longer, for what is not there{also} ...", err=True)
+        say(f"Looking longer, for what is not there{also} ...")
         again, *elsewhere = look([domain, *others], AGAIN * options["wait"], **how)
         text = graph_text(merged(graph, again), elsewhere, told, secured)
     if options["save"]:
@@ -194,11 +195,11 @@ def _at(where: Located) -> str:
 def _tell(robot: Robot, observed: Observed) -> None:
     """What the files leave open, so that a rule stays silent; on standard error."""
     expected, nodes = robot.expected, len(observed.nodes)
-    click.echo(f"Domain {observed.graph.domain} shows {nodes} node{'s' * (nodes != 1)}, tools left out.", err=True)
+    say(f"Domain {observed.graph.domain} shows {nodes} node{'s' * (nodes != 1)}, tools left out.")
     if expected.ambiguous:
         said = "Several launch files, and nothing says which one runs: name it with --launch to hear of missing nodes."
-        click.echo(said, err=True)
+        say(said)
     if expected.gaps:
         where, why = expected.gaps[0]
         more = f", and {len(expected.gaps) - 1} more" if len(expected.gaps) > 1 else ""
-        click.echo(f"Unexpected nodes are not judged: {where.path}:{where.line}: {why}{more}.", err=True)
+        say(f"Unexpected nodes are not judged: {where.path}:{where.line}: {why}{more}.")

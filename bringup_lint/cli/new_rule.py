@@ -7,6 +7,7 @@ from pathlib import Path
 import click
 
 from bringup_lint.cli.streams import complain
+from bringup_lint.cli.streams import say
 from bringup_lint.pattern import regex
 from bringup_lint.registry import builtin_folder
 from bringup_lint.writing import NotWritten
@@ -68,7 +69,7 @@ def command(ctx: click.Context, rule_id: str) -> None:
     """
     problem = _problem(rule_id)
     if problem:
-        click.echo(f"bringup-lint: {problem}", err=True)
+        complain(problem)
         ctx.exit(2)
     try:
         written = write(rule_id, builtin_folder().parent)
@@ -76,7 +77,7 @@ def command(ctx: click.Context, rule_id: str) -> None:
         complain(error)
         ctx.exit(2)
     for path in written:
-        click.echo(f"Wrote {path}.", err=True)
+        say(f"Wrote {path}.")
 
 
 def _problem(rule_id: str) -> str:

@@ -8,6 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from bringup_lint.cli.streams import say
 from bringup_lint.config import ConfigError
 from bringup_lint.finding import Severity
 
@@ -65,7 +66,7 @@ def save_baseline(report: Report, path: Path) -> None:
     write(written(findings, report.root, report.cwd), path)
     count = sum(found.suppression is None for found in findings)
     what = f"{count} finding{'s' * (count != 1)}"
-    print(f"{path} now holds {what}: --baseline {path} reports what is new", file=sys.stderr)
+    say(f"{path} now holds {what}: --baseline {path} reports what is new")
 
 
 def terminal_width() -> int:

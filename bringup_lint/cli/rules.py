@@ -11,6 +11,7 @@ import click
 from bringup_lint.cli.options import colour_option
 from bringup_lint.cli.options import rules_option
 from bringup_lint.cli.reporting import wants_colour
+from bringup_lint.cli.streams import complain
 from bringup_lint.registry import Registry
 from bringup_lint.registry import Rule
 from bringup_lint.report.paint import painter
@@ -37,7 +38,7 @@ def command(
         name = sorted(unknown)[0]
         near = meant(name, [family.name for family in registry.families])
         hint = f"did you mean '{near}'?" if near else "bringup-lint rules lists all"
-        click.echo(f"bringup-lint: no family is called '{name}'; {hint}", err=True)
+        complain(f"no family is called '{name}'; {hint}")
         ctx.exit(2)
     rules = [rule for rule in registry.all() if not families or rule.family in families]
     if output_format == "json":

@@ -38,8 +38,13 @@ def prepare() -> None:
 
 
 def complain(message: object) -> None:
+    """A line on standard error that names the program."""
+    say(f"bringup-lint: {message}")
+
+
+def say(message: object) -> None:
     """A line on standard error, without control characters of the tree."""
-    click.echo(f"bringup-lint: {plain(str(message))}", err=True)
+    click.echo(plain(str(message)), err=True)
 
 
 def plain(message: str) -> str:

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import stat
+from collections.abc import Iterator
+from collections.abc import Mapping
 from itertools import pairwise
 
 SIZE_LIMIT = 8 * 1024 * 1024
@@ -27,6 +30,19 @@ FLAGS = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_NOFOLLOW", 0
 """Never through a link, and without waiting for the other end of a FIFO."""
 
 
+_PROPOSED: dict[str, bytes] = {}
+
+
+@contextlib.contextmanager
+def proposed(texts: Mapping[str, bytes]) -> Iterator[None]:
+    """Read files, by their absolute paths, as if they held something else: what fixes would make of them."""
+    _PROPOSED.update(texts)
+    try:
+        yield
+    finally:
+        _PROPOSED.clear()
+
+
 def read_head(path: str, size: int) -> str:
     """The first bytes of a regular file as text; empty when there is nothing to read."""
     try:
@@ -36,7 +52,8 @@ def read_head(path: str, size: int) -> str:
     try:
         if not stat.S_ISREG(os.fstat(descriptor).st_mode):
             return ""
-        return os.read(descriptor, size).decode("utf-8", errors="replace")
+        data = _PROPOSED[path][:size] if path in _PROPOSED else os.read(descriptor, size)
+        return data.decode("utf-8", errors="replace")
     except OSError:
         return ""
     finally:
@@ -63,7 +80,7 @@ def read_bytes(path: str, limit: int = SIZE_LIMIT, *, follow: bool = False) -> t
                 f"{status.st_size / 1024 / 1024:.0f} MiB is more than the {limit // 1024 // 1024} MiB limit"
             )
         with os.fdopen(descriptor, "rb", closefd=False) as file:
-            return file.read(limit), status
+            return _PROPOSED[path] if path in _PROPOSED else file.read(limit), status
     except OSError as error:
         raise Unreadable(error) from error
     finally:

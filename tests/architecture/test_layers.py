@@ -24,6 +24,7 @@ LAYERS = (
     {"finish"},
     {"log_lines"},
     {"engine"},
+    {"apart"},
     {"isolation"},
     {"fix", "baseline", "suppress", "config", "registry"},
     {"report", "live", "writing"},

@@ -29,6 +29,25 @@ def test_diff_shows_what_fix_would_do_and_changes_nothing(unit: Path) -> None:
     assert "+StartLimitIntervalSec=200\n" in run.stdout
 
 
+def test_diff_shows_all_rounds(tmp_path: Path) -> None:
+    text = "[Service]\nStartLimitInterval=200\nStartLimitBurst=3\nStandardOutput=syslog\nExecStart=/bin/x\n"
+    path = tmp_path / "robot.service"
+    path.write_text(text)
+    run = lint("--diff", "--select", "systemd/legacy-key", cwd=tmp_path)
+    assert path.read_text() == text
+    assert "Would fix 3 findings" in run.stderr
+    shown = [line for line in run.stdout.splitlines() if line.startswith(("+", " ")) and not line.startswith("+++")]
+    lint("--fix", "--select", "systemd/legacy-key", cwd=tmp_path)
+    assert [line[1:] for line in shown] == path.read_text().splitlines()
+    assert lint("--diff", "--select", "systemd/legacy-key", cwd=tmp_path).stdout == ""
+
+
+def test_diff_with_exit_zero(unit: Path) -> None:
+    run = lint("--diff", "--exit-zero", "--select", "systemd/legacy-key", cwd=unit.parent)
+    assert run.code == 0
+    assert "+StartLimitIntervalSec=200\n" in run.stdout
+
+
 def test_diff_shows_no_secret(unit: Path) -> None:
     run = lint("--diff", "--select", "systemd/legacy-key", cwd=unit.parent)
     assert " WIFI_PASSWORD=**************\n" in run.stdout
