@@ -40,7 +40,10 @@ _OVERLAY = regex(r"(?:^|/)((?:etc|usr/lib|usr/local|lib/systemd|lib/udev|run/sys
 def is_root(folder: Path) -> bool:
     """Whether the folder is a root file system: it names its release and its users, and has a /usr."""
     release = (folder / "etc/os-release", folder / "usr/lib/os-release")
-    return (folder / "etc/passwd").is_file() and (folder / "usr").is_dir() and any(map(os.path.lexists, release))
+    if not any(map(os.path.lexists, release)):
+        return False
+    users, programs = resolve_inside(folder, "/etc/passwd"), resolve_inside(folder, "/usr")
+    return users is not None and users.is_file() and programs is not None and programs.is_dir()
 
 
 def root_of(path: Path) -> Path | None:

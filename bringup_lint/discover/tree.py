@@ -44,6 +44,8 @@ class Tree:
     """The root file system, or None in a repository."""
     complete: bool = False
     """Whether this is a whole root file system, so that what is not there is missing."""
+    is_found: bool = False
+    """Whether the root was recognized, and not named."""
     asked: tuple[str, ...] = ()
     """The absolute paths that the run was asked to judge; the rest of the tree is context."""
     tops: tuple[str, ...] = ()
@@ -118,7 +120,7 @@ class Tree:
                 return "", ""
             path = str(target)
         data, status = read_bytes(path)
-        if self.root is not None:
+        if self.root is not None and not (self._is_checkout and self.tracked(path)):
             source.mode = stat.S_IMODE(status.st_mode)
             source.uid, source.gid = status.st_uid, status.st_gid
         text, complaint = decode(data)
@@ -194,10 +196,10 @@ class Tree:
         folder = os.path.dirname(os.path.abspath(source.name))
         return [path for path in self.paths if os.path.dirname(path) == folder]
 
-    @staticmethod
-    def real_path(path: str) -> str:
-        """The absolute path without links; links that lead nowhere stay as they are."""
-        return os.path.realpath(path)
+    def real_path(self, path: str) -> str:
+        """The absolute path without links; links that lead nowhere, or out of the tree, stay as they are."""
+        path = os.path.abspath(path)
+        return os.path.realpath(path) if self.holds(path) and self.holds(os.path.realpath(path)) else path
 
     def exists(self, path: str) -> bool:
         """Whether there is a file, folder or link at a path of the tree, walked or not. Nobody looks for what lies
@@ -276,6 +278,13 @@ class Tree:
             if index is not None:
                 return os.fsencode(file.relative_to(folder)) in self._tracked_by(index)
         return None
+
+    @cached_property
+    def _is_checkout(self) -> bool:
+        """Whether the root lies in a repository: what git tracks there has not the modes and owners that it has on the
+        robot. A repository inside of a root, such as that of etckeeper in /etc, says nothing of that."""
+        tops = (self.root, *self.root.parents) if self.is_found and self.root is not None else ()
+        return any(index_of(str(folder)) is not None for folder in tops)
 
     @staticmethod
     def is_ignored(path: str) -> bool:

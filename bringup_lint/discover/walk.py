@@ -79,6 +79,7 @@ def discover(
         paths = [os.path.abspath(path) for path in paths]
         tree.root = next(filter(None, (root_of(Path(path)) for path in paths)), None)
         tree.complete = tree.root is not None and is_root(tree.root)
+        tree.is_found = tree.root is not None
     tree.asked = tuple(paths)
     tree.tops = tuple(dict.fromkeys(map(_top_of, paths))) if tree.root is None else (str(tree.root),)
     walked: set[str] = set()

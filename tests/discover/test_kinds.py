@@ -5,7 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
+import pytest
+
 from bringup_lint.discover.kinds import HEAD_SIZE
+from bringup_lint.discover.kinds import kind_of
 from bringup_lint.discover.kinds import kinds
 from tests.conftest import PROJECT
 
@@ -28,3 +31,20 @@ def test_no_file_is_claimed_twice() -> None:
     found = {str(path.relative_to(PROJECT)): claims(path) for path in fixtures()}
     assert {path: names for path, names in found.items() if len(names) > 1} == {}
     assert any(found.values())
+
+
+@pytest.mark.parametrize(
+    ("path", "kind"),
+    [
+        ("etc/fstab", "fstab"),
+        ("board/fstab.jetson", "fstab"),
+        ("robot.fstab", "fstab"),
+        ("parsers/fstab.py", ""),
+        ("src/fstab.c", ""),
+        ("docs/fstab.md", ""),
+        ("etc/fstab.bak", ""),
+    ],
+)
+def test_an_fstab_is_a_table(path: str, kind: str) -> None:
+    text = "/dev/mmcblk0p1 / ext4 defaults 0 1\n"
+    assert kind_of(path, lambda: text) == kind

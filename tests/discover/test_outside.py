@@ -158,3 +158,51 @@ def test_what_a_user_may_not_read_of_a_system_is_one_note(tree: Path) -> None:
     )
     run = check("etc/netplan/a.yaml")
     assert (run.returncode, run.stdout.count("lint/unreadable")) == (1, 1), run.stderr
+
+
+def a_root(folder: Path) -> Path:
+    for name in ("etc/netplan", "usr/lib"):
+        (folder / name).mkdir(parents=True)
+    (folder / "usr/lib/os-release").write_text("ID=ubuntu\n")
+    (folder / "etc/passwd").write_text("root:x:0:0:root:/root:/bin/bash\n")
+    plan = folder / "etc/netplan/60-robot.yaml"
+    plan.write_text("network:\n  ethernets:\n    eth0: {dhcp4: true}\n")
+    plan.chmod(0o644)
+    return folder
+
+
+def modes(*arguments: str, cwd: Path) -> int:
+    return lint("--select", "netplan/file-mode", "--output-format", "concise", *arguments, cwd=cwd).stdout.count("\n")
+
+
+@pytest.mark.parametrize(("repository", "told"), [("", 1), (".", 0), ("..", 0), ("etc", 1)])
+def test_modes_of_a_checkout_are_not_judged(tmp_path: Path, repository: str, told: int) -> None:
+    """git keeps no 0600: only a root that lies in no repository, or that is named, has the modes of the robot."""
+    root = a_root(tmp_path / "checkout" / "root")
+    if repository:
+        top = root / repository
+        subprocess.run(["git", "init", "-q"], cwd=top, check=True)
+        subprocess.run(["git", "add", "-f", "."], cwd=top, check=True)
+    assert modes(".", cwd=root) == told
+    assert modes("--root", ".", cwd=root) == 1
+
+
+def test_a_root_is_recognized_without_a_look_outside(tmp_path: Path) -> None:
+    from bringup_lint.discover.roots import is_root
+
+    root = a_root(tmp_path / "root")
+    assert is_root(root)
+    (root / "etc/passwd").unlink()
+    (root / "etc/passwd").symlink_to(tmp_path / "passwd")
+    (tmp_path / "passwd").write_text("root:x:0:0:root:/root:/bin/bash\n")
+    assert not is_root(root)
+
+
+def test_a_real_path_stays_in_the_tree(tree: Path) -> None:
+    (tree / "in").symlink_to("real.yaml")
+    (tree / "real.yaml").write_text("")
+    (tree / "out").symlink_to("../host.service")
+    found = Tree(tops=(str(tree),))
+    assert found.real_path(str(tree / "in")) == str(tree / "real.yaml")
+    assert found.real_path(str(tree / "out")) == str(tree / "out")
+    assert found.real_path("/etc/localtime") == "/etc/localtime"

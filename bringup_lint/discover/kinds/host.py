@@ -10,6 +10,9 @@ from bringup_lint.discover.kinds import Kind
 from bringup_lint.pattern import regex
 
 _FSTAB = regex(r"(?:^|/)fstab(?:\.(?!d/)[\w-]+)?$|\.fstab$")
+_CODE = regex(
+    r"fstab\.(?:py|pyc|sh|bash|c|h|cpp|hpp|cc|rs|go|js|ts|rb|pl|lua|json|ya?ml|toml|xml|html|txt|rst)$"
+)
 _BACKUP = regex(r"(?:~|\.(?:bak|orig|old|rej|swp|save|md|dpkg-\w+|rpm\w+|ucf-\w+))$")
 _CRON = regex(r"(?:^|/)(?:cron\.d/[^/]+|etc/crontab)$")
 _AUDIT = regex(r"(?:^|/)audit/(?:rules\.d/[^/]+\.rules|audit\.rules)$")
@@ -26,6 +29,11 @@ def _named(pattern: re.Pattern[str]) -> Callable[[str, Head], bool]:
     return lambda path, head: bool(pattern.search(path)) and not _BACKUP.search(path)
 
 
+def _is_fstab(path: str, head: Head) -> bool:
+    """A table, or one of several (``fstab.jetson``), not a program or a page about it."""
+    return bool(_FSTAB.search(path)) and not _BACKUP.search(path) and not _CODE.search(path)
+
+
 def _is_cron(path: str, head: Head) -> bool:
     name = path.rpartition("/")[2]
     return bool(_CRON.search(path)) and not _BACKUP.search(path) and not name.startswith((".", "README"))
@@ -36,7 +44,7 @@ def _is_limits(path: str, head: Head) -> bool:
 
 
 KINDS = (
-    Kind("fstab", _named(_FSTAB)),
+    Kind("fstab", _is_fstab),
     Kind("cron", _is_cron),
     Kind("audit-rules", _named(_AUDIT)),
     Kind("apt-conf", _named(_APT)),
