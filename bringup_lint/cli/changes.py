@@ -8,8 +8,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 from typing import Any
 
-import click
-
+from bringup_lint.cli.streams import complain
 from bringup_lint.config import ConfigError
 from bringup_lint.finding.reach import reached
 
@@ -44,7 +43,7 @@ def _since(revision: str) -> Limit:
     except UnknownRevision as error:
         raise ConfigError(f"--since: {error}") from error
     if changes.note:
-        click.echo(f"bringup-lint: --since: {changes.note}", err=True)
+        complain(f"--since: {changes.note}")
     return lambda outcome: _only(outcome, changes.touched, changes.gone)
 
 

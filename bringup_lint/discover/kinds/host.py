@@ -10,9 +10,7 @@ from bringup_lint.discover.kinds import Kind
 from bringup_lint.pattern import regex
 
 _FSTAB = regex(r"(?:^|/)fstab(?:\.(?!d/)[\w-]+)?$|\.fstab$")
-_CODE = regex(
-    r"fstab\.(?:py|pyc|sh|bash|c|h|cpp|hpp|cc|rs|go|js|ts|rb|pl|lua|json|ya?ml|toml|xml|html|txt|rst)$"
-)
+_CODE = regex(r"fstab\.(?:py|pyc|sh|bash|c|h|cpp|hpp|cc|rs|go|js|ts|rb|pl|lua|json|ya?ml|toml|xml|html|txt|rst)$")
 _BACKUP = regex(r"(?:~|\.(?:bak|orig|old|rej|swp|save|md|dpkg-\w+|rpm\w+|ucf-\w+))$")
 _CRON = regex(r"(?:^|/)(?:cron\.d/[^/]+|etc/crontab)$")
 _AUDIT = regex(r"(?:^|/)audit/(?:rules\.d/[^/]+\.rules|audit\.rules)$")
