@@ -87,11 +87,13 @@ def _folder(name: str) -> str:
 
 
 def _folders(files: Files, folder: str) -> Iterator[str]:
-    """The folder and those above it, up to the top of the repository."""
+    """The folder and those above it, up to the top of the repository or of the tree."""
     while True:
         yield folder
         above = os.path.dirname(folder)
         if above == folder or files.tree.exists(os.path.join(folder, ".git")):
+            return
+        if not files.tree.holds(os.path.join(above, "Dockerfile")):
             return
         folder = above
 

@@ -32,6 +32,7 @@ slam_toolbox), or when you switch the bond off only for debugging.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
@@ -55,8 +56,7 @@ def lifecycle_bond(robot: Robot) -> Iterator[Finding]:
         started = {launch.full_name(node, robot.launch.role(node)): node for node in expansion.nodes}
         for manager in launch.managers(expansion):
             name = manager.bond_timeout.name
-            comment = name.span.source.line_text(max(name.line - 1, 1)).strip() if name is not None else ""
-            if name is not None and comment.startswith("#") and "transition" in comment.lower():
+            if name is not None and "transition" in _comment_above(name).lower():
                 yield finding(
                     name,
                     "bond_timeout does not limit a transition: a node without a heartbeat for this long counts as dead",
@@ -83,3 +83,14 @@ def lifecycle_bond(robot: Robot) -> Iterator[Finding]:
                     advice="give it a separate manager with bond_timeout 0",
                     related=[note(node.span, "the node is started here")],
                 )
+
+
+def _comment_above(name: Located) -> str:
+    """The comment above a line, past one that silences a rule."""
+    for line in range(name.line - 1, 0, -1):
+        text = name.span.source.line_text(line).strip()
+        if not text.startswith("#"):
+            break
+        if "bringup-lint:" not in text:
+            return text
+    return ""
