@@ -10,6 +10,7 @@ import time
 from collections.abc import Iterable
 from collections.abc import Iterator
 from datetime import date
+from pathlib import Path
 from typing import TYPE_CHECKING
 from typing import Any
 
@@ -37,6 +38,8 @@ from bringup_lint.report.fleet import render
 if TYPE_CHECKING:
     from bringup_lint.fleet.check import Job
     from bringup_lint.fleet.members import Inventory
+    from bringup_lint.fleet.members import Member
+    from bringup_lint.fleet.state import State
     from bringup_lint.fleet.summary import Summary
 
 
@@ -47,6 +50,8 @@ if TYPE_CHECKING:
 )
 @file_option
 @click.option("--workers", type=click.IntRange(1), help="Worker processes. [default: one a processor]")
+@click.option("--scheduler", metavar="ADDRESS", help="Work on this dask cluster; 'local' starts one.")
+@click.option("--state", type=click.Path(file_okay=False, path_type=Path), help="Keep summaries here, to go on later.")
 @click.option("--select", multiple=True, callback=names, help="Run only these rules or families.")
 @verdict_options
 @target_options
@@ -78,8 +83,14 @@ def _judge(outputs: list[Output], paths: tuple[str, ...], options: dict[str, Any
     config, rule_folders = configuration(paths, {**options, "root": None, "baseline": None})
     inventory = read_inventory(paths)
     today = options["now"].date() if options["now"] else date.today()
-    job = Job(config, secrets.token_bytes(32), today, tuple(rule_folders), not options["no_ignores"])
-    report = fleet_report(_gathered(inventory, job, options), inventory, job)
+    state = None
+    if options["state"]:
+        from bringup_lint.fleet.state import State
+
+        state = State(options["state"])
+    key = secrets.token_bytes(32) if state is None else state.key
+    job = Job(config, key, today, tuple(rule_folders), not options["no_ignores"])
+    report = fleet_report(_gathered(inventory, job, state, options), inventory, job)
     report = dataclasses.replace(report, width=terminal_width())
     for output in outputs:
         colour = output.file is None and wants_colour(options["colour"])
@@ -122,16 +133,41 @@ def _exit_code(report: FleetReport, fail_on: int) -> int:
     return int(any(severity >= fail_on for severity in severities))
 
 
-def _gathered(inventory: Inventory, job: Job, options: dict[str, Any]) -> Iterator[Summary]:
+def _gathered(inventory: Inventory, job: Job, state: State | None, options: dict[str, Any]) -> Iterator[Summary]:
     """The summaries, with the progress on the terminal."""
-    from bringup_lint.fleet.work import summaries
-
     started = time.monotonic()
     total = len(inventory.members)
     shown = sys.stderr.isatty()
-    workers = options["workers"] or os.cpu_count() or 1
-    for number, summary in enumerate(summaries(inventory.members, job, workers), 1):
+    for number, summary in enumerate(_summaries(inventory, job, state, options), 1):
         if shown:
             rate = number / max(time.monotonic() - started, 0.001)
             click.echo(f"\r{number} of {total} robots, {rate:.1f} a second ", err=True, nl=number == total)
         yield summary
+
+
+def _summaries(inventory: Inventory, job: Job, state: State | None, options: dict[str, Any]) -> Iterator[Summary]:
+    """Those that are kept from an earlier run, then those that are made now."""
+    if state is None:
+        yield from _made(inventory.members, job, options)
+        return
+    names = {member.name: state.name(member, job) for member in inventory.members}
+    left = []
+    for member in inventory.members:
+        kept = state.load(names[member.name])
+        if kept is None:
+            left.append(member)
+        else:
+            yield kept
+    for summary in _made(left, job, options):
+        state.save(names[summary.name], summary)
+        yield summary
+
+
+def _made(members: Iterable[Member], job: Job, options: dict[str, Any]) -> Iterator[Summary]:
+    if options["scheduler"]:
+        from bringup_lint.fleet.cluster import on_cluster
+
+        return on_cluster(members, job, options["scheduler"])
+    from bringup_lint.fleet.work import summaries
+
+    return summaries(members, job, options["workers"] or os.cpu_count() or 1)

@@ -71,8 +71,13 @@ def summary_of(member: Member, job: Job) -> Summary:
 
 def tree_of(member: Member, config: Config) -> Tree:
     """Raises OSError or ValueError for an archive that cannot be read."""
+    excluded = exclusion(config.folder, config.exclude)
+    if len(member.layers) > 1 or not os.path.isdir(member.layers[0]):
+        from bringup_lint.discover.layered import layered
+
+        return layered(member.layers, TOPS, excluded)
     folder = os.path.abspath(member.layers[0])
-    return discover([folder], deploy=_places(folder), excluded=exclusion(config.folder, config.exclude))
+    return discover([folder], deploy=_places(folder), excluded=excluded)
 
 
 def _places(folder: str) -> dict[str, str]:

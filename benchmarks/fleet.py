@@ -1,0 +1,124 @@
+"""A synthetic fleet with planted defects and known answers: ``python benchmarks/fleet.py 50`` writes one, runs the
+command over it and says what was found, what was expected and what came on top.
+"""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import json
+import resource
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import robot
+
+UNIT = """\
+[Unit]
+Description=Rover
+Wants=network-online.target
+After=network-online.target
+
+[Service]
+User=robot
+Environment=ROS_DOMAIN_ID={domain}
+Environment=RMW_IMPLEMENTATION={middleware}
+ExecStart=/opt/ros/jazzy/bin/ros2 launch rover_bringup rover.launch.py robot:={name}
+Restart=on-failure
+RestartSec={pause}
+
+[Install]
+WantedBy=multi-user.target
+"""
+NETWORK = """\
+network:
+  version: 2
+  wifis:
+    wlan0:
+      addresses: [10.7.{high}.{low}/16]
+"""
+Answer = tuple[str, tuple[str, ...]]
+"""A rule, and the robots that it is to name."""
+
+
+def _bytes(seed: str) -> bytes:
+    return hashlib.sha256(seed.encode()).digest()
+
+
+def files(number: int, like: int, odd: bool) -> Iterator[tuple[str, str]]:
+    """The files of a robot. ``like`` is the robot that it was cloned from, else itself; ``odd`` has drifted."""
+    name = f"rover-{number:05}"
+    blob = b"\0\0\0\x0bssh-ed25519\0\0\0 " + _bytes(f"ssh {like}")
+    key = base64.b64encode(_bytes(f"vpn {like}")).decode()
+    yield "etc/ssh/ssh_host_ed25519_key.pub", f"ssh-ed25519 {base64.b64encode(blob).decode()} root@{name}\n"
+    yield "etc/machine-id", _bytes(f"id {like}").hex()[:32] + "\n"
+    yield "etc/hostname", f"{name}\n"
+    yield "etc/wireguard/wg0.conf", f"[Interface]\nPrivateKey = {key}\n"
+    yield "etc/netplan/10-robot.yaml", NETWORK.format(high=like // 250, low=like % 250 + 1)
+    yield "etc/sysctl.d/60-dds.conf", f"net.core.rmem_max = {212992 if odd else 2147483647}\n"
+    middleware = "rmw_fastrtps_cpp" if odd else "rmw_cyclonedds_cpp"
+    unit = UNIT.format(domain=7, middleware=middleware, name=name, pause=20 if odd else 2)
+    yield "etc/systemd/system/rover.service", unit
+    if not odd:
+        yield (
+            "etc/systemd/system/rover-watchdog.service",
+            UNIT.format(domain=7, middleware=middleware, name=name, pause=1),
+        )
+
+
+def plant(folder: Path, robots: int, size: int = 0) -> list[Answer]:
+    """Write a fleet of one role with one clone and one robot that has drifted; returns the answers."""
+    clone, original, odd = 1, 0, robots - 1
+    inventory = ['[site.hall]\ndomains = "shared"\n']
+    for number in range(robots):
+        name = f"rover-{number:05}"
+        for place, text in files(number, original if number == clone else number, number == odd):
+            path = folder / name / place
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, "utf-8")
+        if size:
+            robot.generate(folder / name, size)
+        inventory.append(f'[[robot]]\nname = "{name}"\nrole = "rover"\nsite = "hall"\nroot = "{name}"\n')
+    (folder / "fleet.toml").write_text("\n".join(inventory), "utf-8")
+    pair, last = (f"rover-{original:05}", f"rover-{clone:05}"), (f"rover-{odd:05}",)
+    shared = ("same-ssh-host-key", "same-machine-id", "same-network-key", "same-address")
+    return sorted(
+        [
+            *((f"fleet/{rule}", pair) for rule in shared),
+            ("fleet/different-middleware", last),
+            ("fleet/drift", last),
+            ("fleet/drift", last),
+            ("fleet/missing-from-role", last),
+        ]
+    )
+
+
+def answers(report: dict) -> list[Answer]:
+    return sorted((found["rule"], tuple(found["robots"])) for found in report["findings"])
+
+
+def measure(robots: int, size: int, workers: int) -> None:
+    with tempfile.TemporaryDirectory() as name:
+        expected = plant(Path(name), robots, size)
+        command = [sys.executable, "-m", "bringup_lint", "fleet", "--output-format", "json", "--workers", str(workers)]
+        started = time.perf_counter()
+        run = subprocess.run([*command, name], capture_output=True, text=True, check=False)
+        seconds = time.perf_counter() - started
+        report = json.loads(run.stdout)
+    found = answers(report)
+    extra = [answer for answer in found if answer not in expected]
+    missing = [answer for answer in expected if answer not in found]
+    memory = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss // 1024
+    print(f"{robots} robots, {workers} workers: {len(expected) - len(missing)} of {len(expected)}, {len(extra)} extra")
+    print(f"  {seconds:.1f} s, {robots / seconds:.1f} robots a second, {memory} MiB in the largest process")
+    for answer in (*missing, *extra):
+        print("  ", "missing" if answer in missing else "extra", *answer)
+
+
+if __name__ == "__main__":
+    given = [int(word) for word in sys.argv[1:]]
+    measure(*given, *(50, 0, 2)[len(given) :])

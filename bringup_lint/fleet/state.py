@@ -1,0 +1,102 @@
+"""What a run keeps so that the next one goes on where it stopped: summaries by what they were made from.
+
+The folder holds the key of the keyed hashes too, so only its owner may read it; without it the summaries say nothing
+about key material. Remove the folder to begin anew.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import secrets
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+
+from bringup_lint import __version__
+from bringup_lint.config import ConfigError
+from bringup_lint.discover.reading import Unreadable
+from bringup_lint.discover.reading import read_bytes
+from bringup_lint.discover.walk import walk
+from bringup_lint.fleet.check import Job
+from bringup_lint.fleet.members import Member
+from bringup_lint.fleet.summary import VERSION
+from bringup_lint.fleet.summary import Summary
+from bringup_lint.fleet.summary import from_data
+from bringup_lint.fleet.summary import to_data
+
+_KEY = "key"
+_CHUNK = 1024 * 1024
+
+
+class State:
+    """A folder of summaries. Raises ConfigError when it cannot be used."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        try:
+            folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+            status = folder.stat()
+            if status.st_mode & 0o077:
+                raise ConfigError(f"{folder}: others may read it; use a folder of mode 0700")
+            self.key = self._key()
+        except OSError as error:
+            raise ConfigError(f"{folder}: {error.strerror}") from error
+
+    def _key(self) -> bytes:
+        path = self.folder / _KEY
+        if not path.exists():
+            _write(path, secrets.token_bytes(32))
+        key = path.read_bytes()
+        if len(key) != 32:
+            raise ConfigError(f"{path}: not a key of a fleet; remove the folder")
+        return key
+
+    def name(self, member: Member, job: Job) -> str:
+        """The name of a summary: a hash of all that it is made from."""
+        digest = hashlib.sha256()
+        context = (__version__, VERSION, member, replace(job, key=b""), sorted(job.config.severity.items()))
+        digest.update(repr(context).encode())
+        for layer in member.layers:
+            for part in _content(layer):
+                digest.update(hashlib.sha256(part).digest())
+        return digest.hexdigest()
+
+    def load(self, name: str) -> Summary | None:
+        try:
+            return from_data(json.loads((self.folder / f"{name}.json").read_text("utf-8")))
+        except (OSError, ValueError):
+            return None
+
+    def save(self, name: str, summary: Summary) -> None:
+        """Nothing of a robot on which something failed is kept."""
+        if not summary.failures:
+            _write(self.folder / f"{name}.json", json.dumps(to_data(summary)).encode())
+
+
+def _write(path: Path, data: bytes) -> None:
+    """Whole or not at all, and for the owner only."""
+    new = path.with_name(f".{path.name}.{os.getpid()}")
+    with open(os.open(new, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600), "wb") as file:
+        file.write(data)
+    new.replace(path)
+
+
+def _content(layer: str) -> Iterator[bytes]:
+    """The files of a folder with their names and modes, or an archive piece by piece."""
+    if not os.path.isdir(layer):
+        with open(layer, "rb") as file:
+            while chunk := file.read(_CHUNK):
+                yield chunk
+        return
+    for path in walk(os.path.abspath(layer)):
+        status = os.lstat(path)
+        yield f"{path}\0{status.st_mode}\0{status.st_uid}\0{status.st_gid}".encode("utf-8", "surrogateescape")
+        if os.path.islink(path):
+            yield os.fsencode(os.readlink(path))
+            continue
+        try:
+            yield read_bytes(path)[0]
+        except Unreadable as error:
+            yield str(error).encode()
