@@ -8,7 +8,7 @@ from bringup_lint.report.fleet.model import FleetReport
 
 __all__ = ["FORMATS", "FleetReport", "render"]
 
-FORMATS = ("text", "concise", "json")
+FORMATS = ("text", "concise", "json", "sarif", "html")
 
 
 def render(output_format: str, report: FleetReport) -> str:
