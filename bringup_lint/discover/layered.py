@@ -7,7 +7,6 @@ from __future__ import annotations
 import fnmatch
 import os
 import posixpath
-import re
 import tarfile
 from collections.abc import Callable
 from collections.abc import Iterable
@@ -29,6 +28,7 @@ from bringup_lint.discover.tree import display_name
 from bringup_lint.discover.tree import is_below
 from bringup_lint.discover.walk import SKIPPED_FOLDERS
 from bringup_lint.discover.walk import walk
+from bringup_lint.pattern import regex
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
 from bringup_lint.templates import template_language
@@ -40,7 +40,7 @@ MOST_READ = 4 * 1024 * 1024 * 1024
 """Bytes of an archive, unpacked, that are read at all."""
 LONGEST_HEADER = 1024 * 1024
 _HOPS = 20
-_PACKED = re.compile(r"\.(?:tgz|tar\.(?:gz|xz|bz2))\Z")
+_PACKED = regex(r"\.(?:tgz|tar\.(?:gz|xz|bz2))\Z")
 _HEADERS = (tarfile.GNUTYPE_LONGNAME, tarfile.GNUTYPE_LONGLINK, tarfile.XHDTYPE, tarfile.XGLTYPE)
 
 
