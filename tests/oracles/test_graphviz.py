@@ -46,7 +46,15 @@ def drawing(*labels: str) -> dict[str, Any]:
         for at, label in enumerate(labels)
     ]
     edges = [
-        {"source": one["id"], "target": other["id"], "kind": "orders", "why": one["label"], "findings": []}
+        {
+            "source": one["id"],
+            "target": other["id"],
+            "kind": "orders",
+            "why": one["label"],
+            "origin": "setting",
+            "condition": "",
+            "findings": [],
+        }
         for one, other in pairwise(nodes)
     ]
     layers = [{"id": "boot", "title": labels[0]}]
