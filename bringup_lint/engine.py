@@ -106,11 +106,19 @@ def names(name: str, rule_id: str) -> bool:
     return name == rule_id or rule_id.startswith(name + "/")
 
 
-def run(robot: Robot, registry: Registry, config: Config, *, ignores: bool = True) -> Outcome:
-    """Run the selected rules over a robot. Raises ConfigError for names that mean nothing, RuleError for a bad rule."""
+def run(
+    robot: Robot,
+    registry: Registry,
+    config: Config,
+    *,
+    ignores: bool = True,
+    between: Callable[[], None] = lambda: None,
+) -> Outcome:
+    """Run the selected rules over a robot. Raises ConfigError for names that mean nothing, RuleError for a bad rule,
+    and what ``between`` raises, which is called between the rules to end a run that nobody waits for."""
     selection = Selection(registry, config)
     rules = {rule_id: registry[rule_id] for rule_id in registry.ids_for(robot) if selection.runs(rule_id)}
-    checked = check(rules.values(), robot, registry.purposes)
+    checked = check(rules.values(), robot, registry.purposes, between)
     failures = [*checked.failures, *unread(robot)]
     findings = [*checked.findings, *failures]
     findings += [too_slow(source, "Not judged: to parse it", budget.FILE) for source in robot.unfinished]

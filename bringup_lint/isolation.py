@@ -56,10 +56,12 @@ class Checked:
     failures: list[Finding] = field(default_factory=list)
 
 
-def check(rules: Iterable[Rule], robot: Robot, purposes: Purposes) -> Checked:
-    """Run rules over a robot."""
+def check(
+    rules: Iterable[Rule], robot: Robot, purposes: Purposes, between: Callable[[], None] = lambda: None
+) -> Checked:
+    """Run rules over a robot. Raises what ``between`` raises, which is called before each rule."""
     checked = Checked()
-    failed = _attempt(rules, robot, purposes, checked.findings)
+    failed = _attempt(_with_pauses(rules, between), robot, purposes, checked.findings)
     unknown: dict[str, Source] = {}
     names = {source.name for source in robot.sources}
     is_of_tree = robot.tree.is_file
@@ -78,6 +80,12 @@ def check(rules: Iterable[Rule], robot: Robot, purposes: Purposes) -> Checked:
     for failure in failed:
         checked.failures.append(internal(Source(failure.rule.path.name), f"rule {failure.rule.id}", failure.error))
     return checked
+
+
+def _with_pauses(rules: Iterable[Rule], between: Callable[[], None]) -> Iterator[Rule]:
+    for rule in rules:
+        between()
+        yield rule
 
 
 def unread(robot: Robot) -> Iterator[Finding]:

@@ -220,8 +220,15 @@ class Registry:
                 paths[rule_id] = path
         return paths
 
+    @cached_property
+    def _loaded(self) -> dict[str, Rule]:
+        return {}
+
     def __getitem__(self, rule_id: str) -> Rule:
-        return load(self.paths[rule_id], rule_id)
+        """A rule, whose file is loaded once."""
+        if rule_id not in self._loaded:
+            self._loaded[rule_id] = load(self.paths[rule_id], rule_id)
+        return self._loaded[rule_id]
 
     def purposes(self, rule_id: str) -> Mapping[Purpose, Severity | None]:
         """What a purpose makes of the findings of a rule (``family.toml``: purpose)."""

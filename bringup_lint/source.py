@@ -5,6 +5,7 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Iterator
 from dataclasses import dataclass
+from dataclasses import field
 from functools import cached_property
 from typing import NamedTuple
 
@@ -43,6 +44,8 @@ class Source:
     """Whether secrets in the text are hidden, so that it is not what the file holds."""
     origin: Origin | None = None
     """Where the text comes from when another file of the tree writes this one."""
+    models: dict[object, object] | None = field(default=None, init=False)
+    """Parser -> the model that it made of this text, where a source outlives a run; None where it does not."""
 
     @cached_property
     def line_starts(self) -> list[int]:

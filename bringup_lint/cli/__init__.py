@@ -17,6 +17,7 @@ COMMANDS = {
     "graph": "Draw what starts what, in which order and with what.",
     "live": "Compare the running ROS graph with the files.",
     "fleet": "Judge many robots together.",
+    "server": "Speak the language server protocol with an editor.",
     "init": "Write a configuration file to start from.",
     "new-rule": "Write the files of a new rule, in a checkout.",
 }

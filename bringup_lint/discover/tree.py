@@ -18,6 +18,8 @@ from pathlib import Path
 from bringup_lint.discover.git_index import UnknownFormat
 from bringup_lint.discover.git_index import index_of
 from bringup_lint.discover.git_index import read_index
+from bringup_lint.discover.held import Held
+from bringup_lint.discover.held import over
 from bringup_lint.discover.ignored import is_ignored
 from bringup_lint.discover.reading import Unreadable
 from bringup_lint.discover.reading import decode
@@ -58,6 +60,8 @@ class Tree:
     """Path in the repository -> path on the robot, from the configuration."""
     sources: list[Source] = field(default_factory=list)
     problems: list[Problem] = field(default_factory=list)
+    held: Held | None = None
+    """Unsaved texts and sources of an earlier run, in an editor."""
     _paths: dict[str, list[str]] = field(default_factory=dict)
     _on_demand: dict[str, Source | None] = field(default_factory=dict)
     _by_reference: dict[str, Source | None] = field(default_factory=dict)
@@ -103,30 +107,38 @@ class Tree:
         if source.name in self.unknown:
             return replace(source, kind="")
         try:
-            source.text, source.template = self._text(path, source)
+            source.text, complaint = self._text(path, source)
         except Unreadable as error:
             if error.is_denied and self.root is not None and path not in self.asked:
                 self.closed += [source.name] * judged
             elif judged:
                 self.problems.append(Problem("unreadable", source.whole, str(error)))
             return None
+        if source.text or source.link is None:
+            source.template = template_language(source.name, source.text)
+        if self.held is not None:
+            source = self.held.shared(source)
+        if complaint and source.judged and source.kind not in _ANY_ENCODING:
+            self.problems.append(Problem("encoding", source.whole, complaint))
         return source
 
     def _text(self, path: str, source: Source) -> tuple[str, str]:
+        """The text of a file, and what was wrong with its encoding."""
         if os.path.islink(path):
             source.link = os.readlink(path)
             target = self._link_target(path)
             if target is None:
                 return "", ""
             path = str(target)
+        shown = None if self.held is None else self.held.texts.get(path)
+        if shown is not None and not os.path.lexists(path):
+            return shown, ""
         data, status = read_bytes(path)
         if self.root is not None and not (self._is_checkout and self.tracked(path)):
             source.mode = stat.S_IMODE(status.st_mode)
             source.uid, source.gid = status.st_uid, status.st_gid
         text, complaint = decode(data)
-        if complaint and source.judged and source.kind not in _ANY_ENCODING:
-            self.problems.append(Problem("encoding", source.whole, complaint))
-        return text, template_language(source.name, text)
+        return (text, complaint) if shown is None else (over(text, shown), "")
 
     def _link_target(self, path: str) -> Path | None:
         """The file behind a link, if it lies inside the tree."""
@@ -256,8 +268,13 @@ class Tree:
     def head(self, path: str, size: int) -> str:
         """The first bytes of a regular file as text; empty when there is nothing to read, and for a link."""
         if (path, size) not in self._heads:
-            self._heads[path, size] = read_head(path, size)
+            self._heads[path, size] = self.start(path, size)
         return self._heads[path, size]
+
+    def start(self, path: str, size: int) -> str:
+        """The same, asked once."""
+        shown = None if self.held is None else self.held.texts.get(path)
+        return read_head(path, size) if shown is None else shown[:size]
 
     @staticmethod
     def names_below(folder: str, depth: int) -> Iterator[str]:

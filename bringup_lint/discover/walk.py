@@ -10,11 +10,11 @@ from collections.abc import Iterable
 from collections.abc import Iterator
 from pathlib import Path
 
+from bringup_lint.discover.held import Held
 from bringup_lint.discover.kinds import HEAD_SIZE
 from bringup_lint.discover.kinds import kind_of
 from bringup_lint.discover.reading import decode
 from bringup_lint.discover.reading import describe
-from bringup_lint.discover.reading import read_head
 from bringup_lint.discover.roots import PASSED_OVER
 from bringup_lint.discover.roots import VENDOR_FOLDERS
 from bringup_lint.discover.roots import is_root
@@ -66,11 +66,12 @@ def discover(
     root: str | None = None,
     deploy: dict[str, str] | None = None,
     excluded: Excluded = lambda path: False,
+    held: Held | None = None,
 ) -> Tree:
     """Read everything below the paths that some kind claims, and the vendor's folders beside a root's /etc as
     context."""
     paths = list(paths)
-    tree = Tree(deploy=deploy or {})
+    tree = Tree(deploy=deploy or {}, held=held)
     if root is not None:
         tree.root = Path(root).absolute()
         tree.complete = True
@@ -207,7 +208,7 @@ def _read_walked(tree: Tree, path: str, walked: set[str], ignored: Collection[st
         return
     walked.add(path)
     tree.remember(path)
-    kind = kind_of(display_name(path), lambda: read_head(path, HEAD_SIZE))
+    kind = kind_of(display_name(path), lambda: tree.start(path, HEAD_SIZE))
     if not kind or (kind in _OF_PACKAGES and is_below(path, ignored)):
         return
     if os.path.islink(path) and not _is_meant(tree, path, kind):
@@ -271,7 +272,7 @@ def _read_named(tree: Tree, path: str, walked: set[str]) -> None:
         _unreadable(tree, path, error)
         return
     path = path if kind_of_link(path) else os.path.realpath(path)
-    kind = kind_of(display_name(path), lambda: read_head(path, HEAD_SIZE))
+    kind = kind_of(display_name(path), lambda: tree.start(path, HEAD_SIZE))
     source = tree.read(path, kind, judged=True)
     if source is not None and kind:
         tree.sources.append(source)

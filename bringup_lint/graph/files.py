@@ -10,8 +10,10 @@ from dataclasses import dataclass
 from dataclasses import field
 from datetime import date
 from functools import cached_property
+from types import FunctionType
 from typing import TYPE_CHECKING
 from typing import TypeVar
+from typing import cast
 
 from bringup_lint import budget
 from bringup_lint.budget import OutOfTime
@@ -89,7 +91,7 @@ class Files:
         for source in sources:
             try:
                 with limited(budget.FILE):
-                    models.append(parse(source))
+                    models.append(_model(parse, source))
             except Exception as error:
                 self.failures.append((source, error))
             except OutOfTime:
@@ -153,6 +155,17 @@ class Files:
 
         source = self.tree.find(robot_path)
         return next(iter(self.parsed(parse, [source])), None) if source else None
+
+
+def _model(parse: Callable[[Source], Model], source: Source) -> Model:
+    """The model of a source; the one of an earlier run where the source outlives a run. Only a function of a module is
+    known again: one with a context may answer otherwise the next time."""
+    known = cast("dict[object, Model] | None", source.models)
+    if known is None or not isinstance(parse, FunctionType) or parse.__closure__ or parse.__name__ == "<lambda>":
+        return parse(source)
+    if parse not in known:
+        known[parse] = parse(source)
+    return known[parse]
 
 
 def _source_of(place: Source | Located | Span) -> Source:

@@ -20,7 +20,7 @@ from tests.conftest import PROJECT
 LAYERS = (
     {"__main__"},
     {"cli"},
-    {"fleet"},
+    {"fleet", "server"},
     {"finish"},
     {"log_lines"},
     {"engine"},

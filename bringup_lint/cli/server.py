@@ -1,0 +1,43 @@
+"""``bringup-lint server``: speak the language server protocol with an editor."""
+
+from __future__ import annotations
+
+import threading
+from typing import TYPE_CHECKING
+
+import click
+
+from bringup_lint.cli.reporting import known_to
+
+if TYPE_CHECKING:
+    from bringup_lint.server.worker import Worker
+
+
+@click.command(context_settings={"help_option_names": ["-h", "--help"]})
+@click.option("--stdio", is_flag=True, help="Talk over standard input and output (always so).")
+def command(stdio: bool) -> int:
+    """Speak the language server protocol with an editor, over standard input and output.
+
+    Needs pygls: install bringup-lint[lsp].
+    """
+    try:
+        import pygls  # noqa: F401
+    except ImportError:
+        raise click.ClickException("the language server needs pygls: pip install 'bringup-lint[lsp]'") from None
+    from bringup_lint.server.worker import Worker
+
+    worker = Worker()
+    threading.Thread(target=_talk, args=(worker,), daemon=True).start()
+    worker.run()
+    return 0
+
+
+def _talk(worker: Worker) -> None:
+    from bringup_lint.registry import Registry
+    from bringup_lint.server.connection import serve
+    from bringup_lint.server.connection import standard_streams
+
+    try:
+        serve(worker, Registry.of(), known_to, *standard_streams())
+    finally:
+        worker.stop()
