@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from bisect import bisect_right
 from functools import cached_property
 
@@ -10,7 +9,9 @@ from lsprotocol.types import Position
 from lsprotocol.types import PositionEncodingKind
 from lsprotocol.types import Range
 
-_LINE_END = re.compile(r"\r\n|\n|\r")
+from bringup_lint.pattern import regex
+
+_LINE_END = regex(r"\r\n|\n|\r")
 _UNITS = {PositionEncodingKind.Utf8: ("utf-8", 1), PositionEncodingKind.Utf16: ("utf-16-le", 2)}
 """How a text is encoded to count its units, and the bytes of a unit."""
 _BOM = "\ufeff"
