@@ -26,6 +26,8 @@ from bringup_lint.server.diagnostics import diagnostics
 from bringup_lint.server.folder import Folder
 from bringup_lint.server.folder import Stale
 from bringup_lint.server.hover import hover
+from bringup_lint.server.navigation import definition
+from bringup_lint.server.navigation import document_links
 from bringup_lint.server.publisher import Published
 from bringup_lint.server.publisher import Timers
 from bringup_lint.server.publisher import result_id
@@ -125,6 +127,7 @@ def serve(worker: Worker, registry: Registry, known: Known, stdin: BinaryIO, std
     _documents(server)
     _diagnostics(server)
     _questions(server)
+    _navigation(server)
     server.start_io(stdin, stdout)
 
 
@@ -241,6 +244,19 @@ def _questions(server: Server) -> None:
     async def hovered(params: types.HoverParams) -> types.Hover | None:
         path = to_fs_path(params.text_document.uri) or ""
         return await server.ask(server.session.folder_of(path), lambda analysis: hover(analysis, path, params.position))
+
+
+def _navigation(server: Server) -> None:
+    @server.feature(types.TEXT_DOCUMENT_DEFINITION)
+    async def defined(params: types.DefinitionParams) -> list[types.Location]:
+        path = to_fs_path(params.text_document.uri) or ""
+        folder = server.session.folder_of(path)
+        return await server.ask(folder, lambda analysis: definition(analysis, path, params.position)) or []
+
+    @server.feature(types.TEXT_DOCUMENT_DOCUMENT_LINK)
+    async def links(params: types.DocumentLinkParams) -> list[types.DocumentLink]:
+        path = to_fs_path(params.text_document.uri) or ""
+        return await server.ask(server.session.folder_of(path), lambda analysis: document_links(analysis, path)) or []
 
 
 def standard_streams() -> tuple[BinaryIO, BinaryIO]:

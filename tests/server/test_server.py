@@ -140,3 +140,41 @@ def test_hover_shows_the_rule_and_the_graph(robot: Path) -> None:
             assert "etc/robot/cyclonedds.xml" in environment
 
     run(test())
+
+
+@pytest.mark.parametrize(
+    ("file", "word", "target"),
+    [
+        ("etc/systemd/system/robot.service", "/etc/robot/ros.env", "etc/robot/ros.env"),
+        ("etc/robot/ros.env", "/etc/robot/cyclonedds.xml", "etc/robot/cyclonedds.xml"),
+        ("etc/robot/cyclonedds.xml", "eth0", "etc/netplan/60-robot.yaml"),
+    ],
+)
+def test_a_word_leads_to_its_definition(robot: Path, file: str, word: str, target: str) -> None:
+    async def test() -> None:
+        async with editing(robot) as editor:
+            text = (robot / file).read_text("utf-8")
+            uri = editor.open(robot / file)
+            before = text[: text.index(word)]
+            place = types.Position(before.count("\n"), len(before.rpartition("\n")[2]) + 1)
+            found = await editor.text_document_definition_async(
+                types.DefinitionParams(types.TextDocumentIdentifier(uri), place)
+            )
+            assert isinstance(found, (list, tuple))
+            assert (robot / target).as_uri() in [each.uri for each in found if isinstance(each, types.Location)]
+
+    run(test())
+
+
+def test_words_that_name_files_are_links(robot: Path) -> None:
+    async def test() -> None:
+        async with editing(robot) as editor:
+            uri = editor.open(robot / "etc/systemd/system/robot.service")
+            links = await editor.text_document_document_link_async(
+                types.DocumentLinkParams(types.TextDocumentIdentifier(uri))
+            )
+            assert [(each.range.start.line, each.target) for each in links or []] == [
+                (7, (robot / "etc/robot/ros.env").as_uri())
+            ]
+
+    run(test())
