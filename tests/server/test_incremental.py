@@ -1,0 +1,50 @@
+"""A run that shares sources with the one before finds what a run from nothing finds, after any edits."""
+
+from __future__ import annotations
+
+import random
+from pathlib import Path
+
+import pytest
+
+from bringup_lint.registry import Registry
+from bringup_lint.server.analysis import Document
+from bringup_lint.server.analysis import uri_of
+from bringup_lint.server.folder import Folder
+from bringup_lint.server.folder import State
+from tests.conftest import PROJECT
+
+GUIDE = PROJECT / "fixtures/robots/guide/tree"
+EDITS = 6
+
+
+def edited(text: str, chance: random.Random) -> str:
+    """The text without a line, with one twice, or with a character in front of one."""
+    lines = text.splitlines(keepends=True)
+    at = chance.randrange(len(lines))
+    lines[at : at + 1] = chance.choice(([], [lines[at]] * 2, ["#" + lines[at]], [lines[at].upper()]))
+    return "".join(lines)
+
+
+def answer(folder: Folder, documents: dict[str, Document]) -> list[str]:
+    folder.change()
+    analysis = folder.check(State(folder.generation, documents))
+    return [repr((each.shown.rule, each.shown.message, analysis.range(each.finding.span))) for each in analysis.found]
+
+
+@pytest.mark.parametrize("seed", [1, 2])
+def test_edits_answer_as_from_nothing(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(GUIDE)
+    chance = random.Random(seed)
+    registry = Registry.of()
+    kept = Folder(str(GUIDE), registry, lambda config: frozenset())
+    documents: dict[str, Document] = {}
+    answer(kept, documents)
+    files = sorted(path for path in GUIDE.rglob("*") if path.suffix in (".service", ".yaml", ".xml", ".env", ".py"))
+    for number in range(EDITS):
+        path: Path = chance.choice(files)
+        shown = documents.get(str(path))
+        text = edited(shown.text if shown else path.read_text("utf-8"), chance)
+        documents[str(path)] = Document(uri_of(str(path)), text, number)
+        cold = Folder(str(GUIDE), registry, lambda config: frozenset())
+        assert answer(kept, documents) == answer(cold, documents), path
