@@ -9,7 +9,6 @@ from dataclasses import dataclass
 from dataclasses import field
 from dataclasses import replace
 from datetime import date
-from pathlib import Path
 from typing import Any
 from typing import NamedTuple
 
@@ -99,7 +98,7 @@ class Folder:
         return analysis
 
     def _config(self) -> Config:
-        path = find(Path(self.path))
+        path = find(Config().folder)
         config = read(path, named=False) if path else Config()
         return replace(config, **self.settings)
 
