@@ -33,7 +33,8 @@ def diagnostic(analysis: Analysis, found: Found) -> Diagnostic:
     finding, shown = found
     rule = analysis.rules.get(finding.rule)
     uri = doc_of(rule).uri if rule else ""
-    tags = [_TAGS[tag] for tag in (rule.meta.tags if rule else ()) if tag in _TAGS]
+    own = rule.meta.tags if rule else ()
+    tags = [_TAGS[tag] for tag in own if tag in _TAGS]
     others = zip((*finding.related, *finding.chain), (*shown.related, *shown.chain))
     return Diagnostic(
         range=analysis.range(finding.span),

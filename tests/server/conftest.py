@@ -64,6 +64,10 @@ class Editor(LanguageClient):
         super().__init__()
         self.versions: dict[str, int] = {}
 
+        @self.feature(types.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)
+        def receive(params: types.PublishDiagnosticsParams) -> None:
+            self.diagnostics[params.uri] = params.diagnostics
+
     def open(self, path: Path, text: str | None = None) -> str:
         uri = path.as_uri()
         shown = path.read_text("utf-8") if text is None else text
