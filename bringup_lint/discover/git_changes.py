@@ -11,12 +11,14 @@ import stat
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 from typing import Any
+from typing import cast
 
 from bringup_lint.discover.git_index import index_of
 from bringup_lint.discover.reading import Unreadable
 from bringup_lint.discover.reading import read_bytes
 
 if TYPE_CHECKING:
+    from dulwich.objects import Blob
     from dulwich.objects import Commit
     from dulwich.objects import Tree
     from dulwich.repo import Repo
@@ -132,7 +134,7 @@ def _commit(repository: Repo, revision: str) -> Commit:
 
 def _entries(repository: Repo, tree: bytes, folder: str, depth: int = 0) -> Iterator[tuple[str, int]]:
     """The paths and modes below a tree; submodules as one entry."""
-    for entry in repository[tree].items():
+    for entry in cast("Tree", repository[tree]).items():
         path = os.path.join(folder, os.fsdecode(entry.path))
         if stat.S_ISDIR(entry.mode) and depth < DEPTH_LIMIT:
             yield from _entries(repository, entry.sha, path, depth + 1)
@@ -144,7 +146,7 @@ def _found(repository: Repo, top: str, tree: bytes, path: str) -> tuple[int, byt
     """The mode and the content of a path in a tree, also in a submodule of it; None where it holds none."""
     parts = path.split(os.sep)
     for at, part in enumerate(parts, 1):
-        holder: Tree = repository[tree]
+        holder = cast("Tree", repository[tree])
         try:
             mode, hashed = holder[os.fsencode(part)]
         except KeyError:
@@ -152,7 +154,7 @@ def _found(repository: Repo, top: str, tree: bytes, path: str) -> tuple[int, byt
         if mode == _SUBMODULE:
             return _in_submodule(os.path.join(top, *parts[:at]), hashed, os.path.join(*parts[at:], ""))
         if not stat.S_ISDIR(mode):
-            return (mode, repository[hashed].data) if at == len(parts) else (0, None)
+            return (mode, cast("Blob", repository[hashed]).data) if at == len(parts) else (0, None)
         tree = hashed
     return 0, None
 
@@ -161,7 +163,7 @@ def _in_submodule(top: str, commit: bytes, path: str) -> tuple[int, bytes | None
     """What the commit holds that the repository around the submodule names; nothing where it is not here."""
     try:
         repository = _opened(top)
-        return _found(repository, top, repository[commit].tree, path.rstrip(os.sep))
+        return _found(repository, top, cast("Commit", repository[commit]).tree, path.rstrip(os.sep))
     except (KeyError, UnknownRevision):
         return 0, None
 

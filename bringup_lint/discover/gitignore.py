@@ -121,7 +121,7 @@ def pattern_of(line: str) -> _Pattern | None:
     text = text.rstrip("/")
     if not text:
         raise PatternError(f"'{line}' names nothing")
-    names = text.lstrip("/").split("/")
+    names = text.removeprefix("/").split("/")
     if "/" not in text:
         names.insert(0, _ANY_FOLDERS)
     below = len(names) > 1 and names[-1] == _ANY_FOLDERS

@@ -30,6 +30,7 @@ FOUND = {
         ("systemd/nav-slam.service", 16, "watchdog-without-notify"),
         ("systemd/nav-planning.service", 16, "watchdog-without-notify"),
         ("systemd/nav-grpc.service", 16, "watchdog-without-notify"),
+        ("systemd/nav-grpc.service", 12, "restart-unlimited"),
     },
     "cedbossneo__mowglinext": {
         ("ros2/systemd/mowgli.service", 26, "kill-mode"),
