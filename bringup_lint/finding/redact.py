@@ -57,7 +57,7 @@ def widened(mask: Mask | None, sources: Iterable[Source]) -> Mask | None:
 def _anywhere(secret: str) -> str:
     """A pattern for a secret in any text. A mere word is left alone in a longer name, such as that of a package."""
     pattern = re.escape(secret)
-    return f"(?<!_){pattern}(?!_)" if _WORD.fullmatch(secret) else pattern
+    return f"(?<![_-]){pattern}(?![_-])" if _WORD.fullmatch(secret) else pattern
 
 
 class Mask:

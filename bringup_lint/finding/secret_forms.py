@@ -25,7 +25,7 @@ class Form(NamedTuple):
 
 
 _NAMES = ("pass", "psk", "secret", "token", "credential", "key", "pwd")
-NAME = r"""(?:pass(?:word|wd|phrase|wort|code)|(?<![a-z])pass|(?<![a-z])pwd|psk|secret|token
+NAME = r"""(?:(?<!no)pass(?:word|wd|phrase|wort|code)|(?<![a-z])pass|(?<![a-z])pwd|psk|secret|token
     |(?<!set)(?<!import)(?<!load)credential
     |(?:api|access|auth|private|secret|encryption|signing|shared|account|master|license|wpa|service)[_-]?key
     |wep[_-]?key\d?)"""

@@ -135,6 +135,7 @@ READABLE = (
     "password: !vault",
     "password:=$(var password)",
     "-p password:=$PASSWORD",
+    "rover ALL=(root) NOPASSWD: /usr/sbin/ip",
     "PasswordAuthentication no",
     "PermitEmptyPasswords no",
     "token_timeout: 30",
