@@ -66,6 +66,7 @@ def test_head_counts_for_the_file_as_a_whole() -> None:
     assert not only("<a>\n<!-- bringup-lint: ignore[a/b]: why -->\n<b/></a>\n", "fastdds").head
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("unit", ["# bringup-lint: ignore[", "# bringup-lint: ignore[a]: b ", "<!-- bringup-lint: "])
 @pytest.mark.parametrize("end", ["", "\n", " \\\n"])
 @pytest.mark.parametrize("kind", ["systemd-unit", "fastdds", "netplan", "shell-script", "launch-python"])
