@@ -64,7 +64,11 @@ def test_an_interrupt_is_130(tree: Path, monkeypatch: pytest.MonkeyPatch) -> Non
         signal.raise_signal(signal.SIGINT)
 
     monkeypatch.setattr(engine, "run", interrupted)
-    assert lint("a.service", cwd=tree).code == 130
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        assert lint("a.service", cwd=tree).code == 130
+    finally:
+        signal.signal(signal.SIGINT, before)
 
 
 def test_what_nothing_isolates_is_one_line(tree: Path, monkeypatch: pytest.MonkeyPatch) -> None:
