@@ -2,7 +2,7 @@
 
 ``--update-expected`` rewrites them. An example is a code block below a comment that says how it was made:
 ``<!-- example: bringup-lint --select x . -->``, with ``in FOLDER`` before the colon when it runs elsewhere
-than in the project, and ``| /runs/0`` (a JSON pointer) behind it when only a part of the output is shown.
+than in the project, and ``| /runs/0`` (a JSON pointer) after it when only a part of the output is shown.
 ``<!-- picture NAME: bringup-lint ... -->`` draws the output instead.
 """
 
@@ -27,7 +27,7 @@ CONTRIBUTING = PROJECT / "CONTRIBUTING.md"
 PAGES = [*PROJECT.glob("*.md"), *(PROJECT / "docs").rglob("*.md")]
 EXAMPLE = re.compile(
     r"<!-- example(?: in (?P<folder>\S+))?: bringup-lint (?P<arguments>[^|>]*?)(?: \| (?P<pointer>\S+))? -->"
-    r"\n```\w+\n(?P<output>.*?)```\n",
+    r"\n(?P<fence>`{3,})\w+\n(?P<output>.*?)(?P=fence)\n",
     re.DOTALL,
 )
 PICTURE = re.compile(r"<!-- picture (?P<name>\S+)(?: in (?P<folder>\S+))?: bringup-lint (?P<arguments>.*?) -->\n")
@@ -70,7 +70,7 @@ def test_examples_are_true(page: Path, update_expected: bool) -> None:
         if update_expected:
             text = text[:start] + shown(example) + text[end:]
             page.write_text(text, "utf-8")
-        assert text[start:].startswith(shown(example) + "```"), example["arguments"]
+        assert text[start:].startswith(shown(example) + example["fence"]), example["arguments"]
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
@@ -109,8 +109,8 @@ def committed(folder: Path) -> None:
 def test_commands_run(command: str, tmp_path: Path) -> None:
     shutil.copytree(PROJECT / "docs" / "example", tmp_path / "robot")
     arguments = [ELSEWHERE.get(word, word) for word in shlex.split(command)]
-    if arguments[0] == "live":
-        arguments.append("--help")  # which robot would be running here?
+    if arguments[0] in ("live", "server"):
+        arguments.append("--help")  # which robot would be running here, and which editor?
     if "--since" in arguments:
         pytest.importorskip("dulwich")
         committed(tmp_path / "robot")
