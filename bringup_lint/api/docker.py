@@ -7,6 +7,8 @@ from bringup_lint.graph.devcontainers import Broken
 from bringup_lint.graph.devcontainers import broken_references
 from bringup_lint.graph.image_use import is_deployed
 from bringup_lint.graph.images import can_be_pulled
+from bringup_lint.graph.runners.containers import image_user
+from bringup_lint.graph.runners.containers import user_name
 from bringup_lint.graph.runners.runner import Runner
 from bringup_lint.model.dockerfile import Dockerfile
 from bringup_lint.model.dockerfile import Stage
@@ -16,6 +18,8 @@ from bringup_lint.model.image_build import image_name
 from bringup_lint.parsers.dockerfile import assignments
 from bringup_lint.parsers.dockerfile import commands_of
 from bringup_lint.parsers.dockerfile import commands_of_run
+from bringup_lint.parsers.dockerfile_variables import expanded
+from bringup_lint.parsers.dockerfile_variables import last_user
 
 __all__ = [
     "Broken",
@@ -27,9 +31,13 @@ __all__ = [
     "can_be_pulled",
     "commands_of",
     "commands_of_run",
+    "expanded",
     "image_name",
+    "image_user",
     "is_deployed",
     "lacking_sources",
+    "last_user",
     "runs_as_root",
     "stays_in_shell",
+    "user_name",
 ]

@@ -16,7 +16,6 @@ from bringup_lint.model.compose import ComposeFile
 from bringup_lint.model.compose import Service
 from bringup_lint.model.compose import is_variable
 from bringup_lint.model.dockerfile import Stage
-from bringup_lint.model.dockerfile import runs_as_root
 from bringup_lint.model.schema import Code
 from bringup_lint.model.schema import Remark
 from bringup_lint.parsers.compose import parse
@@ -78,28 +77,6 @@ class Compose:
                 lines = (value for source in self.env_files(service) for value in _assigned(source, name))
                 found += [(name, value) for value in list(lines)[-1:]]
         return found
-
-    def image_user(self, service: Service) -> str | None:
-        """The user of the image: root for official images, the last USER of a Dockerfile, else None."""
-        stage = self.stage(service)
-        if stage is not None:
-            user = stage.last("USER")
-            if user is not None:
-                return user.value.partition(":")[0]
-            return "root" if runs_as_root(stage.origin) else None
-        image = service.image
-        return "root" if service.build is None and image is not None and runs_as_root(image) else None
-
-    def stop_signal(self, service: Service) -> str | None:
-        """The signal that stops the service, in the words of its file or image; None when its image is not known."""
-        own = service.scalar("stop_signal")
-        if own is not None:
-            return str(own)
-        stage = self.stage(service)
-        if stage is not None:
-            return stage.stop_signal
-        image = service.image
-        return "SIGTERM" if service.build is None and image is not None and runs_as_root(image) else None
 
     def stage(self, service: Service) -> Stage | None:
         """The stage that the service's image is built from, when its Dockerfile is in the tree: its own, or that of

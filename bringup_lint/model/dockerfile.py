@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterator
+from collections.abc import Mapping
 from dataclasses import dataclass
 from dataclasses import field
 from functools import cached_property
@@ -59,6 +60,8 @@ class Stage:
     """The earlier stage that it builds on; None for an image from elsewhere."""
     resolved: str = ""
     """The image with the defaults of global ARGs put in; a variable without default stays as written."""
+    arguments: Mapping[str, Located | None] = field(default_factory=dict)
+    """The global ARGs of the file, with their defaults: an ARG of the stage without a default takes these."""
 
     def all(self, *names: str) -> Iterator[Instruction]:
         return (instruction for instruction in self.instructions if instruction.name in names)
@@ -84,14 +87,6 @@ class Stage:
         """The image at the bottom of the chain."""
         return list(self.chain)[-1].resolved
 
-    @property
-    def stop_signal(self) -> str | None:
-        """The signal that stops its container; None when an image that is not known may set it."""
-        instruction = self.last("STOPSIGNAL")
-        if instruction is not None:
-            return str(instruction.value)
-        return "SIGTERM" if runs_as_root(self.origin) else None
-
 
 @dataclass(eq=False)
 class Dockerfile:
@@ -115,12 +110,18 @@ class Dockerfile:
 
     def expand(self, text: str) -> str:
         """Put in the defaults of the global arguments; an empty one has to be given to the build."""
+        return substituted(text, self.arguments)
 
-        def value(match: re.Match[str]) -> str:
-            default = self.arguments.get(match["braced"] or match["plain"])
-            return str(default or match["default"] or match[0])
 
-        return _VARIABLE.sub(value, text)
+def substituted(text: str, values: Mapping[str, str | None]) -> str:
+    """Put in the values of variables. One that is empty or has no value gets its ``:-`` default, else it stays as it
+    is written."""
+
+    def value(match: re.Match[str]) -> str:
+        found = values.get(match["braced"] or match["plain"])
+        return str(found or match["default"] or match[0])
+
+    return _VARIABLE.sub(value, text)
 
 
 _EXEC = regex(r"(?:^|&&|;)\s*exec\s")

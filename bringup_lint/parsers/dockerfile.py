@@ -68,6 +68,7 @@ def _add_stage(file: Dockerfile, instruction: Instruction) -> None:
         return
     name = words[2] if len(words) > 2 and words[1].lower() == "as" else None
     stage = Stage(instruction, words[0], name)
+    stage.arguments = file.arguments
     stage.resolved = file.expand(words[0])
     stage.base = file.stage(stage.resolved)
     file.stages.append(stage)

@@ -49,8 +49,13 @@ def root_user(robot: Robot) -> Iterator[Finding]:
     for file in robot.compose.files:
         services = [service for service in robot.compose.whole_services if service.source is file.source]
         own = [service for service in services if service.user is not None]
-        yield from _chosen([service for service in own if str(service.user).partition(":")[0] in ("root", "0")])
+        yield from _chosen([service for service in own if _is_root(robot, service)])
         yield from _left_to_image(robot, [service for service in services if service.user is None])
+
+
+def _is_root(robot: Robot, service: Service) -> bool:
+    runner = robot.runners.of_service(service)
+    return runner is not None and runner.user == "root"
 
 
 def _chosen(services: list[Service]) -> Iterator[Finding]:
@@ -64,7 +69,7 @@ def _left_to_image(robot: Robot, services: list[Service]) -> Iterator[Finding]:
     for service in services:
         if robot.compose.stage(service) is not None:
             continue
-        if robot.compose.image_user(service) == "root":
+        if _is_root(robot, service):
             images.setdefault(str(service.image), []).append(service)
         else:
             yield finding(service.name, f"Service '{service.name}' sets no user", advice=ADVICE, severity="info")

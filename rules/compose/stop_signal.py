@@ -48,11 +48,12 @@ LAUNCH = regex(r"\bros2[\s\",\[\]]+launch\b")
 def stop_signal(robot: Robot) -> Iterator[Finding]:
     for service in robot.compose.whole_services:
         launch = service.launches
-        if launch is None or launch.span.start < service.body.span.start or service.scalar("stop_signal") is not None:
+        runner = robot.runners.of_service(service)
+        if launch is None or launch.span.start < service.body.span.start or runner is None:
             continue
-        if robot.compose.stop_signal(service) not in ("SIGTERM", "TERM", "15"):
+        if service.scalar("stop_signal") is not None or runner.stop.signal not in ("SIGTERM", "TERM", "15"):
             continue
-        if _said_in_dockerfile(robot.compose.stage(service)):
+        if _said_in_dockerfile(runner.stage):
             continue
         yield finding(
             launch,

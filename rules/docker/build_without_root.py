@@ -30,7 +30,6 @@ When the user has the id 0 under another name.
 """
 
 from collections.abc import Iterator
-from collections.abc import Mapping
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
@@ -40,12 +39,13 @@ from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.docker import Stage
-from bringup_lint.api.docker import assignments
 from bringup_lint.api.docker import commands_of
 from bringup_lint.api.docker import commands_of_run
+from bringup_lint.api.docker import expanded
+from bringup_lint.api.docker import last_user
+from bringup_lint.api.docker import user_name
 from bringup_lint.api.shell import Command
 
-ROOT = regex(r"(?:root|0+)(?::.*)?$")
 ACCOUNTS = ("useradd", "groupadd", "usermod", "adduser", "addgroup")
 SYSTEM = regex(r"/(?:etc|usr|opt)/")
 OPENS = ("chown", "chmod", "setfacl")
@@ -59,38 +59,35 @@ def build_without_root(robot: Robot) -> Iterator[Finding]:
 
 
 def _judged(stage: Stage) -> Iterator[Finding]:
-    before = stage.base.last("USER") if stage.base else None
-    user = _without_root(before.value, {}) if before else None
-    defaults: dict[str, Located] = {}
+    user = _without_root(last_user(stage.base)) if stage.base else None
     opened = any(command.name in OPENS for base in list(stage.chain)[1:] for command in commands_of(base))
-    for instruction in stage.all("ARG", "USER", "RUN", "SHELL"):
-        if instruction.name == "ARG":
-            defaults.update(assignments(instruction))
-            continue
+    for instruction in stage.all("USER", "RUN", "SHELL"):
         if instruction.name == "SHELL":
             return
         if instruction.name == "USER":
-            user = _without_root(instruction.value, defaults)
+            user = _without_root(expanded(stage, instruction))
             continue
         commands = list(commands_of_run(instruction))
         opened = opened or any(command.name in OPENS for command in commands)
         bad = next((each for command in commands if (each := _needs_root(command, opened))), None)
         if user is not None and bad is not None:
-            hidden = _hidden(commands)
-            yield finding(
-                bad,
-                f"'{bad}' runs as {user} and needs root: "
-                + ("the failure is hidden and the image lacks its result" if hidden else "the build stops"),
-                advice="move it before USER, or switch to USER root for it",
-                related=[note(user, "the user of the steps after it")],
-                severity="warning" if hidden else None,
-            )
+            yield _finding(bad, user, hidden=_hidden(commands))
 
 
-def _without_root(user: Located, defaults: Mapping[str, Located]) -> Located | None:
-    """The user of USER, if it is not root; that of a build argument is its default."""
-    user = defaults.get(user.strip("${}"), user) if user.startswith("$") else user
-    return None if not user or ROOT.match(user) or "$" in user else user
+def _finding(bad: Located, user: Located, *, hidden: bool) -> Finding:
+    consequence = "the failure is hidden and the image lacks its result" if hidden else "the build stops"
+    return finding(
+        bad,
+        f"'{bad}' runs as {user} and needs root: {consequence}",
+        advice="move it before USER, or switch to USER root for it",
+        related=[note(user, "the user of the steps after it")],
+        severity="warning" if hidden else None,
+    )
+
+
+def _without_root(user: Located | None) -> Located | None:
+    """The user of USER, if it is known and not root."""
+    return user if user and user_name(user) not in (None, "root") else None
 
 
 def _needs_root(command: Command, opened: bool) -> Located | None:

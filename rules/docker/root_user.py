@@ -49,8 +49,9 @@ from bringup_lint.api.compose import Service
 from bringup_lint.api.compose import reach
 from bringup_lint.api.docker import Stage
 from bringup_lint.api.docker import can_be_pulled
+from bringup_lint.api.docker import image_user
 from bringup_lint.api.docker import is_deployed
-from bringup_lint.api.docker import runs_as_root
+from bringup_lint.api.docker import last_user
 
 DROPS = regex(r"\b(?:gosu|su-exec|setpriv|runuser|fixuid)\b")
 SYSTEMD = regex(r"/(?:s?bin/init|lib/systemd/systemd)\b")
@@ -71,13 +72,15 @@ def root_user(robot: Robot) -> Iterator[Finding]:
 
 
 def _of(stage: Stage, services: list[Service], lowered: bool) -> Iterator[Finding]:
-    user = stage.last("USER")
+    user = last_user(stage)
     far = max((reach(service) for service in services), key=len, default="")
     related = [note(service.name, "runs this image") for service in services]
-    if user is not None and user.value.partition(":")[0] in ("root", "0"):
+    if image_user(stage) != "root":
+        return
+    if user is not None:
         message, advice = f"The container runs as root{far}", "end with USER and an unprivileged user"
-        yield finding(user.value, message, advice=advice, related=related, severity="info" if lowered else None)
-    elif user is None and runs_as_root(stage.origin):
+        yield finding(user, message, advice=advice, related=related, severity="info" if lowered else None)
+    else:
         why = f"{stage.origin} sets no USER, and neither does this file"
         yield finding(
             stage.start.keyword,

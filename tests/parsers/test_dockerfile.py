@@ -5,6 +5,8 @@ from hypothesis import strategies as st
 
 from bringup_lint.model.dockerfile import Dockerfile
 from bringup_lint.parsers.dockerfile import parse
+from bringup_lint.parsers.dockerfile_variables import last_user
+from bringup_lint.parsers.dockerfile_variables import variables
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 
@@ -103,3 +105,32 @@ def test_no_text_raises_and_every_span_lies_inside(text):
     for place in places:
         span = place if isinstance(place, Span) else place.span
         assert 0 <= span.start <= span.end <= len(text)
+
+
+def test_variables_have_the_values_that_a_build_gives_them():
+    file = read(
+        "ARG DISTRO=jazzy\nFROM ros:$DISTRO AS base\nARG NAME=root\nENV PILOT=$NAME\nENV NAME=heron\n"
+        "FROM base\nARG DISTRO\nARG NAME=owl\nARG OTHER\nENV SETUP=/opt/ros/$DISTRO NEXT=${OTHER:-none}\n"
+    )
+    base, final = file.stages
+    assert variables(base) == {"NAME": "heron", "PILOT": "root"}
+    assert variables(final) == {
+        "DISTRO": "jazzy",
+        "NAME": "heron",
+        "PILOT": "root",
+        "SETUP": "/opt/ros/jazzy",
+        "NEXT": "none",
+    }
+
+
+def test_the_user_of_an_image():
+    def user(text: str) -> str | None:
+        stage = read(text).final
+        found = last_user(stage)
+        return None if found is None else str(found)
+
+    assert user("ARG WHO=heron\nFROM ros\nARG WHO\nUSER ${WHO}:dialout\nFROM 0") is None
+    assert user("FROM ros AS base\nARG WHO=heron\nUSER ${WHO}:dialout\nARG WHO=owl\nFROM base\nARG WHO=crow") == (
+        "heron:dialout"
+    )
+    assert user("FROM ros\nUSER $WHO") == "$WHO"

@@ -15,11 +15,14 @@ from bringup_lint.graph.commands.following import follow
 from bringup_lint.graph.commands.shells import SHELLS
 from bringup_lint.graph.commands.wrappers import unwrapped
 from bringup_lint.graph.files import Files
+from bringup_lint.graph.runners.runner import DEFAULT_STOP
+from bringup_lint.graph.runners.runner import Stop
 from bringup_lint.model.compose import Service
 from bringup_lint.model.dockerfile import Instruction
 from bringup_lint.model.dockerfile import Stage
 from bringup_lint.model.dockerfile import runs_as_root
 from bringup_lint.parsers.dockerfile import assignments
+from bringup_lint.parsers.dockerfile_variables import last_user
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
@@ -77,6 +80,32 @@ def image_environment(stage: Stage | None, image: str | None = None) -> Environm
         for variable in image_variables(one):
             environment.set(variable)
     return environment
+
+
+def image_user(stage: Stage | None, image: str | None = None) -> str | None:
+    """The user that an image runs as; None when it is not known. Either its stage or its name may be unknown."""
+    set_user = last_user(stage) if stage is not None else None
+    if set_user is not None:
+        return user_name(set_user)
+    origin = stage.origin if stage is not None else image
+    return "root" if origin is not None and runs_as_root(origin) else None
+
+
+def user_name(text: str) -> str | None:
+    """The user in ``USER:GROUP``, ``root`` for the id 0; None when a variable hides it."""
+    name = text.partition(":")[0]
+    if "$" in name or not name:
+        return None
+    return "root" if not name.strip("0") else name
+
+
+def image_stop(stage: Stage | None, image: str | None = None) -> Stop:
+    """How an image wants to be stopped. What an image from elsewhere sets is only known of the official ones."""
+    instruction = stage.last("STOPSIGNAL") if stage is not None else None
+    if instruction is not None:
+        return Stop(str(instruction.value), None, instruction.value)
+    origin = stage.origin if stage is not None else image
+    return DEFAULT_STOP if origin is not None and runs_as_root(origin) else Stop(None)
 
 
 def mounted(files: Files, service: Service, path: str) -> Source | None:

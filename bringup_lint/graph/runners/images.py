@@ -9,14 +9,14 @@ from bringup_lint.graph.files import Files
 from bringup_lint.graph.runners.containers import container_line
 from bringup_lint.graph.runners.containers import copied
 from bringup_lint.graph.runners.containers import image_environment
+from bringup_lint.graph.runners.containers import image_stop
+from bringup_lint.graph.runners.containers import image_user
 from bringup_lint.graph.runners.containers import words_of
 from bringup_lint.graph.runners.layers import Layers
 from bringup_lint.graph.runners.runner import Runner
 from bringup_lint.graph.runners.runner import RunnerKind
-from bringup_lint.graph.runners.runner import Stop
 from bringup_lint.model.dockerfile import Dockerfile
 from bringup_lint.model.dockerfile import Stage
-from bringup_lint.model.dockerfile import runs_as_root
 from bringup_lint.source import Source
 
 
@@ -47,7 +47,6 @@ def _of(files: Files, file: Dockerfile, stage: Stage) -> Runner:
 
     line = container_line([*words_of(stage.last("ENTRYPOINT")), *words_of(stage.last("CMD"))], reads)
     lines = [] if line is None else [line]
-    signal, user = stage.last("STOPSIGNAL"), stage.last("USER")
     return Runner(
         RunnerKind.IMAGE,
         f"the image of {file.source.basename}",
@@ -57,8 +56,8 @@ def _of(files: Files, file: Dockerfile, stage: Stage) -> Runner:
         main=lines,
         runs_ros=any(line.ros for line in lines),
         system=file.source.name,
-        user=str(user.value.partition(":")[0]) if user else "root" if runs_as_root(stage.origin) else None,
-        stop=Stop(stage.stop_signal, None, signal.value if signal else None),
+        user=image_user(stage),
+        stop=image_stop(stage),
         purpose=files.purpose(file.source),
         stage=stage,
         reads=reads,

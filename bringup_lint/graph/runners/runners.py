@@ -27,6 +27,7 @@ from bringup_lint.source import Span
 
 if TYPE_CHECKING:
     from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.model.compose import Service
 
 _SUPERVISING = ("systemd-unit", "systemd-dropin", "compose", "dockerfile", "supervisord", "cron")
 
@@ -66,6 +67,14 @@ class Runners:
         if runner.kind is not RunnerKind.SCRIPT:
             return True
         return any(runner.source.basename in each.text for each in self.files.of_kind(*_SUPERVISING))
+
+    def of_service(self, service: Service) -> Runner | None:
+        """The runner of a compose service; None when its file is not judged."""
+        return self._by_service.get(service)
+
+    @cached_property
+    def _by_service(self) -> dict[Service, Runner]:
+        return {runner.service: runner for runner in self.all if runner.service is not None}
 
     def launching(self, file: LaunchFile) -> list[Launching]:
         """Those that start a launch file."""

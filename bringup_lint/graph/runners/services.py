@@ -11,7 +11,10 @@ from bringup_lint.graph.files import Files
 from bringup_lint.graph.runners.containers import container_line
 from bringup_lint.graph.runners.containers import copied
 from bringup_lint.graph.runners.containers import image_environment
+from bringup_lint.graph.runners.containers import image_stop
+from bringup_lint.graph.runners.containers import image_user
 from bringup_lint.graph.runners.containers import mounted
+from bringup_lint.graph.runners.containers import user_name
 from bringup_lint.graph.runners.containers import words_of
 from bringup_lint.graph.runners.layers import Layers
 from bringup_lint.graph.runners.runner import Runner
@@ -54,8 +57,8 @@ def _of(files: Files, compose: Compose, service: Service) -> Runner:
         main=lines,
         runs_ros=service.is_ros or starts_ros,
         system=service.source.name,
-        user=str(service.user.partition(":")[0]) if service.user else compose.image_user(service),
-        stop=_stop(compose, service, stage),
+        user=user_name(service.user) if service.user else image_user(stage, _pulled(service)),
+        stop=_stop(service, stage),
         restarts=service.restarts,
         environment_files=tuple(_environment_files(files, service)),
         purpose=files.purpose(service.name, str(service.name), *map(str, service.items("profiles"))),
@@ -83,15 +86,22 @@ def _words(service: Service, stage: Stage | None) -> list[Located]:
     return [*entrypoint, *command]
 
 
-def _stop(compose: Compose, service: Service, stage: Stage | None) -> Stop:
-    instruction = stage.last("STOPSIGNAL") if stage else None
-    where = service.scalar("stop_signal") or (instruction.value if instruction else None)
-    return Stop(compose.stop_signal(service), service.stop_grace or DEFAULT_GRACE, where)
+def _pulled(service: Service) -> Located | None:
+    """The image of a service that builds none."""
+    return service.image if service.build is None else None
+
+
+def _stop(service: Service, stage: Stage | None) -> Stop:
+    seconds = service.stop_grace or DEFAULT_GRACE
+    own = service.scalar("stop_signal")
+    if own is not None:
+        return Stop(str(own), seconds, own)
+    return image_stop(stage, _pulled(service))._replace(seconds=seconds)
 
 
 def _environment(compose: Compose, service: Service, stage: Stage | None) -> Environment:
     """Dockerfile ENV, then env files, then ``environment:``."""
-    environment = image_environment(stage, service.image if service.build is None else None)
+    environment = image_environment(stage, _pulled(service))
     environment.complete &= not compose.extends_elsewhere(service)
     sources = compose.env_files(service)
     environment.complete &= len(sources) == len(service.env_files)
