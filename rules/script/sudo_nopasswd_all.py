@@ -3,8 +3,8 @@
 ## What it finds
 In a sudoers file, or in what a script writes to one:
 
-- A line `USER ALL=(ALL) NOPASSWD: ALL`.
-- A line `ALL ALL=(ALL) NOPASSWD: COMMAND`: every user and service of the robot may run the command as root.
+- A line `USER ALL=(ALL) NOPASSWD: ALL`, with other commands beside `ALL` or without.
+- A line `ALL ALL=(ALL) NOPASSWD: COMMAND, ...`: every user and service of the robot may run the commands as root.
 
 ## Why it matters on a robot
 Whatever runs as this user is root: a node with a hole, a web interface, a USB stick that types. File permissions,
@@ -32,19 +32,18 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-RULE = regex(
+AS_ROOT = regex(
     r"^[ \t]*(?P<who>[%+\w.{}-]+(?: +[%+\w.{}-]+)*?)[ \t]+\S+[ \t]*=[ \t]*(?:\((?:ALL|root)[^)\n]*\)[ \t]*)?"
-    r"(?P<what>NOPASSWD:[ \t]*ALL)[ \t]*$",
+    r"(?P<what>NOPASSWD:[ \t]*(?P<commands>[^ \t\n][^\n]*))$",
     re.M,
 )
-EVERYBODY = regex(
-    r"^[ \t]*ALL[ \t]+\S+[ \t]*=[ \t]*(?:\((?:ALL|root)[^)\n]*\)[ \t]*)?NOPASSWD:[ \t]*(?P<command>/[^\s,]+)", re.M
-)
+TAGGED = regex(r"\s*(?P<tags>(?:[A-Z_]+:\s*)*)(?P<command>.*)")
 
 
 @rule("warning", tags=["CWE-250", "CWE-269"])
@@ -52,16 +51,43 @@ def sudo_nopasswd_all(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("sudoers"):
         if not source.judged:
             continue
-        for match in RULE.finditer(source.text):
-            who = "a user" if "{" in match["who"] else match["who"]
-            yield finding(
-                source.located(*match.span("what")),
-                f"Every program that runs as {who} can become root without a password",
-                advice="name the commands that are needed, with their full paths and arguments",
-            )
-        for match in EVERYBODY.finditer(source.text):
-            yield finding(
-                source.located(*match.span("command")),
-                f"Every user and service can run {match['command']} as root without a password",
-                advice="name the user that needs it in place of the first ALL",
-            )
+        for match in AS_ROOT.finditer(source.text):
+            what = source.located(*match.span("what")).strip_located()
+            yield from _judged(match["who"], what, source.located(*match.span("commands")).strip_located())
+
+
+def _judged(who: str, what: Located, text: Located) -> Iterator[Finding]:
+    commands = list(_without_password(text))
+    if "ALL" in commands and not any(command.startswith("!") for command in commands):
+        yield finding(
+            what,
+            f"Every program that runs as {_user(who)} can become root without a password",
+            advice="name the commands that are needed, with their full paths and arguments",
+        )
+        return
+    programs = list(dict.fromkeys(command.split()[0] for command in commands if command.startswith("/")))
+    if who == "ALL" and programs:
+        yield finding(
+            text,
+            f"Every user and service can run {' and '.join(programs)} as root without a password",
+            advice="name the user that needs it in place of the first ALL",
+        )
+
+
+def _without_password(text: str) -> Iterator[str]:
+    """The commands of a list that starts with NOPASSWD:. A tag holds until its opposite."""
+    free = True
+    for item in text.split(","):
+        tagged = TAGGED.match(item)
+        if tagged is None:
+            continue
+        tags = tagged["tags"].replace(":", " ").split()
+        free = "NOPASSWD" in tags or (free and "PASSWD" not in tags)
+        if free:
+            yield tagged["command"].strip()
+
+
+def _user(who: str) -> str:
+    if who == "ALL":
+        return "any user"
+    return "a user" if "{" in who else who
