@@ -41,9 +41,10 @@ from bringup_lint.graph.systemd.network_online import too_early
 from bringup_lint.graph.systemd.open_access import open_access
 from bringup_lint.graph.systemd.process import Process
 from bringup_lint.graph.systemd.restart import RestartPolicy
-from bringup_lint.graph.systemd.restart_loop import Loop
+from bringup_lint.graph.systemd.restart_loop import CrashLoop
 from bringup_lint.graph.systemd.restart_loop import Outcome
-from bringup_lint.graph.systemd.restart_loop import restart_loop
+from bringup_lint.graph.systemd.restart_loop import crash_loops
+from bringup_lint.graph.systemd.restart_loop import sufficient_limit
 from bringup_lint.graph.systemd.sandbox import Sandbox
 from bringup_lint.graph.systemd.sandbox import View
 from bringup_lint.graph.systemd.settings import duration
@@ -66,6 +67,7 @@ __all__ = [
     "ONLINE",
     "Assignment",
     "Command",
+    "CrashLoop",
     "Cycle",
     "Defect",
     "DockerStart",
@@ -77,7 +79,6 @@ __all__ = [
     "Line",
     "LogAccess",
     "LogDirectory",
-    "Loop",
     "Misspelt",
     "NeedlessRoot",
     "Obstacle",
@@ -97,6 +98,7 @@ __all__ = [
     "View",
     "Work",
     "changes_user",
+    "crash_loops",
     "delete_lines",
     "directives",
     "docker_starts",
@@ -118,8 +120,8 @@ __all__ = [
     "open_access",
     "paths",
     "reads_display_of_root",
-    "restart_loop",
     "sets_priority",
+    "sufficient_limit",
     "too_early",
     "unstartable",
 ]

@@ -58,33 +58,21 @@ operator plugs in. A RestartSec= of a minute or more, or RestartSteps=, makes th
 - systemd, src/basic/ratelimit.c: the limit trips on start number burst + 1 within the interval
 """
 
-import math
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Fix
-from bringup_lint.api import Place
 from bringup_lint.api import Related
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.systemd import Loop
+from bringup_lint.api.systemd import CrashLoop
 from bringup_lint.api.systemd import Outcome
-from bringup_lint.api.systemd import RestartPolicy
-from bringup_lint.api.systemd import Unit
+from bringup_lint.api.systemd import crash_loops
 from bringup_lint.api.systemd import duration
-from bringup_lint.api.systemd import restart_loop
-
-
-class Crash(NamedTuple):
-    """A service, and what becomes of it when it fails again and again."""
-
-    unit: Unit
-    policy: RestartPolicy
-    loop: Loop
+from bringup_lint.api.systemd import sufficient_limit
 
 
 @rule(
@@ -97,62 +85,31 @@ class Crash(NamedTuple):
     ],
 )
 def restart_unlimited(robot: Robot) -> Iterator[Finding]:
-    loops = list(_loops(robot))
-    by_default = [each for each in loops if _rests_on_default(each)]
-    for each in loops:
-        if each not in by_default:
-            yield _finding(each, [])
-        elif each is by_default[0]:
-            yield _finding(each, by_default[1:])
+    for crash, others in crash_loops(robot.units):
+        also = [note(other.cause or other.unit.where, f"{other.unit.name} as well") for other in others]
+        yield finding(
+            crash.cause or crash.unit.where,
+            _message(crash),
+            advice=_advice(crash),
+            related=[*_settings(crash), *also],
+            fix=_limit(crash) if crash.unit.editable else None,
+            severity="warning" if crash.loop.is_unwanted else "info",
+            confidence="high" if crash.policy.never_trips else "medium",
+        )
 
 
-def _loops(robot: Robot) -> Iterator[Crash]:
-    for unit in robot.units.services:
-        policy = robot.units.restart(unit)
-        loop = restart_loop(unit, policy, robot.units)
-        if loop is not None:
-            yield Crash(unit, policy, loop)
-
-
-def _rests_on_default(crash: Crash) -> bool:
-    """Whether the default limit is what a service counts on, the same cause in all such services of a robot."""
-    return crash.loop.outcome is Outcome.NEVER_TRIPS and crash.loop.is_unwanted and not crash.policy.own_limit
-
-
-def _finding(crash: Crash, others: list[Crash]) -> Finding:
-    unit, policy, loop = crash
-    where = _where(policy) or unit.where
-    also = [note(_where(other.policy) or other.unit.where, f"{other.unit.name} as well") for other in others]
-    return finding(
-        where,
-        _message(loop, policy, unit),
-        advice=_advice(loop, policy),
-        related=[*_parts(policy, where), *also],
-        fix=_limit(unit, policy) if unit.editable else None,
-        severity="warning" if loop.is_unwanted else "info",
-        confidence="high" if policy.never_trips else "medium",
-    )
-
-
-def _advice(loop: Loop, policy: RestartPolicy) -> str:
-    if loop.outcome is Outcome.GIVES_UP:
+def _advice(crash: CrashLoop) -> str:
+    policy = crash.policy
+    if crash.loop.outcome is Outcome.GIVES_UP:
         return "set RestartSec= to a few seconds, and StartLimitIntervalSec= and StartLimitBurst= in [Unit] on purpose"
     return (
         f"set StartLimitIntervalSec= above {duration(policy.loop())} plus the time that "
-        f"{policy.burst or 5} starts take to fail, and StartLimitBurst=, both in [Unit]"
+        f"{sufficient_limit(policy).burst} starts take to fail, and StartLimitBurst=, both in [Unit]"
     )
 
 
-def _where(policy: RestartPolicy) -> Place | None:
-    """The line that switches the limit off, else the one that enables the restarts."""
-    if policy.never_trips and policy.interval_at and not policy.interval:
-        return policy.interval_at
-    if policy.never_trips and policy.burst_at and not policy.burst:
-        return policy.burst_at
-    return policy.restart_at
-
-
-def _message(loop: Loop, policy: RestartPolicy, unit: Unit) -> str:
+def _message(crash: CrashLoop) -> str:
+    unit, policy, loop = crash
     name, every, interval = unit.name, duration(policy.longest), duration(policy.interval)
     limit = f"{policy.burst} starts in {interval}"
     if loop.outcome is Outcome.NO_LIMIT:
@@ -168,36 +125,24 @@ def _message(loop: Loop, policy: RestartPolicy, unit: Unit) -> str:
             f"{name} restarts after {every} without a limit of its own: after {limit}, "
             "the default, it stays down for good"
         )
-    spare = (policy.interval - policy.loop()) / policy.burst
     return (
         f"The default limit of {limit} trips only if every start fails within "
-        f"{duration(round(spare, 2))}: otherwise {name} restarts forever"
+        f"{duration(round(crash.spare, 2))}: otherwise {name} restarts forever"
     )
 
 
-def _parts(policy: RestartPolicy, where: Place) -> list[Related]:
+def _settings(crash: CrashLoop) -> list[Related]:
+    policy = crash.policy
     lines = [
         (policy.restart_at, "enables the restarts"),
         (policy.delay_at, "the delay"),
         (policy.interval_at, "the interval of the limit"),
         (policy.burst_at, "the starts that the limit allows"),
     ]
-    return [note(at, text) for at, text in lines if at is not None and at is not where]
+    return [note(at, text) for at, text in lines if at is not None and at is not crash.cause]
 
 
-def _limit(unit: Unit, policy: RestartPolicy) -> Fix | None:
-    burst = policy.burst or 5
-    span = math.ceil(burst * (policy.longest + 10) / 30) * 30
-    edits: list[tuple[Place, str]] = []
-    missing = []
-    for at, key, value in (
-        (policy.interval_at, "StartLimitIntervalSec", span),
-        (policy.burst_at, "StartLimitBurst", burst),
-    ):
-        if at is None:
-            missing.append(f"{key}={value}")
-        elif str(value) != at:
-            edits.append((at, str(value)))
-    if missing:
-        edits.append(unit.new_line("Unit", "\n".join(missing)))
-    return fix(f"allow {burst} starts in {span} s", *edits, safe=False) if edits else None
+def _limit(crash: CrashLoop) -> Fix | None:
+    limit = sufficient_limit(crash.policy)
+    edits = list(limit.edits(crash.unit, crash.policy))
+    return fix(f"allow {limit.burst} starts in {limit.interval} s", *edits, safe=False) if edits else None

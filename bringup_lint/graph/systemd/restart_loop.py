@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterator
 from enum import Enum
 from typing import NamedTuple
 
+from bringup_lint.graph.systemd.restart import DEFAULT_BURST
 from bringup_lint.graph.systemd.restart import RestartPolicy
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.graph.systemd.units import Units
+from bringup_lint.source import Located
+from bringup_lint.source import Span
 
 SLOW = 60.0
 """Seconds between restarts from which a loop is a deliberate, harmless retry."""
@@ -29,6 +34,78 @@ class Loop(NamedTuple):
     outcome: Outcome
     is_unwanted: bool
     """The unit counts on an end, or the loop does harm by itself; else somebody may want it."""
+
+
+class CrashLoop(NamedTuple):
+    """A service, and what becomes of it when it fails again and again."""
+
+    unit: Unit
+    policy: RestartPolicy
+    loop: Loop
+
+    @property
+    def counts_on_default(self) -> bool:
+        """Whether the default limit is all that would end it: one cause for all such services of a robot."""
+        return self.loop.outcome is Outcome.NEVER_TRIPS and self.loop.is_unwanted and not self.policy.own_limit
+
+    @property
+    def cause(self) -> Located | None:
+        """The setting that switches the limit off, else the one that enables the restarts."""
+        policy = self.policy
+        if policy.never_trips and policy.interval_at and not policy.interval:
+            return policy.interval_at
+        if policy.never_trips and policy.burst_at and not policy.burst:
+            return policy.burst_at
+        return policy.restart_at
+
+    @property
+    def spare(self) -> float:
+        """Seconds that each start may take to fail so that the limit still trips."""
+        return (self.policy.interval - self.policy.loop()) / self.policy.burst
+
+
+def crash_loops(units: Units) -> Iterator[tuple[CrashLoop, list[CrashLoop]]]:
+    """The crash loops that need attention; those that count on the default limit as one, with the others of them."""
+    by_default: list[CrashLoop] = []
+    found = []
+    for unit in units.services:
+        policy = units.restart(unit)
+        loop = restart_loop(unit, policy, units)
+        if loop is None:
+            continue
+        crash = CrashLoop(unit, policy, loop)
+        if crash.counts_on_default:
+            by_default.append(crash)
+        if not crash.counts_on_default or len(by_default) == 1:
+            found.append(crash)
+    return ((crash, by_default[1:] if crash.counts_on_default else []) for crash in found)
+
+
+class Limit(NamedTuple):
+    """A start limit that trips even when each start takes ten seconds to fail."""
+
+    burst: int
+    interval: int
+    """Seconds, a multiple of 30."""
+
+    def edits(self, unit: Unit, policy: RestartPolicy) -> Iterator[tuple[Located | Span, str]]:
+        """Change the settings of the unit, and add those that it does not have."""
+        missing = []
+        for at, key, value in (
+            (policy.interval_at, "StartLimitIntervalSec", self.interval),
+            (policy.burst_at, "StartLimitBurst", self.burst),
+        ):
+            if at is None:
+                missing.append(f"{key}={value}")
+            elif str(value) != at:
+                yield at, str(value)
+        if missing:
+            yield unit.new_line("Unit", "\n".join(missing))
+
+
+def sufficient_limit(policy: RestartPolicy) -> Limit:
+    burst = policy.burst or DEFAULT_BURST
+    return Limit(burst, math.ceil(burst * (policy.longest + 10) / 30) * 30)
 
 
 def restart_loop(unit: Unit, policy: RestartPolicy, units: Units) -> Loop | None:
