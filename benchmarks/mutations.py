@@ -13,11 +13,13 @@ import signal
 import sys
 import tempfile
 import time
+from importlib import import_module
 from pathlib import Path
 
 PROJECT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(PROJECT))
 
+from bringup_lint.cli.graph import FORMATS as PICTURES  # noqa: E402
 from bringup_lint.config import Config  # noqa: E402
 from bringup_lint.discover.walk import discover  # noqa: E402
 from bringup_lint.engine import run  # noqa: E402
@@ -31,7 +33,7 @@ from tests.scenarios.test_mutated_trees import mutated  # noqa: E402
 
 FIXTURES = PROJECT / "fixtures"
 SLOW = 20
-"""Seconds in which a tree must be done."""
+"""CPU seconds in which a tree must be done."""
 
 
 class TooSlow(BaseException):
@@ -54,41 +56,48 @@ def broken(seed: int, folder: Path) -> int:
     return len(files)
 
 
-def judge(folder: Path, registry: Registry, seed: int) -> list[str]:
-    """What failed in a tree: rules, parsers, layers, places and reports."""
+def judge(folder: Path, registry: Registry) -> list[str]:
+    """What failed in a tree: rules, parsers, layers, places, reports and pictures, each in all of its formats."""
     robot = Robot(discover((str(folder),)))
     outcome = run(robot, registry, Config(min_severity="info"))
     failures = list(outcome.failures)
     for found in outcome.findings:
         if not 0 <= found.span.start <= found.span.end <= len(found.source.text):
             failures.append(f"{found.rule}: a place outside of the text")
-    if seed % 10 == 0:
-        report = finish(outcome, robot, Invocation(("bringup-lint",), str(folder), time.time()), drawn=True)
-        failures += [f"{name} is empty" for name in FORMATS[2:] if not render(name, report)]
+    report = finish(outcome, robot, Invocation(("bringup-lint",), str(folder), time.time()), drawn=True)
+    failures += [note.message for note in report.notifications if note.level == "error"]
+    texts = {name: render(name, report) for name in FORMATS}
+    failures += [f"{name} is empty" for name in ("json", "sarif", "html", "junit") if not texts[name]]
+    failures += [f"the picture: {error!r}" for error in robot.graph.failures]
+    for name in PICTURES:
+        if not import_module(f"bringup_lint.report.picture.{name}").render(report.picture):
+            failures.append(f"the picture as {name} is empty")
     return failures
 
 
 def campaign(seconds: float, seed: int) -> None:
     registry = Registry.of()
     trees = files = 0
-    signal.signal(signal.SIGALRM, stop)
+    signal.signal(signal.SIGVTALRM, stop)
     end = time.monotonic() + seconds
     while time.monotonic() < end:
         with tempfile.TemporaryDirectory() as place:
             folder = Path(place, "tree")
             trees, files = trees + 1, files + broken(seed, folder)
-            signal.alarm(SLOW)
+            signal.setitimer(signal.ITIMER_VIRTUAL, SLOW)
             try:
-                failures = judge(folder, registry, seed)
+                failures = judge(folder, registry)
             except TooSlow:
                 failures = [f"takes more than {SLOW} s"]
             except Exception as error:
                 failures = [f"escaped: {error!r}"]
             finally:
-                signal.alarm(0)
+                signal.setitimer(signal.ITIMER_VIRTUAL, 0)
         for failure in failures:
             print(f"seed {seed}: {failure}", flush=True)
         seed += 1
+        if trees % 1_000 == 0:
+            print(f"... {trees} trees, {files} files", flush=True)
     print(f"{trees} trees, {files} files")
 
 
