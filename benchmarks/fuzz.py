@@ -4,12 +4,13 @@
     python benchmarks/fuzz.py KIND|all [CORPUS] [-max_total_time=60 and other options of libFuzzer]
 
 Each input is the text of one file; with ``all``, its first byte chooses the name. The fixtures are the seeds. An input
-on which a parser, a layer, a rule or a report fails, or that takes too long, is kept as ``crash-*`` or ``timeout-*`` in
-the working folder. The smallest form of it belongs in ``fixtures/hostile``, before the repair.
+on which a parser, a layer, a rule or a report fails, or that takes too long, becomes a tree in ``fixtures/hostile``,
+which the tests try from then on: make it smaller and give it a name before the repair.
 """
 
 from __future__ import annotations
 
+import hashlib
 import importlib
 import os
 import pkgutil
@@ -25,6 +26,8 @@ import atheris  # noqa: E402
 
 with atheris.instrument_imports(include=["bringup_lint"]):
     import bringup_lint
+    from bringup_lint.budget import OutOfTime
+    from bringup_lint.budget import limited
     from bringup_lint.config import Config
     from bringup_lint.discover.kinds import HEAD_SIZE
     from bringup_lint.discover.kinds import kind_of
@@ -45,7 +48,10 @@ LONGEST = 4096
 SEEDS = 8
 """Files of the fixtures for each kind."""
 SLOWEST = 10
-"""Seconds for one input."""
+"""CPU seconds for one input."""
+STUCK = 300
+"""Seconds after which libFuzzer ends a run that even the limit of CPU time does not."""
+HOSTILE = PROJECT / "fixtures/hostile"
 
 
 def samples() -> dict[str, list[Path]]:
@@ -62,25 +68,47 @@ def samples() -> dict[str, list[Path]]:
 
 def _name(path: Path) -> str:
     """The path of a file below its fixture."""
-    return str(Path(*path.relative_to(PROJECT / "fixtures").parts[3:])) or path.name
+    above = 2 if HOSTILE in path.parents else 3
+    return str(Path(*path.relative_to(PROJECT / "fixtures").parts[above:])) or path.name
 
 
 def seeded(names: list[str], files: dict[str, list[Path]], folder: Path) -> Path:
     """Write the seeds of the kinds, behind the byte of their name when there are several."""
+    folder.mkdir()
     for number, kind in enumerate(names):
         first = bytes([number]) if len(names) > 1 else b""
-        for at, path in enumerate(files[kind][:SEEDS]):
+        hostile = [path for path in files[kind] if HOSTILE in path.parents]
+        for at, path in enumerate([*files[kind][:SEEDS], *hostile]):
             (folder / f"{kind}-{at}").write_bytes(first + path.read_bytes()[:LONGEST])
     return folder
 
 
 def judged(name: str, data: bytes, registry: Registry) -> list[str]:
-    """What failed inside on a file of one name."""
+    """What failed inside on a file of one name, or that it takes too long."""
+    try:
+        with limited(SLOWEST):
+            return _judged(name, data, registry)
+    except OutOfTime:
+        return [f"takes more than {SLOWEST} s"]
+    except Exception as error:
+        return [f"escaped: {error!r}"]
+
+
+def _judged(name: str, data: bytes, registry: Registry) -> list[str]:
     robot = Robot(discover_text(name, data))
     outcome = run(robot, registry, Config(min_severity="info"))
     report = finish(outcome, robot, Invocation(("bringup-lint",), os.getcwd(), time.time()))
     render("sarif", report)
     return list(outcome.failures)
+
+
+def keep(name: str, data: bytes) -> Path:
+    """Make a hostile fixture of an input; returns its folder."""
+    folder = HOSTILE / f"found_{hashlib.sha256(name.encode() + data).hexdigest()[:12]}"
+    place = folder / name
+    place.parent.mkdir(parents=True, exist_ok=True)
+    place.write_bytes(data)
+    return folder
 
 
 def main() -> None:
@@ -96,11 +124,11 @@ def main() -> None:
         name, text = (paths[0], data) if len(paths) == 1 else (paths[data[0] % len(paths)] if data else "", data[1:])
         failures = judged(name, text, registry) if name else []
         if failures:
-            raise AssertionError("\n".join(failures))
+            raise AssertionError("\n".join([*failures, f"kept as {keep(name, text)}"]))
 
     with tempfile.TemporaryDirectory() as folder:
-        seeds = seeded(names, files, Path(folder))
-        limits = [f"-max_len={LONGEST}", f"-timeout={SLOWEST}"]
+        seeds = seeded(names, files, Path(folder, "seeds"))
+        limits = [f"-max_len={LONGEST}", f"-timeout={STUCK}", f"-artifact_prefix={folder}/"]
         atheris.Setup([sys.argv[0], *limits, *options, str(seeds)], test_one_input)
         atheris.Fuzz()
 
