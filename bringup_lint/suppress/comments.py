@@ -52,21 +52,22 @@ class _Comment(NamedTuple):
 def read(source: Source) -> Iterator[Ignore]:
     """Every name in every suppression comment of a file."""
     head = head_end(source)
+    ends: dict[int, int] = {}
     for comment in _comments(source):
         line = source.position(comment.match.start()).line
         first = comment.own_line and line <= head
-        lines = _lines(source, comment, line, first)
+        lines = _lines(source, comment, line, first, ends)
         names = source.located(*comment.match.span("names"))
         for part in re.finditer(r"[^,\s]+", names):
             yield Ignore(names.part(*part.span()), comment.reason, lines, first)
 
 
-def _lines(source: Source, comment: _Comment, line: int, first: bool) -> range | None:
+def _lines(source: Source, comment: _Comment, line: int, first: bool, ends: dict[int, int]) -> range | None:
     if comment.match["what"] == "ignore-file":
         return None
     if not comment.own_line:
         return range(line, line + 1)
-    below = statement_after(source, comment.end_line)
+    below = statement_after(source, comment.end_line, ends)
     return range(1, below.stop) if first else below
 
 

@@ -46,13 +46,20 @@ def _is_head(source: Source, line: int) -> bool:
     return not text.strip() or bool(_PROLOG.match(text)) or is_comment(source, line)
 
 
-def statement_after(source: Source, line: int) -> range:
-    """The lines below a comment that ends on ``line``: further comments, and then one statement."""
+def statement_after(source: Source, line: int, known: dict[int, int]) -> range:
+    """The lines below a comment that ends on ``line``: further comments, and then one statement.
+
+    ``known`` remembers where the statement below each line ends, so that comments in a row are passed once.
+    """
     first = at = line + 1
-    last = min(len(source.line_starts), line + LIMIT)
-    while at < last and is_comment(source, at):
-        at += 1
-    return range(first, max(at, statement_end(source, at)) + 1) if at <= len(source.line_starts) else range(0)
+    if first > len(source.line_starts):
+        return range(0)
+    if first not in known:
+        last = min(len(source.line_starts), line + LIMIT)
+        while at < last and is_comment(source, at):
+            at += 1
+        known.update(dict.fromkeys(range(first, at + 1), max(at, statement_end(source, at)) + 1))
+    return range(first, known[first])
 
 
 def statement_end(source: Source, line: int) -> int:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import importlib.util
 import os
 import random
-import time
 from itertools import count
 from pathlib import Path
 
@@ -137,11 +136,8 @@ def test_a_robot_that_is_as_its_files_say_gives_nothing(tmp_path: Path, domain: 
     folder = tree(tmp_path / "tree", domain)
     (folder / "otter.launch.py").write_text((folder / "otter.launch.py").read_text().replace("'/base'", "'/'"))
     with running(*GOOD, environment=on(domain)):
-        started = time.monotonic()
         run = live(folder, "--min-severity", "info")
-        took = time.monotonic() - started
     assert (run.code, run.stdout) == (0, ""), run.stderr
-    assert took < 20
 
 
 def test_nodes_on_another_domain_than_the_files_say(

@@ -7,7 +7,6 @@ one of them is missing or the browser does not start.
 from __future__ import annotations
 
 import shutil
-import time
 from collections.abc import Iterator
 from itertools import pairwise
 from pathlib import Path
@@ -29,6 +28,10 @@ pytestmark = pytest.mark.slow
 playwright = pytest.importorskip("playwright.sync_api")
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
 WIDE = {"width": 1400, "height": 900}
+DRAWING = """() => [1, 2, 3, 4].map(() => {
+  const started = performance.now(); draw(); return performance.now() - started;
+})"""
+"""Milliseconds in which the picture is drawn again, a few times."""
 
 
 @pytest.fixture(scope="module")
@@ -288,11 +291,8 @@ def test_light_and_dark(opened, scheme: str) -> None:
 
 
 def test_four_hundred_nodes(opened) -> None:
-    started = time.monotonic()
     tab = opened(page(crowd(400)))
     assert tab.locator(".node").count() == 400
-    laid_out = tab.evaluate("(() => { const t = performance.now(); draw(); return performance.now() - t; })()")
-    assert laid_out < 2000
     found = boxes(tab)
     room = tab.locator("#canvas").bounding_box()
     assert all(room["x"] <= box["left"] and box["right"] <= room["x"] + room["width"] for box in found)
@@ -307,7 +307,11 @@ def test_four_hundred_nodes(opened) -> None:
     assert len(nodes(tab, ".chosen")) == 1
     assert set(nodes(tab, ".chosen")) <= set(nodes(tab, ".found"))
     assert tab.locator(".node.chosen .label").is_visible()
-    assert time.monotonic() - started < 30
+
+
+def test_drawing_takes_time_as_the_nodes_do(opened) -> None:
+    few, many = (min(tab.evaluate(DRAWING)) for tab in (opened(page(crowd(count))) for count in (100, 800)))
+    assert many / 8 <= 3 * max(few, 1)
 
 
 def test_units_stand_in_the_order_of_the_boot(opened) -> None:
