@@ -10,6 +10,8 @@ from hypothesis import settings
 
 PROJECT = Path(__file__).parent.parent
 
+pytest_plugins = ["tests.browser"]
+
 settings.register_profile("dev", max_examples=25, deadline=None)
 settings.register_profile("ci", max_examples=200, deadline=None)
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "dev"))

@@ -1,13 +1,7 @@
-"""The page in a real, headless Chromium: it is opened from disk and clicked through.
-
-Needs the library ``playwright`` and a Chromium to drive, from apt or by ``playwright install chromium``; skipped where
-one of them is missing or the browser does not start.
-"""
+"""The page in a real, headless Chromium: it is opened from disk and clicked through."""
 
 from __future__ import annotations
 
-import shutil
-from collections.abc import Iterator
 from itertools import pairwise
 from pathlib import Path
 
@@ -25,51 +19,10 @@ from tests.report.test_html import hostile_report
 
 pytestmark = pytest.mark.slow
 
-playwright = pytest.importorskip("playwright.sync_api")
-CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
-WIDE = {"width": 1400, "height": 900}
 DRAWING = """() => [1, 2, 3, 4].map(() => {
   const started = performance.now(); draw(); return performance.now() - started;
 })"""
 """Milliseconds in which the picture is drawn again, a few times."""
-
-
-@pytest.fixture(scope="module")
-def browser():
-    with playwright.sync_playwright() as driver:
-        try:
-            browser = driver.chromium.launch(
-                executable_path=CHROMIUM, args=["--no-sandbox", "--disable-dev-shm-usage"], timeout=30_000
-            )
-        except playwright.Error as error:
-            pytest.skip(f"chromium does not start: {str(error).splitlines()[0]}")
-        yield browser
-        browser.close()
-
-
-@pytest.fixture
-def opened(browser, tmp_path: Path) -> Iterator:
-    """A function that opens a page; at the end, nothing was complained of and nothing was asked of the network."""
-    complaints: list[str] = []
-    contexts = []
-
-    def open_(text: str, viewport=WIDE, **options):
-        file = tmp_path / "bringup.html"
-        file.write_text(text, "utf-8")
-        contexts.append(browser.new_context(viewport=viewport, **options))
-        tab = contexts[-1].new_page()
-        tab.set_default_timeout(10_000)
-        tab.on("console", lambda message: complaints.append(message.text))
-        tab.on("pageerror", lambda error: complaints.append(str(error)))
-        tab.on("request", lambda request: complaints.append(request.url) if request.url != file.as_uri() else None)
-        tab.on("dialog", lambda dialog: complaints.append(dialog.message))
-        tab.goto(file.as_uri())
-        return tab
-
-    yield open_
-    for context in contexts:
-        context.close()
-    assert [complaint for complaint in complaints if complaint != "data:,"] == []
 
 
 def nodes(tab, also: str = "") -> list[str]:

@@ -1,0 +1,20 @@
+"""What the parts of the page share: how an entry is found, and what a robot is called."""
+
+from __future__ import annotations
+
+from html import escape
+
+from bringup_lint.fleet.summary import Summary
+
+
+def found_by(*words: str) -> str:
+    """The attribute by which the search of the page finds an entry."""
+    return f'data-words="{escape(" ".join(words).lower(), quote=True)}"'
+
+
+def words_of(robot: Summary) -> str:
+    return f"{robot.name} {role_of(robot)}"
+
+
+def role_of(robot: Summary) -> str:
+    return f"{robot.role} at {robot.site}" if robot.site else robot.role

@@ -1,0 +1,55 @@
+"""Each robot by itself: what failed, and which rules found what where."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterator
+from html import escape
+
+from bringup_lint.fleet.summary import Own
+from bringup_lint.fleet.summary import Summary
+from bringup_lint.report.fleet.html.entries import found_by
+from bringup_lint.report.fleet.html.entries import words_of
+from bringup_lint.report.fleet.model import FleetReport
+
+MOST_RULES = 12
+"""Rules that are listed of one robot, the most severe first."""
+_SEVERITIES = ("error", "warning", "info")
+
+
+def robots(report: FleetReport) -> Iterator[str]:
+    numbered = [(number, robot) for number, robot in enumerate(report.robots) if robot.own or robot.failures]
+    yield from (_robot(number, robot) for number, robot in numbered)
+    silent = len(report.robots) - len(numbered)
+    if silent:
+        yield f"<p>Nothing was found on {silent} {'of them' if numbered else 'robots'}.</p>"
+
+
+def _robot(number: int, robot: Summary) -> str:
+    failures = "".join(f"<p><b class=error>failed</b> {escape(failure)}</p>" for failure in robot.failures)
+    counted = f"{len(robot.own)} finding{'s' * (len(robot.own) != 1)} in {robot.files} files"
+    return (
+        f"<details id=r{number} {found_by(words_of(robot))}{' open' * bool(failures)}>"
+        f"<summary><b>{escape(robot.name)}</b> {counted} <code>{escape(robot.path)}</code></summary>"
+        f"{failures}{_own(robot.own)}</details>"
+    )
+
+
+def _own(own: tuple[Own, ...]) -> str:
+    by_rule: dict[tuple[int, str], list[Own]] = defaultdict(list)
+    for finding in own:
+        by_rule[_SEVERITIES.index(finding.severity), finding.rule].append(finding)
+    rows = [_rule(by_rule[key]) for key in sorted(by_rule)]
+    more = len(rows) - MOST_RULES
+    if more > 0:
+        rows[MOST_RULES:] = [f"<li>and {more} more rules</li>"]
+    return f"<ul>{''.join(rows)}</ul>"
+
+
+def _rule(found: list[Own]) -> str:
+    first = found[0]
+    more = f", and {len(found) - 1} more" if len(found) > 1 else ""
+    return (
+        f"<li><b class={first.severity}>{first.severity}</b> <code>{escape(first.rule)}</code> "
+        f"{escape(first.message)} <code>{escape(f'{first.path}:{first.line}')}</code>{more}</li>"
+    )
