@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable
+from collections.abc import Iterator
 from typing import NamedTuple
 
 from bringup_lint.finding import Finding
@@ -16,33 +17,41 @@ class BaselineError(ValueError):
     """The baseline file is not one, or comes from a newer version."""
 
 
+class Entry(NamedTuple):
+    """A finding in a baseline; it holds no line number, and no secret."""
+
+    path: str
+    """Relative to the root of the tree."""
+    rule: str
+    message: str
+    fingerprint: str
+
+
 class Sifted(NamedTuple):
     """Findings compared with a baseline."""
 
     new: tuple[Finding, ...]
     known: tuple[Finding, ...]
-    gone: int
-    """How many entries of the baseline no finding matches any more."""
+    gone: tuple[Entry, ...]
+    """The entries of the baseline that no finding matches any more."""
 
 
-def written(findings: Iterable[Finding], root: str, cwd: str = "") -> str:
-    """The text of a baseline file for presented findings; it holds no line numbers, and no secrets."""
-    entries = [
-        {
-            "path": _text(below_root(finding.source.name, root, cwd)),
-            "rule": finding.rule,
-            "message": _text(finding.message),
-            "fingerprint": finding.fingerprint,
-        }
-        for finding in findings
-        if finding.suppression is None
-    ]
-    entries.sort(key=lambda entry: tuple(entry.values()))
-    return json.dumps({"version": VERSION, "findings": entries}, indent=2) + "\n"
+def entries_of(findings: Iterable[Finding], root: str, cwd: str = "") -> Iterator[Entry]:
+    """The entries for presented findings; there is none for a suppressed one."""
+    for finding in findings:
+        if finding.suppression is None:
+            path = _text(below_root(finding.source.name, root, cwd))
+            yield Entry(path, finding.rule, _text(finding.message), finding.fingerprint)
 
 
-def read(text: str) -> frozenset[str]:
-    """The fingerprints in a baseline file.
+def written(entries: Iterable[Entry]) -> str:
+    """The text of a baseline file."""
+    findings = [entry._asdict() for entry in sorted(entries)]
+    return json.dumps({"version": VERSION, "findings": findings}, indent=2) + "\n"
+
+
+def read(text: str) -> tuple[Entry, ...]:
+    """The entries of a baseline file.
 
     Raises BaselineError with one clear line when the text is not a baseline of a known version.
     """
@@ -55,17 +64,24 @@ def read(text: str) -> frozenset[str]:
     if content["version"] != VERSION:
         raise BaselineError(f"baseline of version {content['version']}; this program reads {VERSION}")
     try:
-        return frozenset(str(entry["fingerprint"]) for entry in content["findings"])
-    except (KeyError, TypeError) as error:
+        return tuple(_entry(item) for item in content["findings"])
+    except (AttributeError, KeyError, TypeError) as error:
         raise BaselineError("not a baseline: findings without fingerprints") from error
 
 
-def sift(findings: Iterable[Finding], known: frozenset[str]) -> Sifted:
+def sift(findings: Iterable[Finding], known: Iterable[Entry]) -> Sifted:
     """Split presented findings into new ones and those that the baseline knows."""
-    findings = tuple(findings)
-    new = tuple(finding for finding in findings if finding.fingerprint not in known)
-    old = tuple(finding for finding in findings if finding.fingerprint in known)
-    return Sifted(new, old, len(known.difference(finding.fingerprint for finding in findings)))
+    findings, known = tuple(findings), tuple(known)
+    fingerprints = {entry.fingerprint for entry in known}
+    new = tuple(finding for finding in findings if finding.fingerprint not in fingerprints)
+    old = tuple(finding for finding in findings if finding.fingerprint in fingerprints)
+    found = {finding.fingerprint for finding in findings}
+    return Sifted(new, old, tuple(entry for entry in known if entry.fingerprint not in found))
+
+
+def _entry(item: dict[str, object]) -> Entry:
+    words = (str(item.get(key, "")) for key in ("path", "rule", "message"))
+    return Entry(*words, fingerprint=str(item["fingerprint"]))
 
 
 def _text(text: str) -> str:

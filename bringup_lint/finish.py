@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import os
 import time
 from collections import Counter
 from collections.abc import Iterable
@@ -13,6 +14,7 @@ from typing import Any
 from typing import NamedTuple
 
 from bringup_lint.apart import Steps
+from bringup_lint.baseline import Entry
 from bringup_lint.baseline import sift
 from bringup_lint.engine import Outcome
 from bringup_lint.finding import Finding
@@ -51,12 +53,12 @@ def finish(
     invocation: Invocation,
     *,
     fail_on: Severity = Severity.WARNING,
-    baseline: frozenset[str] = frozenset(),
+    baseline: Iterable[Entry] = (),
     drawn: bool = False,
 ) -> Report:
     """Everything that a format may say about a run.
 
-    ``baseline`` holds the fingerprints of known findings, which go to ``Report.known``; ``drawn`` asks for the picture.
+    ``baseline`` holds the entries of known findings, which go to ``Report.known``; ``drawn`` asks for the picture.
     """
     cwd, target = invocation.cwd, robot.target
     root = str(robot.tree.root or cwd)
@@ -81,8 +83,18 @@ def finish(
         below=outcome.hidden,
         elsewhere=outcome.elsewhere,
         known=sifted.known,
+        stale=tuple(_stale(sifted.gone, outcome, robot, root)),
         picture=picture,
     )
+
+
+def _stale(gone: Iterable[Entry], outcome: Outcome, robot: Robot, root: str) -> Iterator[str]:
+    """The fingerprints of the entries whose finding is gone: this run would have found it."""
+    if outcome.failures:
+        return
+    for entry in gone:
+        if entry.rule not in outcome.unsaid and robot.tree.judges(os.path.join(root, entry.path)):
+            yield entry.fingerprint
 
 
 def _masked(findings: tuple[Finding, ...], root: str, cwd: str, steps: Steps) -> Presented:

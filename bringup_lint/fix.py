@@ -110,10 +110,15 @@ def apply_fixes(findings: Iterable[Finding], *, unsafe: bool = False) -> Fixed:
     return Fixed(fixed, tuple(failures.values()), written)
 
 
+def save(changes: Iterable[Changes]) -> tuple[NotWritten, ...]:
+    """Write changes that are no fixes; why some could not be."""
+    return tuple(failure for change in changes if (failure := _failure(change)))
+
+
 def taken_back(written: Iterable[Changes]) -> tuple[NotWritten, ...]:
     """Write the texts of before a round; why some could not be."""
     back = (Changes(replace(change.source, text=change.new_text()), text=change.source.text) for change in written)
-    return tuple(failure for change in back if (failure := _failure(change)))
+    return save(back)
 
 
 def _files_of(fix: Fix) -> frozenset[str]:
@@ -125,7 +130,7 @@ def _obstacle(fix: Fix, unsafe: bool) -> str:
     if fix.applicability is Applicability.UNSAFE and not unsafe:
         return "unsafe: --unsafe-fixes"
     sources = [fix.codemod.source] if fix.codemod else [edit.span.source for edit in fix.edits]
-    if not all(map(_writable, sources)):
+    if not all(map(writable, sources)):
         return "its file is a link, not UTF-8, or ends its lines with CR alone"
     in_order = sorted(fix.edits, key=lambda edit: (edit.span.path, edit.span.start, edit.span.end))
     pairs = pairwise(in_order)
@@ -175,7 +180,8 @@ def _rewrite(codemod: Codemod, changes: dict[str, Changes]) -> bool:
     return True
 
 
-def _writable(source: Source) -> bool:
+def writable(source: Source) -> bool:
+    """Whether a text can be written back as it was read, but for the edits."""
     linked = source.link is not None or os.path.islink(source.name)
     return source.judged and not linked and "\ufffd" not in source.text and not _LONE_CR.search(source.text)
 

@@ -30,6 +30,7 @@ class NotWritten(Exception):
     """A file was not written, and is as it was; the text names it and says why."""
 
     def __init__(self, path: Path, why: str | Exception) -> None:
+        self.path = path
         self.why = "is there already" if isinstance(why, FileExistsError) else _words(why)
         super().__init__(f"{path}: {self.why}")
 

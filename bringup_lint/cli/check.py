@@ -39,8 +39,11 @@ from bringup_lint.config import read
 
 if TYPE_CHECKING:
     from bringup_lint.engine import Outcome
+    from bringup_lint.report import Report
     from bringup_lint.robot import Robot
 
+_OF_A_PART = ("since", "changed", "tracked", "stdin_filename")
+"""Options that leave out findings which are there."""
 EPILOG = "\n\n".join(
     [
         "\b\nCommands:\n" + "\n".join(f"  {name:<9}{text}" for name, text in COMMANDS.items()),
@@ -68,6 +71,7 @@ EPILOG = "\n\n".join(
 @click.option("--fix", is_flag=True, help="Apply the safe fixes.")
 @click.option("--unsafe-fixes", is_flag=True, help="With --fix or --diff: the unsafe fixes too.")
 @click.option("--diff", is_flag=True, help="Show what --fix would change, and change nothing.")
+@click.option("--add-ignores", metavar="REASON", help="Suppress all that is found by comments that give this reason.")
 @colour_option
 @click.version_option(__version__, prog_name="bringup-lint", message="%(prog)s %(version)s")
 @click.pass_context
@@ -99,6 +103,7 @@ def _check(outputs: list[Output], paths: tuple[str, ...], options: dict[str, Any
 
     started = time.time()
     config, rule_folders = configuration(paths, options)
+    baseline_usage(config, options)
     registry = Registry.of(rule_folders)
     if options["stdin_filename"]:
         options["stdin_data"] = _standard_input()
@@ -116,6 +121,10 @@ def _check(outputs: list[Output], paths: tuple[str, ...], options: dict[str, Any
 
         code = show_diff(robot, outcome, checked, unsafe=unsafe)
         return 0 if options["exit_zero"] and code == 1 else code
+    if options["add_ignores"]:
+        from bringup_lint.cli.ignoring import add_ignores
+
+        return add_ignores(robot, outcome, checked, config, options["add_ignores"].strip())
     if options["fix"] and options["stdin_filename"]:
         from bringup_lint.cli.fixing import print_fixed
 
@@ -140,7 +149,6 @@ def deliver(
     """Write the reports, and the baseline when one is asked for; returns the exit code. What cannot be written is said,
     and what was not written before (``unwritten``); the rest is."""
     from bringup_lint.cli.reporting import report_of
-    from bringup_lint.cli.reporting import save_baseline
     from bringup_lint.cli.reporting import wants_colour
     from bringup_lint.finish import rendered
     from bringup_lint.report import DRAWN
@@ -152,19 +160,36 @@ def deliver(
     for told in report.notifications:
         if told.level == "note":
             complain(told.message)
-    failures, code = list(unwritten), report.exit_code
+    report, kept = _with_baseline(report, config, options)
+    failures, code = [*unwritten, *kept], report.exit_code
     for output in outputs:
         colour = output.file is None and wants_colour(options["colour"])
         text, rendered_code = rendered(output.format, dataclasses.replace(report, colour=colour))
         failures += _failed(write, text, output.file)
         code = max(code, rendered_code)
-    if options["write_baseline"]:
-        failures += _failed(save_baseline, report, options["write_baseline"])
     for failure in failures:
         complain(f"not written: {failure}")
     if failures:
         return max(code, 2)
     return code
+
+
+def _with_baseline(report: Report, config: Config, options: dict[str, Any]) -> tuple[Report, list[str]]:
+    """The report after its baseline was written or pruned, and why that could not be done."""
+    from bringup_lint.cli.reporting import prune_baseline
+    from bringup_lint.cli.reporting import save_baseline
+    from bringup_lint.writing import NotWritten
+
+    if any(options.get(name) for name in _OF_A_PART):
+        report = dataclasses.replace(report, stale=())
+    try:
+        if options["write_baseline"]:
+            return save_baseline(report, options["write_baseline"]), []
+        if options["prune_baseline"]:
+            return prune_baseline(report, config), []
+    except NotWritten as error:
+        return report, [str(error)]
+    return report, []
 
 
 def _failed(write: Callable[..., None], *arguments: Any) -> list[str]:
@@ -215,8 +240,32 @@ def _usage(paths: tuple[str, ...], options: dict[str, Any]) -> None:
         raise click.UsageError(
             "--since compares a working tree with git's objects: leave out --root and --stdin-filename"
         )
+    if options["add_ignores"] is not None:
+        _ignores_usage(options)
     if options["unsafe_fixes"] and not (options["fix"] or options["diff"]):
         raise click.UsageError("--unsafe-fixes needs --fix or --diff")
+
+
+def _ignores_usage(options: dict[str, Any]) -> None:
+    """Raises UsageError for a reason that no comment can hold, and what does not go together."""
+    reason = options["add_ignores"]
+    if not reason.strip() or "--" in reason or not reason.isprintable():
+        raise click.UsageError("--add-ignores needs a reason: one line without '--', which XML does not allow")
+    for name in ("stdin_filename", "fix", "diff", "write_baseline", "prune_baseline", "no_ignores"):
+        if options[name]:
+            raise click.UsageError(f"--add-ignores writes suppressions alone: leave out --{name.replace('_', '-')}")
+
+
+def baseline_usage(config: Config, options: dict[str, Any]) -> None:
+    """Raises UsageError for a baseline that cannot be pruned."""
+    if not options["prune_baseline"]:
+        return
+    if not config.baseline:
+        raise click.UsageError("--prune-baseline needs --baseline, or a baseline in the configuration")
+    if options["write_baseline"]:
+        raise click.UsageError("--write-baseline writes all findings: leave out --prune-baseline")
+    if given := next((name for name in _OF_A_PART if options.get(name)), None):
+        raise click.UsageError(f"--prune-baseline needs a run over all files: leave out --{given.replace('_', '-')}")
 
 
 def configuration(paths: tuple[str, ...], options: dict[str, Any]) -> tuple[Config, list[Path]]:

@@ -12,6 +12,7 @@ from typing import Any
 
 import click
 
+from bringup_lint.cli.check import baseline_usage
 from bringup_lint.cli.check import configuration
 from bringup_lint.cli.check import deliver
 from bringup_lint.cli.check import read_robot
@@ -97,6 +98,7 @@ def _compare(outputs: list[Output], paths: tuple[str, ...], options: dict[str, A
     started = time.time()
     unused = {"rule_folders": (), "target_systemd": None, "stdin_filename": None}
     config, _ = configuration(paths, {**options, **unused})
+    baseline_usage(config, options)
     config = dataclasses.replace(config, select=options["select"] or (FAMILY,))
     robot = read_robot(paths, config, {**options, **unused})
     robot.launch_commands = options["launched"]

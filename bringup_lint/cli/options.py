@@ -79,7 +79,10 @@ changes_options = _together(
 baseline_options = _together(
     click.option("--baseline", type=click.Path(dir_okay=False, path_type=Path), help="Leave out what this file holds."),
     click.option(
-        "--write-baseline", type=click.Path(dir_okay=False, path_type=Path), help="Write the findings to a baseline."
+        "--write-baseline",
+        type=click.Path(dir_okay=False, path_type=Path),
+        help="Write the findings to a baseline, and report none of them.",
     ),
+    click.option("--prune-baseline", is_flag=True, help="Take out of the baseline what is not found any more."),
 )
 colour_option = click.option("--colour/--no-colour", "--color/--no-color", default=None, help="Force or forbid colour.")

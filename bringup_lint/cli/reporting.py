@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
+from collections.abc import Collection
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -16,6 +17,7 @@ _BASELINE_LIMIT = 64 * 1024 * 1024
 """Bytes."""
 
 if TYPE_CHECKING:
+    from bringup_lint.baseline import Entry
     from bringup_lint.config import Config
     from bringup_lint.engine import Outcome
     from bringup_lint.report import Report
@@ -32,7 +34,7 @@ def report_of(outcome: Outcome, robot: Robot, config: Config, started: float, *,
         robot,
         Invocation(("bringup-lint", *sys.argv[1:]), os.getcwd(), started),
         fail_on=Severity[config.fail_on.upper()],
-        baseline=known_to(config),
+        baseline=baseline_of(config),
         drawn=drawn,
     )
     return replace(report, width=terminal_width())
@@ -40,8 +42,13 @@ def report_of(outcome: Outcome, robot: Robot, config: Config, started: float, *,
 
 def known_to(config: Config) -> frozenset[str]:
     """The fingerprints in the baseline that the configuration names. Raises ConfigError."""
+    return frozenset(entry.fingerprint for entry in baseline_of(config))
+
+
+def baseline_of(config: Config) -> tuple[Entry, ...]:
+    """The entries of the baseline that the configuration names. Raises ConfigError."""
     if not config.baseline:
-        return frozenset()
+        return ()
     from bringup_lint.baseline import BaselineError
     from bringup_lint.baseline import read
     from bringup_lint.discover.reading import Unreadable
@@ -57,16 +64,40 @@ def known_to(config: Config) -> frozenset[str]:
         raise ConfigError(f"{path}: {error}") from error
 
 
-def save_baseline(report: Report, path: Path) -> None:
-    """Write the findings of a report, known ones too, to a baseline file."""
+def save_baseline(report: Report, path: Path) -> Report:
+    """Write the findings of a report, known ones too, to a baseline file. Returns the report in which all are known.
+    Raises NotWritten."""
+    from bringup_lint.baseline import entries_of
     from bringup_lint.baseline import written
     from bringup_lint.cli.outputs import write
 
-    findings = (*report.findings, *report.known)
-    write(written(findings, report.root, report.cwd), path)
-    count = sum(found.suppression is None for found in findings)
-    what = f"{count} finding{'s' * (count != 1)}"
-    say(f"{path} now holds {what}: --baseline {path} reports what is new")
+    entries = list(entries_of((*report.findings, *report.known), report.root, report.cwd))
+    write(written(entries), path)
+    say(f"{path} now holds {counted(entries, 'finding')}: --baseline {path} reports what is new")
+    suppressed = tuple(found for found in report.findings if found.suppression is not None)
+    code = report.exit_code if report.exit_code > 1 else 0
+    return replace(report, findings=suppressed, known=(*report.known, *report.shown), stale=(), exit_code=code)
+
+
+def prune_baseline(report: Report, config: Config) -> Report:
+    """Take the findings that are gone out of the baseline of the configuration. Raises ConfigError, NotWritten."""
+    from bringup_lint.baseline import written
+    from bringup_lint.cli.outputs import write
+
+    entries, gone = baseline_of(config), frozenset(report.stale)
+    path = os.path.relpath(config.folder / str(config.baseline))
+    left = [entry for entry in entries if entry.fingerprint not in gone]
+    removed = [entry for entry in entries if entry.fingerprint in gone]
+    if removed:
+        write(written(left), Path(path))
+    say(f"{path}: {counted(removed, 'finding')} removed, {len(left)} left")
+    for entry in removed:
+        say(f"  {entry.path}: {entry.rule}")
+    return replace(report, stale=())
+
+
+def counted(things: Collection[object], name: str) -> str:
+    return f"{len(things)} {name}{'s' * (len(things) != 1)}"
 
 
 def terminal_width() -> int:

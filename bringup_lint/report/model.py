@@ -92,6 +92,8 @@ class Report:
     """How many findings were left out because the change that is judged has no part in them."""
     known: tuple[Finding, ...] = ()
     """Findings that were left out because the baseline holds them."""
+    stale: tuple[str, ...] = ()
+    """The fingerprints in the baseline whose findings are gone."""
     picture: dict[str, Any] | None = None
     """The robot as ``report.picture`` draws it, with these findings; only the formats in ``report.DRAWN`` show it."""
     colour: bool = False

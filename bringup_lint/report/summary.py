@@ -77,6 +77,8 @@ def _asides(report: Report) -> Iterator[str]:
         yield f"{report.elsewhere} more in which the change has no part"
     if report.known:
         yield f"{len(report.known)} known to the baseline"
+    if report.stale:
+        yield f"{len(report.stale)} gone, but still in the baseline: --prune-baseline"
 
 
 def _filled(asides: Iterator[str], width: int) -> list[str]:

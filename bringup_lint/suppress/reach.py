@@ -41,6 +41,12 @@ def head_end(source: Source) -> int:
     return line - 1
 
 
+def prolog_end(source: Source) -> int:
+    """The last line of what must be first, such as ``<?xml ...?>``; 0 where there is none."""
+    lines = range(1, head_end(source) + 1)
+    return max((line for line in lines if _PROLOG.match(source.line_text(line))), default=0)
+
+
 def _is_head(source: Source, line: int) -> bool:
     text = source.line_text(line)
     return not text.strip() or bool(_PROLOG.match(text)) or is_comment(source, line)

@@ -181,11 +181,54 @@ def test_found_configuration_never_loads_rules(bad: Path) -> None:
 
 def test_baseline(bad: Path) -> None:
     first = only_lint("--write-baseline", "known.json", cwd=bad)
-    assert first.code == 1
+    assert (first.code, first.stdout) == (0, "")
     assert first.stderr == "known.json now holds 1 finding: --baseline known.json reports what is new\n"
     assert only_lint("--baseline", "known.json", cwd=bad).code == 0
     (bad / "other.service").write_bytes(LATIN1)
     assert only_lint("--baseline", "known.json", cwd=bad).stdout.startswith("other.service:1:1")
+
+
+def test_summary_says_what_is_known_and_what_is_gone(bad: Path) -> None:
+    (bad / "other.service").write_bytes(LATIN1)
+    assert "2 known to the baseline" in lint("--select", "lint", "--write-baseline", "known.json", cwd=bad).stdout
+    (bad / "other.service").unlink()
+    said = lint("--select", "lint", "--baseline", "known.json", cwd=bad).stdout
+    assert "1 known to the baseline · 1 gone, but still in the baseline: --prune-baseline" in said
+
+
+def test_prune_baseline(bad: Path) -> None:
+    (bad / "other.service").write_bytes(LATIN1)
+    only_lint("--write-baseline", "known.json", cwd=bad)
+    (bad / "other.service").write_text(CLEAN)
+    run = only_lint("--baseline", "known.json", "--prune-baseline", cwd=bad)
+    assert (run.code, run.stdout) == (0, "")
+    assert run.stderr == "known.json: 1 finding removed, 1 left\n  other.service: lint/encoding\n"
+    again = only_lint("--baseline", "known.json", "--prune-baseline", cwd=bad)
+    assert again.stderr == "known.json: 0 findings removed, 1 left\n"
+    assert [entry["path"] for entry in json.loads((bad / "known.json").read_text())["findings"]] == ["robot.service"]
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["robot.service"],
+        ["--select", "netplan"],
+        ["--ignore", "lint/encoding"],
+        ["--min-severity", "error", "--config", "lower.toml"],
+    ],
+)
+def test_what_a_run_cannot_find_is_not_gone(bad: Path, arguments: list[str]) -> None:
+    (bad / "other.service").write_bytes(LATIN1)
+    only_lint("--write-baseline", "known.json", cwd=bad)
+    (bad / "lower.toml").write_text('[severity]\n"lint" = "info"\n')
+    run = lint("--baseline", "known.json", "--prune-baseline", *arguments, cwd=bad)
+    assert run.stderr == "known.json: 0 findings removed, 2 left\n"
+
+
+@pytest.mark.parametrize("arguments", [[], ["--write-baseline", "b.json", "--baseline", "b.json"]])
+def test_what_cannot_be_pruned_is_wrong_usage(bad: Path, arguments: list[str]) -> None:
+    run = lint("--prune-baseline", *arguments, cwd=bad)
+    assert (run.code, run.stdout) == (2, "")
 
 
 def test_damaged_baseline_exits_2(bad: Path) -> None:

@@ -1,11 +1,10 @@
-"""Where a person writes the comment that silences a finding, and the readers that judge the file afterwards."""
+"""What a run finds, and the readers that judge a file after comments were written into it."""
 
 from __future__ import annotations
 
 import ast
 import json
 import shutil
-from collections import defaultdict
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -17,13 +16,7 @@ from bringup_lint.source import Source
 from bringup_lint.suppress.forms import PYTHON_KINDS
 from bringup_lint.suppress.forms import XML_KINDS
 from bringup_lint.suppress.forms import YAML_KINDS
-from bringup_lint.suppress.forms import form_of
-from bringup_lint.suppress.reach import head_end
-from bringup_lint.suppress.reach import is_comment
-from bringup_lint.suppress.reach import statement_end
 from tests.lint import lint
-
-WHY = "accepted on this robot"
 
 
 @dataclass(frozen=True)
@@ -57,43 +50,6 @@ def _found(each: dict[str, Any]) -> Found:
 def copied(case: Path, to: Path) -> Path:
     shutil.copytree(case, to, symlinks=True)
     return to
-
-
-def with_comments(source: Source, wanted: dict[int, set[str]]) -> str | None:
-    """The text of a file with a comment for each line of findings; None where its format has no comments."""
-    form = form_of(source)
-    if form is None:
-        return None
-    above: dict[int, set[str]] = defaultdict(set)
-    for line, rules in wanted.items():
-        above[_above(source, line)] |= rules
-    lines = source.text.split("\n")
-    for at in sorted(above, reverse=True):
-        below = lines[min(at, len(lines) - 1)]
-        indent = below[: len(below) - len(below.lstrip(" "))]
-        end = "\r" * below.endswith("\r")
-        lines.insert(at, indent + form(f"bringup-lint: ignore[{', '.join(sorted(above[at]))}]: {WHY}") + end)
-    return "\n".join(lines)
-
-
-def _above(source: Source, line: int) -> int:
-    """The number of lines above the comment."""
-    head = prolog_end(source)
-    if line <= head_end(source):
-        return head
-    before = (at for at in range(max(head + 1, line - 60), line) if not is_comment(source, at))
-    return next((at for at in before if statement_end(source, at) >= line), line) - 1
-
-
-def prolog_end(source: Source) -> int:
-    """The lines at the start that must stay there."""
-    from bringup_lint.suppress.reach import _PROLOG
-
-    end = 0
-    for line in range(1, head_end(source) + 1):
-        if _PROLOG.match(source.line_text(line)):
-            end = line
-    return end
 
 
 def problems(source: Source, text: str) -> Iterator[str]:
