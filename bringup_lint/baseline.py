@@ -80,8 +80,8 @@ def sift(findings: Iterable[Finding], known: Iterable[Entry]) -> Sifted:
 
 
 def _entry(item: dict[str, object]) -> Entry:
-    words = (str(item.get(key, "")) for key in ("path", "rule", "message"))
-    return Entry(*words, fingerprint=str(item["fingerprint"]))
+    path, rule, message = (str(item.get(key, "")) for key in ("path", "rule", "message"))
+    return Entry(path, rule, message, str(item["fingerprint"]))
 
 
 def _text(text: str) -> str:

@@ -18,7 +18,7 @@ COMMANDS = {
     "live": "Compare the running ROS graph with the files.",
     "fleet": "Judge many robots together.",
     "server": "Speak the language server protocol with an editor.",
-    "init": "Write a configuration file to start from.",
+    "init": "Write the configuration that the current folder needs.",
     "new-rule": "Write the files of a new rule, in a checkout.",
 }
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-import re
 from collections import defaultdict
 from collections.abc import Callable
 from collections.abc import Iterable
@@ -18,6 +17,7 @@ from bringup_lint.cli.streams import complain
 from bringup_lint.cli.streams import say
 from bringup_lint.config import FILE_NAME
 from bringup_lint.config import Config
+from bringup_lint.discover.gitignore import escaped
 from bringup_lint.finding import Edit
 from bringup_lint.finding import Finding
 from bringup_lint.fix import Changes
@@ -37,7 +37,6 @@ if TYPE_CHECKING:
 Checked = Callable[[], "tuple[Robot, Outcome]"]
 Places = dict[Source, list[Finding]]
 _TABLE = "per-file-ignores"
-_SPECIAL = re.compile(r"[\\*?\[\]]|^[!#]| $")
 
 
 def add_ignores(robot: Robot, outcome: Outcome, checked: Checked, config: Config, reason: str) -> int:
@@ -109,7 +108,7 @@ def _configured(places: Places, config: Config, reason: str) -> tuple[NotWritten
         return ()
     path = Path(os.path.relpath(config.path or FILE_NAME))
     entries = {
-        f"/{_escaped(os.path.relpath(source.name, config.folder))}": {found.rule for found in findings}
+        f"/{escaped(os.path.relpath(source.name, config.folder))}": {found.rule for found in findings}
         for source, findings in places.items()
     }
     try:
@@ -149,8 +148,3 @@ def with_entries(text: str, lines: list[str], *, inside: bool) -> str:
 
 def _quoted(text: str) -> str:
     return json.dumps(text, ensure_ascii=False)
-
-
-def _escaped(path: str) -> str:
-    """A path as a gitignore pattern."""
-    return _SPECIAL.sub(lambda match: f"\\{match[0]}", path)

@@ -1,9 +1,14 @@
-"""``bringup-lint init``: a configuration file to start from."""
+"""``bringup-lint init``: the configuration that a tree needs."""
 
 from __future__ import annotations
 
 import json
+import os
+from collections.abc import Iterable
+from collections.abc import Iterator
+from itertools import groupby
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
@@ -14,44 +19,86 @@ from bringup_lint.config import schema
 from bringup_lint.writing import NotWritten
 from bringup_lint.writing import create
 
-START = """\
-# bringup-lint's configuration; every key is optional. bringup-lint init --schema prints the JSON schema.
+if TYPE_CHECKING:
+    from bringup_lint.cli.survey import Setting
 
-# The ROS distribution and systemd version that the robot runs; else they are read from the tree.
-# target-ros = "jazzy"
-# target-systemd = 255
-
-# select = ["systemd", "env"]
-# ignore = ["systemd/no-resource-limits"]
-# exclude = ["simulation/"]
-# min-severity = "warning"
-# fail-on = "warning"
-
-# [severity]
-# "systemd/root-user" = "error"
-# "node" = "off"
-
-# [per-file-ignores]
-# "legacy/" = ["systemd", "udev/symlink-match"]
-
-# Where files of this repository go on the robot.
-# [deploy]
-# "deploy/systemd" = "/etc/systemd/system"
+HEAD = """\
+# The configuration of bringup-lint for this tree. Each setting has an effect, and the comment says what it comes from:
+# delete what is wrong. bringup-lint init --schema prints all keys.
 """
+NOTHING = "# Nothing in this tree calls for a setting.\n"
 
 
 @click.command(context_settings={"help_option_names": ["-h", "--help"]})
 @click.option("--schema", "print_schema", is_flag=True, help="Print the JSON schema of the configuration instead.")
+@click.option("--print", "print_only", is_flag=True, help="Print the configuration, and write nothing.")
 @click.pass_context
-def command(ctx: click.Context, print_schema: bool) -> None:
-    """Write bringup-lint.toml in the current folder."""
+def command(ctx: click.Context, print_schema: bool, print_only: bool) -> None:
+    """Look at the current folder and write the bringup-lint.toml that it needs.
+
+    The ROS distribution, what to leave out, where files go on the robot and what folders are for: each setting with
+    the file that it comes from, and none without effect.
+    """
     if print_schema:
         click.echo(json.dumps(schema(), indent=2))
         return
+    if os.path.lexists(FILE_NAME) and not print_only:
+        complain(f"{FILE_NAME}: is there already")
+        ctx.exit(2)
+    found = _surveyed()
+    text = document(found)
+    if print_only:
+        click.echo(text, nl=False)
+        return
     path = Path(FILE_NAME)
     try:
-        create(path, START.encode("utf-8"))
+        create(path, text.encode("utf-8"))
     except NotWritten as error:
         complain(error)
         ctx.exit(2)
-    say(f"Wrote {path}.")
+    say(f"Wrote {path}: {_told(found)}.")
+
+
+def _surveyed() -> list[Setting]:
+    from bringup_lint.cli.check import read_robot
+    from bringup_lint.cli.survey import settings
+    from bringup_lint.config import Config
+
+    return settings(read_robot((".",), Config(), {"stdin_filename": None, "root": None}))
+
+
+def document(found: Iterable[Setting]) -> str:
+    """The text of a configuration."""
+    parts = [_table(table, list(group)) for table, group in groupby(found, key=lambda each: each.table)]
+    return "\n".join([HEAD, *parts] if parts else [HEAD + NOTHING])
+
+
+def _table(table: str, group: list[Setting]) -> str:
+    return "".join(f"{line}\n" for line in _lines(table, group))
+
+
+def _lines(table: str, group: list[Setting]) -> Iterator[str]:
+    if table == "exclude":
+        yield "exclude = ["
+        yield from (f"    {_quoted(each.value)},  # {_plain(each.why)}" for each in group)
+        yield "]"
+        return
+    if group[0].name:
+        yield f"[{table}]"
+    for each in group:
+        yield f"{_quoted(each.name) if each.name else table} = {_quoted(each.value)}  # {_plain(each.why)}"
+
+
+def _quoted(text: str) -> str:
+    return json.dumps(text, ensure_ascii=False)
+
+
+def _plain(text: str) -> str:
+    """A comment; no name of a file can end it."""
+    return "".join(char if char.isprintable() else "?" for char in text)
+
+
+def _told(found: list[Setting]) -> str:
+    counts = [(table, len(list(group))) for table, group in groupby(found, key=lambda each: each.table)]
+    named = (table if count == 1 else f"{table} ({count})" for table, count in counts)
+    return ", ".join(named) or "nothing in this tree calls for a setting"

@@ -12,6 +12,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from dataclasses import field
 
+from bringup_lint.pattern import regex
+
 Matches = Callable[[str], bool]
 _CLASSES: dict[str, Matches] = {
     "alnum": str.isalnum,
@@ -22,6 +24,14 @@ _CLASSES: dict[str, Matches] = {
     "upper": str.isupper,
 }
 _ANY_FOLDERS = "**"
+
+
+_SPECIAL = regex(r"[\\*?\[\]]|^[!#]| $")
+
+
+def escaped(path: str) -> str:
+    """The pattern that means just this path."""
+    return _SPECIAL.sub(lambda match: f"\\{match[0]}", path)
 
 
 class PatternError(ValueError):

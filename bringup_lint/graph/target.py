@@ -30,6 +30,11 @@ _MENTIONS = regex(
 )
 
 
+def mentioned(text: str) -> frozenset[str]:
+    """The distributions that a file names."""
+    return frozenset(group for match in _MENTIONS.finditer(text) for group in match.groups() if group)
+
+
 def mentions_of(distro: str) -> re.Pattern[str]:
     """What names a distribution, outside of comments."""
     name = re.escape(distro)

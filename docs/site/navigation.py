@@ -8,7 +8,7 @@ from typing import Any
 from bringup_lint.registry import Family
 from bringup_lint.registry import Registry
 
-USE = ("suppressing", "fixes", "purposes", "live", "fleet", "graph", "editors", "faq")
+USE = ("rollout", "suppressing", "fixes", "purposes", "live", "fleet", "graph", "editors", "faq")
 REPORTS = ("output-formats", "sarif", "json", "ci", "changes", "github", "gitlab", "pre-commit", "colcon")
 RULES = ("guides", "cross-layer", "versioning")
 INDEXES = ({"By log line": "rules/log-lines.md"}, {"By kind of file": "rules/files.md"})

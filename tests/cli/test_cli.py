@@ -305,22 +305,11 @@ def test_colour_when_it_is_asked_for(
     assert "\x1b[" in lint(*arguments, cwd=tmp_path).stdout
 
 
-def test_init_leaves_a_file_alone(tmp_path: Path) -> None:
-    assert lint("init", cwd=tmp_path).code == 0
-    assert lint("init", cwd=tmp_path).stderr == "bringup-lint: bringup-lint.toml: is there already\n"
-
-
 def test_rules_lists_every_rule(tmp_path: Path) -> None:
     from bringup_lint.registry import Registry
 
     listed = json.loads(lint("rules", "--output-format", "json", cwd=tmp_path).stdout)
     assert [rule["id"] for rule in listed] == list(Registry.of().paths)
-
-
-def test_init_writes_a_configuration_that_is_valid(tmp_path: Path) -> None:
-    assert lint("init", cwd=tmp_path).code == 0
-    assert lint(cwd=tmp_path).code == 0
-    assert lint("init", cwd=tmp_path).code == 2
 
 
 def test_schema_accepts_what_is_documented(tmp_path: Path) -> None:

@@ -22,7 +22,9 @@ def tree(tmp_path: Path) -> Path:
 
 
 def check(tree: Path, *arguments: str) -> Run:
-    return lint("--select", "systemd/invalid-value,sros2/ca-key-on-robot", "--output-format", "concise", *arguments, cwd=tree)
+    return lint(
+        "--select", "systemd/invalid-value,sros2/ca-key-on-robot", "--output-format", "concise", *arguments, cwd=tree
+    )
 
 
 def with_key(tree: Path) -> Path:

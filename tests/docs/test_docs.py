@@ -114,6 +114,8 @@ def test_commands_run(command: str, tmp_path: Path) -> None:
     if "--since" in arguments:
         pytest.importorskip("dulwich")
         committed(tmp_path / "robot")
+    if "--baseline" in arguments:
+        lint("--write-baseline", arguments[arguments.index("--baseline") + 1], cwd=tmp_path / "robot")
     run = lint(*arguments, cwd=tmp_path / "robot")
     assert run.code in (0, 1) and "bringup-lint: " not in run.stderr, run.stderr
 

@@ -1,0 +1,204 @@
+"""What a tree says about the configuration that it needs: settings that change something, each with its evidence."""
+
+from __future__ import annotations
+
+import os
+from collections import Counter
+from collections import defaultdict
+from collections.abc import Iterable
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+from typing import NamedTuple
+
+from bringup_lint.config import ROS_DISTROS
+from bringup_lint.discover.gitignore import escaped
+from bringup_lint.graph.purpose import Purpose
+from bringup_lint.graph.purpose import by_path
+from bringup_lint.graph.target import mentioned
+from bringup_lint.parsers import package_xml
+from bringup_lint.pattern import regex
+
+if TYPE_CHECKING:
+    from bringup_lint.robot import Robot
+    from bringup_lint.source import Source
+
+
+class Setting(NamedTuple):
+    """An entry of the configuration."""
+
+    table: str
+    """The key, or the table that the entry is in."""
+    name: str
+    """The path in a table; empty for a key of its own."""
+    value: str
+    why: str
+    """What the tree says for it."""
+    folder: str = ""
+    """The folder that is left out, or has a purpose of its own."""
+
+
+PLACES = {
+    "systemd-unit": "/etc/systemd/system",
+    "udev-rules": "/etc/udev/rules.d",
+    "netplan": "/etc/netplan",
+    "logrotate": "/etc/logrotate.d",
+    "sysctl": "/etc/sysctl.d",
+    "tmpfiles": "/etc/tmpfiles.d",
+    "sysusers": "/etc/sysusers.d",
+    "sudoers": "/etc/sudoers.d",
+}
+"""Where files of a kind go, by the manual of their reader."""
+
+_OTHERS = regex(r"(?i)^(?:README|LICENSE|COPYING|\.git(?:keep|ignore)|CMakeLists\.txt|.*\.md)$")
+_VENDORED = regex(r"(?i)^(?:third[_-]?part(?:y|ies)|3rd[_-]?party|vendor|vendored|externals?|extern|submodules)$")
+_INPUTS = regex(r"(?i)^(?:fixtures?|test[_-]?data|testdata|golden|snapshots?)$")
+_WORKFLOW = regex(r"(?:^|/)\.github/workflows/[^/]+\.ya?ml$|(?:^|/)\.gitlab-ci\.yml$")
+_ROS_LINE = regex(rf"(?i)ros[^\n]*?\b({'|'.join(ROS_DISTROS)})\b")
+_PURPOSES = (
+    (Purpose.DEVELOPMENT, regex(r"(?i)^(?:sandbox|playground|scratch|experiments?|wip|prototypes?|notebooks?|spike)$")),
+    (Purpose.ARCHIVE, regex(r"(?i)^(?:outdated|stale|graveyard|trash|do_?not_?use|previous|superseded)$")),
+    (Purpose.EXAMPLE, regex(r"(?i)^(?:templates?|skeletons?|boilerplate)$")),
+    (Purpose.TEST, regex(r"(?i)^(?:benchmarks?|hil|e2e)$")),
+)
+_SIMULATORS = regex(r"gazebo|ros_gz|ros_ign|webots|isaac_sim|mujoco")
+_HEAD = 64 * 1024
+"""Bytes of a workflow that are read."""
+
+
+def settings(robot: Robot) -> list[Setting]:
+    """The settings of a tree, those of one table together."""
+    left_out = list(_exclude(robot))
+    kept = [source for source in robot.sources if source.judged and not _is_in(source, left_out)]
+    purposes = list(_purposes(robot, kept))
+    deployed = [source for source in kept if not _is_in(source, purposes)]
+    return [*_target(robot), *left_out, *_deploy(robot, deployed), *purposes]
+
+
+def _is_in(source: Source, folders: Iterable[Setting]) -> bool:
+    return any(source.name.startswith(each.folder) for each in folders)
+
+
+def _target(robot: Robot) -> Iterator[Setting]:
+    """The ROS distribution, where one is named: by the tree, by the files for the robot alone, or by CI."""
+    target = robot.target
+    if target.ros:
+        yield Setting("target-ros", "", target.ros, f"{target.ros_why}; set here, it also holds for a part of the tree")
+        return
+    own = [source for source in robot.sources if source.judged and robot.purpose(source) is Purpose.ROBOT]
+    named = {name: source.name for source in own for name in mentioned(source.text)}
+    if len(named) == 1:
+        ((name, path),) = named.items()
+        yield Setting("target-ros", "", name, f"named in {path}; {target.ros_why.partition(': ')[2]}")
+    elif not named:
+        yield from _target_of_ci(robot)
+
+
+def _target_of_ci(robot: Robot) -> Iterator[Setting]:
+    named: dict[str, str] = {}
+    for path in filter(_WORKFLOW.search, robot.tree.paths):
+        for match in _ROS_LINE.finditer(robot.tree.head(path, _HEAD)):
+            named.setdefault(match[1].lower(), os.path.relpath(path))
+    if len(named) == 1:
+        ((name, path),) = named.items()
+        yield Setting("target-ros", "", name, f"named in {path}")
+
+
+def _exclude(robot: Robot) -> Iterator[Setting]:
+    """The topmost folders that hold files which are not the robot's own."""
+    submodules = {os.path.relpath(path) for path in robot.tree.submodules}
+    found: dict[str, str] = {}
+    for source in robot.sources:
+        if not source.judged or source.robot_path is not None:
+            continue
+        for folder in _folders(source.name):
+            why = found.get(folder) or _why_excluded(robot, folder, submodules)
+            if why:
+                found[folder] = why
+                break
+    for folder, why in sorted(found.items()):
+        count = sum(source.judged and source.name.startswith(f"{folder}/") for source in robot.sources)
+        why = f"{why}; {count} file{'s' * (count != 1)} of a known kind"
+        yield Setting("exclude", "", f"/{escaped(folder)}/", why, f"{folder}/")
+
+
+def _why_excluded(robot: Robot, folder: str, submodules: set[str]) -> str:
+    name = folder.rpartition("/")[2]
+    if folder in submodules:
+        return "a git submodule"
+    if _VENDORED.match(name):
+        return "by its name, code of others"
+    if _INPUTS.match(name):
+        return "by its name, inputs of tests"
+    return "left out by .gitignore" if robot.tree.is_ignored(folder) else ""
+
+
+def _folders(path: str) -> Iterator[str]:
+    """The folders above a file, from the top down."""
+    parts = path.split("/")[:-1]
+    for count in range(1, len(parts) + 1):
+        if not os.path.isabs(path) and parts[0] != "..":
+            yield "/".join(parts[:count])
+
+
+def _purposes(robot: Robot, sources: list[Source]) -> Iterator[Setting]:
+    """The folders whose path does not say what they are for, but their name or package does."""
+    folders = {folder for source in sources for folder in _folders(source.name)}
+    unsaid = (folder for folder in folders if by_path(f"{folder}/") is Purpose.ROBOT)
+    found = {folder: purpose for folder in unsaid for purpose in _purpose_of(robot, folder)}
+    for folder, (purpose, why) in sorted(found.items()):
+        if not any(folder.startswith(f"{other}/") for other in found):
+            yield Setting("purpose", f"{folder}/", purpose.value, why, f"{folder}/")
+
+
+def _purpose_of(robot: Robot, folder: str) -> Iterator[tuple[Purpose, str]]:
+    name = folder.rpartition("/")[2]
+    for purpose, pattern in _PURPOSES:
+        if pattern.match(name):
+            yield purpose, "by its name"
+            return
+    manifest = next((each for each in robot.of_kind("ros-package") if each.name == f"{folder}/package.xml"), None)
+    if manifest is None:
+        return
+    package = package_xml.parse(manifest)
+    purpose = by_path(f"{package.name}/") if package.name else Purpose.ROBOT
+    simulators = [str(depend) for _, depend in package.depends if _SIMULATORS.search(depend)]
+    if purpose is Purpose.SIMULATION and simulators:
+        yield purpose, f"package {package.name}, which depends on {simulators[0]}"
+
+
+def _deploy(robot: Robot, sources: list[Source]) -> Iterator[Setting]:
+    """The folders of files whose place on the robot follows from their kind, or from the unit that names them."""
+    mine = [
+        source
+        for source in sources
+        if source.robot_path is None and robot.purpose(source) is Purpose.ROBOT and not os.path.isabs(source.name)
+    ]
+    for kind, place in PLACES.items():
+        names = [source.name for source in mine if source.kind == kind and not source.template]
+        yield from _placed(robot, names, place, f"{kind.replace('-', ' ')} files")
+    referred: dict[str, list[tuple[str, str]]] = defaultdict(list)
+    for used in robot.env_files:
+        path = str(used.readers[0].value).lstrip("-")
+        if used.source in mine and path.endswith(f"/{used.source.basename}"):
+            referred[os.path.dirname(path)].append((used.source.name, used.readers[0].unit.name))
+    for place, pairs in sorted(referred.items()):
+        yield from _placed(robot, [name for name, _ in pairs], place, f"read there by {pairs[0][1]}")
+
+
+def _placed(robot: Robot, names: list[str], place: str, why: str) -> Iterator[Setting]:
+    """The one folder of the files, where it holds nothing else, or the one file; two folders may be of two robots."""
+    folders = Counter(os.path.dirname(name) for name in names)
+    if len(folders) != 1:
+        return
+    (folder,) = folders
+    beside = (os.path.relpath(path) for path in robot.tree.paths)
+    others = [path for path in beside if path.startswith(f"{folder}/") and path not in names]
+    if folder and not any(not _belongs(path[len(folder) + 1 :]) for path in others):
+        yield Setting("deploy", folder, place, why)
+    elif len(names) == 1:
+        yield Setting("deploy", names[0], f"{place}/{os.path.basename(names[0])}", why)
+
+
+def _belongs(path: str) -> bool:
+    """Whether a file goes with the others of its folder: a drop-in or a link of units, or nothing that is deployed."""
+    return bool(_OTHERS.match(path.rpartition("/")[2])) or path.split("/")[0].endswith((".d", ".wants", ".requires"))

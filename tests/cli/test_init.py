@@ -1,0 +1,114 @@
+"""``init`` writes the settings that a tree needs, each with its evidence, and none without effect."""
+
+from __future__ import annotations
+
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from bringup_lint.config import read
+from tests.lint import lint
+
+UNIT = "[Unit]\nDescription=One\n[Service]\nExecStart=/bin/true\n"
+WORKFLOW = "jobs:\n  test:\n    with:\n      required-ros-distributions: {}\n"
+PACKAGE = """<package format="3"><name>otter_gazebo</name><exec_depend>ros_gz_bridge</exec_depend></package>\n"""
+
+
+def tree(top: Path, files: dict[str, str]) -> Path:
+    for name, text in files.items():
+        (top / name).parent.mkdir(parents=True, exist_ok=True)
+        (top / name).write_text(text)
+    return top
+
+
+def settings(top: Path) -> list[str]:
+    """The lines of the configuration that are no comments, without what follows the value."""
+    text = lint("init", "--print", cwd=top).stdout
+    lines = [line.partition("  # ")[0] for line in text.splitlines()]
+    return [line for line in lines if line and not line.startswith("#")]
+
+
+def test_a_tree_that_needs_nothing(tmp_path: Path) -> None:
+    run = lint("init", cwd=tmp_path)
+    assert (run.code, run.stdout) == (0, "")
+    assert run.stderr == "Wrote bringup-lint.toml: nothing in this tree calls for a setting.\n"
+    assert settings(tmp_path) == []
+    assert lint(cwd=tmp_path).code == 0
+
+
+def test_a_file_is_left_alone(tmp_path: Path) -> None:
+    (tmp_path / "bringup-lint.toml").write_text("exclude = []\n")
+    assert lint("init", cwd=tmp_path) == (2, "", "bringup-lint: bringup-lint.toml: is there already\n")
+    assert (tmp_path / "bringup-lint.toml").read_text() == "exclude = []\n"
+
+
+@pytest.mark.parametrize(
+    ("files", "expected"),
+    [
+        ({"Dockerfile": "FROM ros:humble\n"}, "humble"),
+        ({"Dockerfile": "FROM ros:humble\n", "test/Dockerfile": "FROM ros:jazzy\n"}, "humble"),
+        ({".github/workflows/ci.yml": WORKFLOW.format("jazzy")}, "jazzy"),
+        ({".github/workflows/ci.yml": WORKFLOW.format("jazzy"), "Dockerfile": "FROM ros:humble\n"}, "humble"),
+    ],
+)
+def test_the_distribution_that_is_named(tmp_path: Path, files: dict[str, str], expected: str) -> None:
+    assert settings(tree(tmp_path, files)) == [f'target-ros = "{expected}"']
+
+
+@pytest.mark.parametrize(
+    "files",
+    [
+        {"Dockerfile": "FROM ros:humble\n", "arm/Dockerfile": "FROM ros:jazzy\n"},
+        {".gitlab-ci.yml": "image: ros:jazzy\n---\nimage: ros:humble\n"},
+    ],
+)
+def test_two_distributions_say_nothing(tmp_path: Path, files: dict[str, str]) -> None:
+    assert settings(tree(tmp_path, files)) == []
+
+
+def test_what_is_not_the_robots_own_is_left_out(tmp_path: Path) -> None:
+    files = ("third_party/one/a.service", "deep/fixtures/a.service", "made/a.service", "lib/driver/a.service")
+    tree(tmp_path, {name: UNIT for name in files})
+    tree(tmp_path, {".gitignore": "/made/\n", ".gitmodules": '[submodule "driver"]\n\tpath = lib/driver\n'})
+    tree(tmp_path, {"vendor/notes.txt": "no file of a known kind"})
+    subprocess.run(["git", "init", "-q"], cwd=tmp_path, check=True)
+    lint("init", cwd=tmp_path)
+    assert read(tmp_path / "bringup-lint.toml").exclude == (
+        "/deep/fixtures/",
+        "/lib/driver/",
+        "/made/",
+        "/third_party/",
+    )
+    assert "Nothing to check" in lint(cwd=tmp_path).stdout
+
+
+def test_where_files_go_on_the_robot(tmp_path: Path) -> None:
+    unit = UNIT + "EnvironmentFile=/etc/otter/ros.env\n"
+    tree(tmp_path, {"deploy/units/a.service": unit, "deploy/units/a.service.d/b.conf": "[Service]\nUser=o\n"})
+    tree(tmp_path, {"deploy/units/README.md": "text", "conf/ros.env": "A=1\n", "conf/other.yaml": "a: 1\n"})
+    tree(tmp_path, {"udev/60-a.rules": 'KERNEL=="a", MODE="0660"\n', "more/60-a.rules": 'KERNEL=="a", MODE="0660"\n'})
+    lint("init", cwd=tmp_path)
+    assert read(tmp_path / "bringup-lint.toml").deploy == {
+        "deploy/units": "/etc/systemd/system",
+        "conf/ros.env": "/etc/otter/ros.env",
+    }
+
+
+def test_an_overlay_needs_no_map(tmp_path: Path) -> None:
+    assert settings(tree(tmp_path, {"board/etc/systemd/system/a.service": UNIT})) == []
+
+
+def test_what_folders_are_for(tmp_path: Path) -> None:
+    tree(tmp_path, {"sandbox/deep/scratch/a.service": UNIT, "test/scratch/a.service": UNIT})
+    tree(tmp_path, {"otter_world/package.xml": PACKAGE, "otter_world/launch/w.launch.py": "import launch\n"})
+    lint("init", cwd=tmp_path)
+    config = read(tmp_path / "bringup-lint.toml")
+    assert config.purpose == {"otter_world/": "simulation", "sandbox/": "development"}
+    assert config.deploy == {}
+
+
+def test_names_of_files_stay_in_their_comment(tmp_path: Path) -> None:
+    tree(tmp_path, {'vendor/a"\n[x]\n/a.service': UNIT, 'b"\n[y]/fixtures/a.service': UNIT})
+    lint("init", cwd=tmp_path)
+    assert read(tmp_path / "bringup-lint.toml").exclude == ('/b"\n\\[y\\]/fixtures/', "/vendor/")
