@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections import Counter
 from collections import defaultdict
 from collections.abc import Iterable
@@ -53,7 +54,7 @@ _OTHERS = regex(r"(?i)^(?:README|LICENSE|COPYING|\.git(?:keep|ignore)|CMakeLists
 _VENDORED = regex(r"(?i)^(?:third[_-]?part(?:y|ies)|3rd[_-]?party|vendor|vendored|externals?|extern|submodules)$")
 _INPUTS = regex(r"(?i)^(?:fixtures?|test[_-]?data|testdata|golden|snapshots?)$")
 _WORKFLOW = regex(r"(?:^|/)\.github/workflows/[^/]+\.ya?ml$|(?:^|/)\.gitlab-ci\.yml$")
-_ROS_LINE = regex(rf"(?i)ros[^\n]*?\b({'|'.join(ROS_DISTROS)})\b")
+_DISTRO = regex(rf"\b(?:{'|'.join(ROS_DISTROS)})\b", re.I)
 _PURPOSES = (
     (Purpose.DEVELOPMENT, regex(r"(?i)^(?:sandbox|playground|scratch|experiments?|wip|prototypes?|notebooks?|spike)$")),
     (Purpose.ARCHIVE, regex(r"(?i)^(?:outdated|stale|graveyard|trash|do_?not_?use|previous|superseded)$")),
@@ -96,8 +97,9 @@ def _target(robot: Robot) -> Iterator[Setting]:
 def _target_of_ci(robot: Robot) -> Iterator[Setting]:
     named: dict[str, str] = {}
     for path in filter(_WORKFLOW.search, robot.tree.paths):
-        for match in _ROS_LINE.finditer(robot.tree.head(path, _HEAD)):
-            named.setdefault(match[1].lower(), os.path.relpath(path))
+        lines = robot.tree.head(path, _HEAD).lower().splitlines()
+        for name in (name for line in lines if "ros" in line for name in _DISTRO.findall(line)):
+            named.setdefault(name, os.path.relpath(path))
     if len(named) == 1:
         ((name, path),) = named.items()
         yield Setting("target-ros", "", name, f"named in {path}")
