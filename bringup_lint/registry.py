@@ -206,7 +206,9 @@ class Registry:
 
     @classmethod
     def of(cls, extra: Iterable[Path] = ()) -> Registry:
-        return cls(families([builtin_folder(), *extra]))
+        """The built-in rules, which a process reads once, and those of a user's folders."""
+        own = families(extra)
+        return cls([*_builtin().families, *own]) if own else _builtin()
 
     @cached_property
     def paths(self) -> dict[str, Path]:
@@ -248,3 +250,8 @@ class Registry:
         builtin = builtin_folder()
         for rule_id, path in self.paths.items():
             yield described(path, rule_id) if builtin in path.parents else load(path, rule_id)
+
+
+@cache
+def _builtin() -> Registry:
+    return Registry(families([builtin_folder()]))

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from bringup_lint.pattern import regex
 from tests.architecture.imports import paths
+from tests.architecture.imports import syntax
 from tests.conftest import PROJECT
 
 
@@ -22,7 +23,7 @@ def compiled_on_import(node: ast.AST) -> Iterator[ast.AST]:
 
 
 def places(path: Path) -> Iterator[str]:
-    for node in compiled_on_import(ast.parse(path.read_text("utf-8"))):
+    for node in compiled_on_import(syntax(path)):
         yield f"{path.relative_to(PROJECT)}:{getattr(node, 'lineno', 0)}"
 
 
