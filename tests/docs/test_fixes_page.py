@@ -13,7 +13,6 @@ from tests.conftest import PROJECT
 from tests.lint import lint
 from tests.oracles.judges import judge_of
 from tests.rules.test_fixes import FIXES
-from tests.rules.test_fixes import REGISTRY
 from tests.rules.test_fixes import source
 from tests.rules.test_fixes import texts
 from tests.rules.test_fixtures import arguments
@@ -51,10 +50,11 @@ def judges(tmp_path: Path) -> dict[str, set[str]]:
 @pytest.mark.slow
 def test_the_page_is_current(tmp_path: Path, update_expected: bool) -> None:
     tools = judges(tmp_path)
+    registry = Registry.of()
     rows = [
         f"| [{rule_id}](../{path.relative_to(PROJECT)}) | {fix} | {', '.join(sorted(tools[rule_id]))} |\n"
-        for rule_id, path in sorted(REGISTRY.paths.items())
-        if (fix := REGISTRY[rule_id].meta.fix) != "none"
+        for rule_id, path in sorted(registry.paths.items())
+        if (fix := registry[rule_id].meta.fix) != "none"
     ]
     if update_expected:
         PAGE.write_text(HEAD + "".join(rows), "utf-8")

@@ -12,7 +12,7 @@ from tests.conftest import PROJECT
 from tests.docs import guides
 
 ENTRIES = {f"{guide}/{key}": entry for guide, entries in guides.answers().items() for key, entry in entries.items()}
-RULES = {rule.id for rule in Registry.of().all()}
+RULES = frozenset(Registry.of().paths)
 SHOWN = {
     line.partition("[")[2].partition("]")[0]
     for line in (PROJECT / "fixtures" / "robots" / "guide" / "expected.txt").read_text("utf-8").splitlines()

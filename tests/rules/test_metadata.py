@@ -6,19 +6,23 @@ import ast
 import re
 from collections.abc import Callable
 from dataclasses import replace
+from functools import cache
 
 from bringup_lint.registry import Registry
 from bringup_lint.registry import Rule
 from bringup_lint.registry import described
 from bringup_lint.report.docs import HEADINGS
 
-REGISTRY = Registry.of()
-RULES = [REGISTRY[rule_id] for rule_id in sorted(REGISTRY.paths)]
+
+@cache
+def rules() -> list[Rule]:
+    registry = Registry.of()
+    return [registry[rule_id] for rule_id in sorted(registry.paths)]
 
 
 def other_than(holds: Callable[[Rule], bool]) -> list[str]:
     """The rules for which something does not hold."""
-    return [rule.id for rule in RULES if not holds(rule)]
+    return [rule.id for rule in rules() if not holds(rule)]
 
 
 def section(rule: Rule, heading: str) -> str:
@@ -68,12 +72,12 @@ def test_function_is_typed() -> None:
 
 
 def test_cwe_tags_are_well_formed() -> None:
-    tags = {tag for rule in RULES for tag in rule.meta.tags if tag.upper().startswith("CWE")}
+    tags = {tag for rule in rules() for tag in rule.meta.tags if tag.upper().startswith("CWE")}
     assert [tag for tag in tags if not re.fullmatch(r"CWE-\d+", tag)] == []
 
 
 def test_what_a_rule_file_says_of_itself_is_what_it_is_when_it_is_loaded() -> None:
-    for loaded in RULES:
+    for loaded in rules():
         rule = described(loaded.path, loaded.id)
         assert rule.doc == loaded.doc
         assert replace(rule.meta, check=loaded.check) == loaded.meta, rule.id
