@@ -30,6 +30,11 @@ FIRST = {
         "systemd/key-in-wrong-section"
     ),
     "/etc/systemd/system/a.service:9: Unknown key name 'Colour' in section 'Service', ignoring.": "systemd/*",
+    "/etc/systemd/system/a.service:9: Unknown key 'StartLimitBurst' in section [Service], ignoring.": (
+        "systemd/key-in-wrong-section"
+    ),
+    "/etc/systemd/system/a.service:9: Unknown key 'Colour' in section [Service], ignoring.": "systemd/*unknown-key",
+    "/etc/systemd/logind.conf:9: Unknown key 'Colour' in section [Login], ignoring.": "logind/unknown-key",
     "/etc/systemd/journald.conf:9: Unknown key name 'Colour' in section 'Journal', ignoring.": "journald/unknown-key",
     "/etc/systemd/logind.conf:9: Unknown key name 'Colour' in section 'Login', ignoring.": "logind/unknown-key",
     "/etc/systemd/system.conf:9: Unknown key name 'Colour' in section 'Manager', ignoring.": "system-conf/unknown-key",
@@ -52,6 +57,27 @@ FIRST = {
     "Invalid YAML at /etc/netplan/50-rover.yaml line 3 column 1: inconsistent indentation": "netplan/yaml-error",
     "[lifecycle_manager_navigation]: Failed to change state for node: amcl": "launch/lifecycle-unknown-node",
     "Ignoring invalid environment assignment 'export ROS_DOMAIN_ID=7': /etc/rover.env": "env/export-prefix",
+    "[rcl]: 'localhost_only' is enabled, 'automatic_discovery_range' and 'static_peers' will be ignored.": (
+        "env/ros-static-peers-ignored"
+    ),
+    "rclpy.exceptions.ParameterUninitializedException: The parameter 'gain' is not initialized: gain": (
+        "params/file-key-mismatch"
+    ),
+    "FileNotFoundError: [Errno 2] No such file or directory: '$(find-pkg-share rover)/map.yaml'": (
+        "params/substitution-without-allow-substs"
+    ),
+    "Unit rviz.service is added as a dependency to a non-existent unit multi-user.target.": (
+        "systemd/user-unit-system-target"
+    ),
+    "Unable to negotiate with 10.0.0.2 port 22: no matching cipher found. Their offer: 3des-cbc": "sshd/weak-crypto",
+    "error: stat of /home/rover/.ros/log/** failed: No such file or directory": "logrotate/globstar",
+    '70-rover.rules:2 style: LABEL="rover_end" is unused.': "udev/label-unused",
+    "2025-03-13 20:43:40,201 WARNING Found /var/run/reboot-required, rebooting": "host/apt-auto-reboot",
+    " ! nav Published ports are discarded when using host network mode": "compose/bridge-network-ros",
+    "[controller_manager]: No clock received, using time argument instead! Check your node's clock": ("*/use-sim-*"),
+    "failed to increase socket receive buffer size to at least 10485760 bytes, current is 425984 bytes": (
+        "cyclonedds/socket-buffer-exceeds-sysctl"
+    ),
     "[UFW BLOCK] IN=eth0 OUT= SRC=10.0.0.7 DST=239.255.0.1 PROTO=UDP SPT=7412 DPT=7400 LEN=100": "firewall/dds-ports",
 }
 """A line -> the rule that comes first."""

@@ -41,7 +41,7 @@ from bringup_lint.api.compose import Service
 OTHER_WAYS = ("ROS_DISCOVERY_SERVER", "ROS_STATIC_PEERS", "CYCLONEDDS_URI", "ZENOH_ROUTER_CONFIG_URI")
 
 
-@rule("warning")
+@rule("warning", symptoms=["Published ports are discarded when using host network mode"])
 def bridge_network_ros(robot: Robot) -> Iterator[Finding]:
     for file in robot.compose.files:
         if file.source.template:

@@ -5,7 +5,7 @@ An entry of a file that a unit reads with EnvironmentFile= whose name contains o
 and `_`, or starts with a digit.
 
 ## Why it matters on a robot
-systemd drops the entry when the process starts, without a message.
+systemd ignores the entry when the process starts, and says so only once in the journal.
 
 ## Bad
 ```sh
@@ -43,7 +43,7 @@ def bad_name(robot: Robot) -> Iterator[Finding]:
             shown = f"'{name}'" if len(name) <= 40 else f"'{name[:37]}...'"
             yield finding(
                 name if name else problem.where,
-                f"{shown} is not the name of a variable: systemd drops the entry without a message",
+                f"{shown} is not the name of a variable: systemd ignores the entry",
                 advice="use only letters, digits and _, and no digit at the start",
                 related=[note(file.readers[0].value, "the service reads it here")],
             )

@@ -1,11 +1,11 @@
-"""systemd drops lines that start with export.
+"""systemd ignores lines that start with export.
 
 ## What it finds
 `export NAME=VALUE` in a file that a unit reads with EnvironmentFile=. Files that only shells read are not reported.
 
 ## Why it matters on a robot
-systemd reads "export NAME" as the name, which is not valid, and drops the line without a message when the process
-starts. The node runs with another domain or RMW than the robot's shells.
+systemd reads "export NAME" as the name, which is not valid. When the process starts, it ignores the line, and says so
+only once in the journal. The node runs with another domain or RMW than the robot's shells.
 
 ## Bad
 ```sh
@@ -54,7 +54,7 @@ def export_prefix(robot: Robot) -> Iterator[Finding]:
                 advice += "; the shell that sources the file then needs 'set -a' before it"
             yield finding(
                 problem.where,
-                f"systemd drops 'export {name}' without a message: {name} is not set",
+                f"systemd ignores 'export {name}', with one line in the journal: {name} is not set",
                 advice=advice,
                 related=[note(file.readers[0].value, "the service reads it here")],
                 fix=fix("remove export", (file.source.span(start, end), ""), safe=sourced is None),

@@ -43,7 +43,7 @@ RUNNING = regex(r"\bros2 +(?:run|launch)\b|\bcolcon\b|\bapt(?:-get)? ")
 OLDER = ("eloquent", "dashing", "crystal")
 
 
-@rule("warning", tags=["CWE-1104"])
+@rule("warning", tags=["CWE-1104"], symptoms=['Skip end-of-life distro "*"'])
 def ros_distro_eol(robot: Robot) -> Iterator[Finding]:
     for distro in _distros(robot):
         end = distro_end(distro)

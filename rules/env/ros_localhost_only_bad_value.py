@@ -35,7 +35,12 @@ from bringup_lint.api import rule
 from bringup_lint.api.ros import at_least
 
 
-@rule("error", fix="unsafe", tags=["CWE-923"])
+@rule(
+    "error",
+    fix="unsafe",
+    tags=["CWE-923"],
+    symptoms=["'localhost_only' is disabled, 'automatic_discovery_range' and 'static_peers' will be used."],
+)
 def ros_localhost_only_bad_value(robot: Robot) -> Iterator[Finding]:
     for setting in robot.ros.of("ROS_LOCALHOST_ONLY"):
         if setting.text in ("", "0", "1"):

@@ -5,7 +5,8 @@ ROS_STATIC_PEERS together with a discovery range of OFF or SYSTEM_DEFAULT, or wi
 environment on Iron and newer.
 
 ## Why it matters on a robot
-The listed machines are not contacted, and no message says so: the base station never sees the robot.
+The listed machines are not contacted: the base station never sees the robot. rcl says so only with
+ROS_LOCALHOST_ONLY=1.
 
 ## Bad
 ```sh
@@ -39,7 +40,9 @@ from bringup_lint.api.systemd import Environment
 from bringup_lint.api.systemd import Variable
 
 
-@rule("warning")
+@rule(
+    "warning", symptoms=["'localhost_only' is enabled, 'automatic_discovery_range' and 'static_peers' will be ignored."]
+)
 def ros_static_peers_ignored(robot: Robot) -> Iterator[Finding]:
     if not at_least(robot.target.ros, "iron"):
         return

@@ -38,7 +38,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.environment import UsedEnvFile
 
 
-@rule("error")
+@rule("error", symptoms=["unexpected EOF while looking for matching", "Syntax error: Unterminated quoted string"])
 def unterminated_quote(robot: Robot) -> Iterator[Finding]:
     for file in robot.env_files:
         for problem in file.model.problems:

@@ -5,7 +5,8 @@
 `net.core.wmem_max` or `rmem_max` in the tree's sysctl files.
 
 ## Why it matters on a robot
-The library lowers the value without a message: large messages such as point clouds are still dropped.
+The library lowers the value, and logs it only at the level Warning, which is off by default: large messages such as
+point clouds are still dropped.
 
 ## Bad
 ```xml
@@ -35,7 +36,13 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("warning")
+@rule(
+    "warning",
+    symptoms=[
+        "UDPTransport receiveBufferSize could not be set to the desired value. Using * instead of *",
+        "UDPTransport sendBufferSize could not be set to the desired value. Using * instead of *",
+    ],
+)
 def socket_buffer_exceeds_sysctl(robot: Robot) -> Iterator[Finding]:
     limits = {
         "sendSocketBufferSize": "net.core.wmem_max",

@@ -37,7 +37,7 @@ from bringup_lint.api import rule
 REBOOT = regex(r"^[ \t]*Unattended-Upgrade::Automatic-Reboot[ \t]+\"?(\w+)\"?[ \t]*;", re.M | re.I)
 
 
-@rule("error", fix="unsafe")
+@rule("error", fix="unsafe", symptoms=["Found /var/run/reboot-required, rebooting"])
 def apt_auto_reboot(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("apt-conf"):
         for match in REBOOT.finditer(source.text):

@@ -38,7 +38,7 @@ from bringup_lint.api import rule
 OVERLAY = regex(r"^[ \t]*overlayroot=[\"']?(tmpfs)", re.M)
 
 
-@rule("warning")
+@rule("warning", symptoms=["Data from the specified boot (-1) is not available: No such boot ID in journal"])
 def overlayroot_persistent_journal(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("overlayroot"):
         overlay = OVERLAY.search(source.text)

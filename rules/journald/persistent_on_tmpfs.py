@@ -45,7 +45,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("error")
+@rule("error", symptoms=["Data from the specified boot (-1) is not available: No such boot ID in journal"])
 def persistent_on_tmpfs(robot: Robot) -> Iterator[Finding]:
     if len(robot.fstabs) != 1 or len(robot.journald) != 1:
         return

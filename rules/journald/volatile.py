@@ -35,7 +35,13 @@ from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
-@rule("info")
+@rule(
+    "info",
+    symptoms=[
+        "no persistent journal was found",
+        "Data from the specified boot (-1) is not available: No such boot ID in journal",
+    ],
+)
 def volatile(robot: Robot) -> Iterator[Finding]:
     by_design = any(mount.target == "/" and mount.is_read_only for fstab in robot.fstabs for mount in fstab.mounts)
     by_design = by_design or bool(robot.of_kind("overlayroot"))

@@ -5,7 +5,8 @@
 unknown, and where no container is started at all. An action with a condition is a warning.
 
 ## Why it matters on a robot
-launch waits forever for the container's service. The components never load, and no message says why.
+launch waits forever for the container's service. The components never load, and no message says why until somebody
+stops the launch.
 
 ## Bad
 ```python
@@ -36,7 +37,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.spelling import nearest
 
 
-@rule("error")
+@rule("error", symptoms=["Abandoning wait for the '*/_container/load_node' service, due to shutdown."])
 def container_missing(robot: Robot) -> Iterator[Finding]:
     for expansion in robot.launch.entries:
         if expansion.open:

@@ -38,7 +38,7 @@ from bringup_lint.api.python import move_after
 CALLED = {"bt_navigator": ("planner_server", "controller_server", "behavior_server", "smoother_server")}
 
 
-@rule("info", fix="unsafe")
+@rule("info", fix="unsafe", symptoms=["Action server is inactive. Rejecting the goal."])
 def lifecycle_order(robot: Robot) -> Iterator[Finding]:
     for expansion in robot.launch.expansions:
         for manager in launch.managers(expansion):

@@ -44,7 +44,7 @@ USES_TF = ("localization", "planning", "control", "mapping", "costmap")
 PUBLISHERS = (("robot_state_publisher", "robot_state_publisher"), ("tf2_ros", "static_transform_publisher"))
 
 
-@rule("warning")
+@rule("warning", symptoms=["Timed out waiting for transform from * to * to become available, tf error:"])
 def tf_not_remapped(robot: Robot) -> Iterator[Finding]:
     for expansion in robot.launch.entries:
         remapping: dict[str | None, launch.Started] = {}

@@ -40,7 +40,7 @@ from bringup_lint.api import rule
 NAMES = ("use_sim_time", "use_sim", "sim", "simulation", "use_simulation", "is_sim", "is_simulation", "sim_mode")
 
 
-@rule("error", fix="unsafe")
+@rule("error", fix="unsafe", symptoms=["No clock received, using time argument instead!"])
 def use_sim_default_true(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         if robot.launch.simulated(file):

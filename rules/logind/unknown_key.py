@@ -38,6 +38,6 @@ from bringup_lint.api import daemons
 from bringup_lint.api import rule
 
 
-@rule("error", fix="unsafe", symptoms=["Unknown key name", "Unknown lvalue"])
+@rule("error", fix="unsafe", symptoms=["Unknown key name", "Unknown lvalue", "Unknown key '*' in section [Login]"])
 def unknown_key(robot: Robot) -> Iterator[Finding]:
     yield from daemons.unknown_keys(robot.logind, robot.target)

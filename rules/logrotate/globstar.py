@@ -37,7 +37,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import rule
 
 
-@rule("error", fix="unsafe")
+@rule("error", fix="unsafe", symptoms=["error: stat of */** failed: No such file or directory"])
 def globstar(robot: Robot) -> Iterator[Finding]:
     for stanza in robot.logs.stanzas:
         for path in stanza.paths:

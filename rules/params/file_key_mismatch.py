@@ -6,7 +6,8 @@ is close: the same name in another namespace, or a misspelling. Silent for compo
 not known.
 
 ## Why it matters on a robot
-All parameters keep the defaults of the code, without any message. It shows when the robot drives.
+All parameters keep the defaults of the code, without any message. It shows when the robot drives. Only a node that
+declares a parameter without a default ends, because the parameter is not initialized.
 
 ## Bad
 ```yaml
@@ -39,7 +40,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.params import unreached
 
 
-@rule("error", fix="unsafe")
+@rule("error", fix="unsafe", symptoms=["ParameterUninitializedException: The parameter '*' is not initialized"])
 def file_key_mismatch(robot: Robot) -> Iterator[Finding]:
     for found in unreached(robot.params):
         tail = found.name.rpartition("/")[2]

@@ -7,7 +7,8 @@ file.) Silent for components, when a node's name or namespace is not known, and 
 file.
 
 ## Why it matters on a robot
-No message appears. The node runs with the defaults of its code, and the tuned values are never used.
+No message appears, unless the node declares a parameter without a default. The node runs with the defaults of its
+code, and the tuned values are never used.
 
 ## Bad
 ```yaml
@@ -43,7 +44,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.params import unused
 
 
-@rule("warning", fix="unsafe")
+@rule("warning", fix="unsafe", symptoms=["ParameterUninitializedException: The parameter '*' is not initialized"])
 def node_not_in_launch(robot: Robot) -> Iterator[Finding]:
     for found in unused(robot.params):
         name = found.name.removeprefix("/")

@@ -46,7 +46,7 @@ _SUBSTITUTION = regex(
 )
 
 
-@rule("error", fix="unsafe")
+@rule("error", fix="unsafe", symptoms=["No such file or directory: '$(find-pkg-share"])
 def substitution_without_allow_substs(robot: Robot) -> Iterator[Finding]:
     for file, parameter in robot.params.parameters:
         if "$(" not in parameter.text or any(load.substitutes is not False for load in robot.params.loads(file)):

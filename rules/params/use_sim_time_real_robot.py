@@ -40,7 +40,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.params import simulated
 
 
-@rule("error", fix="unsafe")
+@rule("error", fix="unsafe", symptoms=["No clock received, using time argument instead!"])
 def use_sim_time_real_robot(robot: Robot) -> Iterator[Finding]:
     for found in simulated(robot.params):
         yield finding(

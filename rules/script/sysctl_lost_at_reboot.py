@@ -42,7 +42,7 @@ TUNED = regex(r"(net\.core\.(?:[rw]mem_(?:max|default)|netdev_max_backlog)|net\.
 DONE_HERE = regex(r"sysctl\.(?:conf|d)\b")
 
 
-@rule("warning", tags=["CWE-1188"])
+@rule("warning", tags=["CWE-1188"], symptoms=["failed to increase socket receive buffer size"])
 def sysctl_lost_at_reboot(robot: Robot) -> Iterator[Finding]:
     by_script: dict[int, list[Run]] = {}
     for source, run in robot.scripts.run("sysctl"):

@@ -37,7 +37,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.schema import Code
 
 
-@rule("error", fix="safe")
+@rule("error", fix="safe", symptoms=["Expected boolean value in * tag. Line"])
 def governance_bool_invalid(robot: Robot) -> Iterator[Finding]:
     for document, remark in robot.sros2.remarks(Code.BOOL):
         text = remark.inside.text

@@ -35,7 +35,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.schema import Code
 
 
-@rule("warning", fix="unsafe")
+@rule("warning", fix="unsafe", symptoms=["Invalid text indefault tag. Line", "Expected tag default. Line"])
 def permissions_default_missing(robot: Robot) -> Iterator[Finding]:
     for permissions in robot.sros2.permissions:
         if not robot.sros2.is_used(permissions.source):

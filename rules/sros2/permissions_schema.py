@@ -41,7 +41,15 @@ from bringup_lint.api.schema import Code
 CODES = (Code.MISSING, Code.MISSING_ATTRIBUTE, Code.UNKNOWN, Code.DUPLICATE)
 
 
-@rule("error")
+@rule(
+    "error",
+    symptoms=[
+        "Expected not_after tag. Line",
+        "Expected not_before tag. Line",
+        "Expected validity tag. Line",
+        "Expected subject_name tag. Line",
+    ],
+)
 def permissions_schema(robot: Robot) -> Iterator[Finding]:
     for permissions in robot.sros2.permissions:
         for remark in permissions.remarks:

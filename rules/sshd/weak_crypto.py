@@ -34,7 +34,14 @@ from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
-@rule("warning", tags=["CWE-327"])
+@rule(
+    "warning",
+    tags=["CWE-327"],
+    symptoms=[
+        "no matching cipher found. Their offer: 3des-cbc",
+        "no matching host key type found. Their offer: ssh-rsa",
+    ],
+)
 def weak_crypto(robot: Robot) -> Iterator[Finding]:
     for sshd in robot.sshd:
         for name in sshd.weak_algorithms():

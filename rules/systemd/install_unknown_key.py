@@ -38,7 +38,15 @@ from bringup_lint.api.spelling import nearest
 from bringup_lint.api.systemd import directives
 
 
-@rule("error", fix="unsafe", symptoms=["Unknown key name", "The unit files have no installation config"])
+@rule(
+    "error",
+    fix="unsafe",
+    symptoms=[
+        "Unknown key name",
+        "Unknown key '*' in section [Install], ignoring.",
+        "The unit files have no installation config",
+    ],
+)
 def install_unknown_key(robot: Robot) -> Iterator[Finding]:
     known = directives.sections()["Install"]
     for file in robot.units.unit_files:

@@ -60,6 +60,14 @@ from bringup_lint.api.systemd import move_lines
         "Unknown key name 'After' in section 'Service'",
         "Unknown key name 'ExecStart' in section 'Unit'",
         "Unknown key name 'User' in section 'Unit'",
+        "Unknown key 'StartLimitIntervalSec' in section [Service], ignoring.",
+        "Unknown key 'StartLimitBurst' in section [Service], ignoring.",
+        "Unknown key 'Restart' in section [Unit], ignoring.",
+        "Unknown key 'RestartSec' in section [Unit], ignoring.",
+        "Unknown key 'WantedBy' in section [*], ignoring.",
+        "Unknown key 'After' in section [Service], ignoring.",
+        "Unknown key 'ExecStart' in section [Unit], ignoring.",
+        "Unknown key 'User' in section [Unit], ignoring.",
     ],
 )
 def key_in_wrong_section(robot: Robot) -> Iterator[Finding]:

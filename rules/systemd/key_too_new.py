@@ -44,7 +44,12 @@ from bringup_lint.api import rule
 
 @rule(
     "warning",
-    symptoms=["Unknown key name", "Failed to parse service type", "Failed to resolve unit specifiers"],
+    symptoms=[
+        "Unknown key name",
+        "Failed to parse service type",
+        "Failed to resolve unit specifiers",
+        "Unknown key '*' in section [*], ignoring.",
+    ],
 )
 def key_too_new(robot: Robot) -> Iterator[Finding]:
     target = robot.target

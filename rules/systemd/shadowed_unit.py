@@ -36,7 +36,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("info")
+@rule("info", symptoms=["[OVERRIDDEN] /etc/systemd/system/* → /*/systemd/system/*"])
 def shadowed_unit(robot: Robot) -> Iterator[Finding]:
     for hidden, unit in robot.units.shadowed:
         if unit.fragment is None or unit.fragment.source.link or not hidden.source.robot_path:

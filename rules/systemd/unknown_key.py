@@ -44,7 +44,9 @@ from bringup_lint.api.systemd import directives
 from bringup_lint.api.systemd import misspelt_trigger
 
 
-@rule("error", fix="unsafe", symptoms=["Unknown key name", "Unknown lvalue"])
+@rule(
+    "error", fix="unsafe", symptoms=["Unknown key name", "Unknown lvalue", "Unknown key '*' in section [*], ignoring."]
+)
 def unknown_key(robot: Robot) -> Iterator[Finding]:
     reported = {misspelt.key.span for misspelt in map(misspelt_trigger, robot.units.judged) if misspelt}
     for file in robot.units.unit_files:

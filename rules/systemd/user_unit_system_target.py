@@ -51,7 +51,7 @@ SYSTEM_ONLY = frozenset(
 )
 
 
-@rule("error", fix="unsafe")
+@rule("error", fix="unsafe", symptoms=["is added as a dependency to a non-existent unit multi-user.target."])
 def user_unit_system_target(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.judged:
         if unit.manager != "user":

@@ -33,7 +33,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
-@rule("info")
+@rule("info", symptoms=['LABEL="*" is unused.'])
 def label_unused(robot: Robot) -> Iterator[Finding]:
     for problem, _ in robot.udev.problems("label-unused"):
         yield finding(

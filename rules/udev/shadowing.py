@@ -34,7 +34,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("info")
+@rule("info", symptoms=["[OVERRIDDEN] /etc/udev/rules.d/* → /*/udev/rules.d/*"])
 def shadowing(robot: Robot) -> Iterator[Finding]:
     for file, hidden, package in robot.udev.replacing:
         name = hidden.name if hidden is not None else ""
