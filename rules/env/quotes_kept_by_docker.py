@@ -37,7 +37,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("warning", fix="unsafe")
+@rule("warning", fix="unsafe", symptoms=["Expected RMW implementation identifier of '\"*\"' but instead found"])
 def quotes_kept_by_docker(robot: Robot) -> Iterator[Finding]:
     yield from _of_env_files(robot)
     if robot.of_kind("compose"):

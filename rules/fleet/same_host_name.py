@@ -36,7 +36,7 @@ from bringup_lint.api.fleet import fleet_finding
 from bringup_lint.api.fleet import names
 
 
-@rule("warning")
+@rule("warning", symptoms=["Host name conflict, retrying with"])
 def same_host_name(fleet: Fleet) -> Iterator[FleetFinding]:
     for group in fleet.same("host-name"):
         name = group[0].fact.value

@@ -48,7 +48,7 @@ DAEMONS = (
 TARGETS = ("multi-user", "sysinit", "default", "graphical", "basic", "network-online")
 
 
-@rule("warning")
+@rule("warning", symptoms=["System clock synchronized: no"])
 def time_sync_daemon_missing(robot: Robot) -> Iterator[Finding]:
     releases = [source for source in robot.of_kind("os-release") if source.judged]
     if not robot.tree.complete or not releases:

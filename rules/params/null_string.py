@@ -38,7 +38,7 @@ from bringup_lint.api import rule
 _NULLS = ("null", "~", "NULL", "Null", "None", "none")
 
 
-@rule("warning")
+@rule("warning", symptoms=["Trying to set parameter '*' to 'null' of type 'STRING', expecting type"])
 def null_string(robot: Robot) -> Iterator[Finding]:
     for file, parameter in robot.params.parameters:
         if robot.params.reader(file) == "pyyaml":
