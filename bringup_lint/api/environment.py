@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
+from bringup_lint.graph.environment.conflicts import Different
+from bringup_lint.graph.environment.conflicts import Overridden
+from bringup_lint.graph.environment.conflicts import conflicts
 from bringup_lint.graph.environment.env_files import UsedEnvFile
 from bringup_lint.graph.environment.images import missing_middleware
 from bringup_lint.graph.environment.ros import RosProcess
 from bringup_lint.graph.environment.ros import Setting
 
 __all__ = [
+    "Different",
+    "Overridden",
     "RosProcess",
     "Setting",
     "UsedEnvFile",
+    "conflicts",
     "missing_middleware",
 ]

@@ -6,7 +6,6 @@ from collections.abc import Iterator
 
 from bringup_lint.api import finding
 from bringup_lint.api import fix
-from bringup_lint.facts.ros.node_roles import lifecycle_names
 from bringup_lint.finding import Finding
 from bringup_lint.graph.launch.delays import delayed
 from bringup_lint.graph.launch.delays import undelayed
@@ -16,8 +15,6 @@ from bringup_lint.graph.launch.entry_points import missing_entries
 from bringup_lint.graph.launch.expansion import Expansion
 from bringup_lint.graph.launch.expansion import Used
 from bringup_lint.graph.launch.launch import Launch
-from bringup_lint.graph.launch.lifecycle import Managed
-from bringup_lint.graph.launch.lifecycle import Manager
 from bringup_lint.graph.launch.lifecycle import full_name
 from bringup_lint.graph.launch.lifecycle import managers
 from bringup_lint.graph.launch.lifecycle import outside
@@ -29,6 +26,9 @@ from bringup_lint.graph.launch.resolve import truth
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import exclusive
 from bringup_lint.graph.launch.started import literal_text
+from bringup_lint.graph.params.simulation_arguments import simulated_by_default
+from bringup_lint.graph.runners.launching import Launching
+from bringup_lint.graph.runners.required_arguments import not_passed
 from bringup_lint.graph.supervision.launched_processes import check_of
 from bringup_lint.graph.supervision.launched_processes import respawns
 from bringup_lint.graph.supervision.launched_processes import watched
@@ -93,12 +93,11 @@ __all__ = [
     "Group",
     "Include",
     "LaunchFile",
+    "Launching",
     "ListValue",
     "Literal",
     "LoadComponents",
     "Log",
-    "Managed",
-    "Manager",
     "MissingEntry",
     "Node",
     "Opaque",
@@ -122,16 +121,17 @@ __all__ = [
     "delayed",
     "exclusive",
     "full_name",
-    "lifecycle_names",
     "literal",
     "literal_text",
     "managers",
     "missing_entries",
+    "not_passed",
     "outside",
     "refused",
     "respawns",
     "same",
     "setting",
+    "simulated_by_default",
     "text_of",
     "transitions_elsewhere",
     "truth",

@@ -5,26 +5,20 @@ from __future__ import annotations
 from bringup_lint.graph.nodes.edits import import_edits
 from bringup_lint.graph.nodes.edits import swap
 from bringup_lint.graph.nodes.edits import tried_shutdown
-from bringup_lint.graph.nodes.questions.blocking import UNTIL_TIMEOUT
-from bringup_lint.graph.nodes.questions.blocking import awaits_asyncio
-from bringup_lint.graph.nodes.questions.blocking import blocking
-from bringup_lint.graph.nodes.questions.blocking import deadlocks
-from bringup_lint.graph.nodes.questions.blocking import endless_constructors
-from bringup_lint.graph.nodes.questions.blocking import only_stores
-from bringup_lint.graph.nodes.questions.blocking import waits
+from bringup_lint.graph.nodes.questions.asyncio_waits import awaits_asyncio
+from bringup_lint.graph.nodes.questions.blocking_calls import UNTIL_TIMEOUT
 from bringup_lint.graph.nodes.questions.motion import moves
 from bringup_lint.graph.nodes.questions.rates import endless_rates
 from bringup_lint.graph.nodes.questions.repeating import held
 from bringup_lint.graph.nodes.questions.repeating import repeated
-from bringup_lint.graph.nodes.questions.safe_state import commands
 from bringup_lint.graph.nodes.questions.safe_state import fed_without_condition
-from bringup_lint.graph.nodes.questions.safe_state import has_safe_state
-from bringup_lint.graph.nodes.questions.safe_state import is_watched_relay
 from bringup_lint.graph.nodes.questions.safe_state import publish_after_deactivate
 from bringup_lint.graph.nodes.questions.safe_state import relays
-from bringup_lint.graph.nodes.questions.safe_state import stops_itself
-from bringup_lint.graph.nodes.questions.safe_state import uncovered_sigterm
+from bringup_lint.graph.nodes.questions.service_waits import waits
 from bringup_lint.graph.nodes.questions.signatures import without_qos
+from bringup_lint.graph.nodes.questions.stopped_callbacks import never_run
+from bringup_lint.graph.nodes.questions.stopped_callbacks import stopped_callbacks
+from bringup_lint.graph.nodes.questions.stopped_callbacks import stopped_in_cpp
 from bringup_lint.graph.nodes.questions.stopping import double_shutdown
 from bringup_lint.graph.nodes.questions.stopping import handler_never_runs
 from bringup_lint.graph.nodes.questions.stopping import stop_after_shutdown
@@ -32,49 +26,45 @@ from bringup_lint.graph.nodes.questions.stopping import unhandled_shutdown
 from bringup_lint.graph.nodes.questions.undefined_names import dict_ranges
 from bringup_lint.graph.nodes.questions.undefined_names import range_text
 from bringup_lint.graph.nodes.questions.undefined_names import undefined
+from bringup_lint.graph.nodes.questions.unsafe_ends import unsafe_ends
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.graph.topics.questions.undeclared import asked_in_vain
 from bringup_lint.graph.topics.questions.undeclared import unset
-from bringup_lint.model.cpp_source import UNTIL_OTHER_NODE
+from bringup_lint.model.node_source import Callback
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import Timer
 from bringup_lint.pattern import regex
 
 __all__ = [
-    "UNTIL_OTHER_NODE",
     "UNTIL_TIMEOUT",
+    "Callback",
     "Endpoint",
     "Purpose",
     "Timer",
     "asked_in_vain",
     "awaits_asyncio",
-    "blocking",
-    "commands",
-    "deadlocks",
     "dict_ranges",
     "double_shutdown",
-    "endless_constructors",
     "endless_rates",
     "fed_without_condition",
     "handler_never_runs",
-    "has_safe_state",
     "held",
     "import_edits",
-    "is_watched_relay",
     "lowered",
     "moves",
-    "only_stores",
+    "never_run",
     "publish_after_deactivate",
     "range_text",
     "relays",
     "repeated",
     "stop_after_shutdown",
-    "stops_itself",
+    "stopped_callbacks",
+    "stopped_in_cpp",
     "swap",
     "tried_shutdown",
-    "uncovered_sigterm",
     "undefined",
     "unhandled_shutdown",
+    "unsafe_ends",
     "unset",
     "valid_node_name",
     "waits",

@@ -4,6 +4,11 @@ from __future__ import annotations
 
 from bringup_lint.graph.params.matching import unreached
 from bringup_lint.graph.params.matching import unused
+from bringup_lint.graph.params.qos_overrides import POLICIES as QOS_POLICIES
+from bringup_lint.graph.params.qos_overrides import WORDS as QOS_WORDS
+from bringup_lint.graph.params.qos_overrides import OverrideProblem
+from bringup_lint.graph.params.qos_overrides import QosOverride
+from bringup_lint.graph.params.qos_overrides import qos_overrides
 from bringup_lint.graph.params.time import simulated
 from bringup_lint.graph.topics.questions.undeclared import Undeclared
 from bringup_lint.graph.topics.questions.undeclared import undeclared
@@ -12,10 +17,15 @@ from bringup_lint.model.params import Parameter
 from bringup_lint.model.params import ParameterFile
 
 __all__ = [
+    "QOS_POLICIES",
+    "QOS_WORDS",
     "Block",
+    "OverrideProblem",
     "Parameter",
     "ParameterFile",
+    "QosOverride",
     "Undeclared",
+    "qos_overrides",
     "simulated",
     "undeclared",
     "unreached",

@@ -7,6 +7,8 @@ from bringup_lint.graph.supervision.launched_by_unit import every_node_respawns
 from bringup_lint.graph.supervision.launched_by_unit import expansion_of
 from bringup_lint.graph.supervision.launched_processes import StopTime
 from bringup_lint.graph.supervision.launched_processes import stop_time
+from bringup_lint.graph.supervision.lifecycle import Unstarted
+from bringup_lint.graph.supervision.lifecycle import unstarted
 from bringup_lint.graph.supervision.notify import CERTAIN
 from bringup_lint.graph.supervision.notify import Silence
 from bringup_lint.graph.supervision.notify import SilentService
@@ -25,6 +27,7 @@ __all__ = [
     "StopTime",
     "Umbrella",
     "UnitLaunch",
+    "Unstarted",
     "devices_opened_by",
     "every_node_respawns",
     "expansion_of",
@@ -32,4 +35,5 @@ __all__ = [
     "overlaps",
     "stop_time",
     "umbrellas",
+    "unstarted",
 ]

@@ -58,6 +58,9 @@ from bringup_lint.graph.systemd.unit_edits import lift_comment
 from bringup_lint.graph.systemd.unit_edits import move_lines
 from bringup_lint.graph.systemd.unit_lines import Line
 from bringup_lint.graph.systemd.units import Units
+from bringup_lint.graph.systemd.unsourced import NotSourced
+from bringup_lint.graph.systemd.unsourced import SourcedBefore
+from bringup_lint.graph.systemd.unsourced import unsourced
 from bringup_lint.model.unit import Assignment
 from bringup_lint.parsers.systemd_values import is_unit_name
 from bringup_lint.parsers.systemd_values.commands import Command
@@ -81,12 +84,14 @@ __all__ = [
     "LogDirectory",
     "Misspelt",
     "NeedlessRoot",
+    "NotSourced",
     "Obstacle",
     "Outcome",
     "Process",
     "RestartPolicy",
     "Ros",
     "Sandbox",
+    "SourcedBefore",
     "Step",
     "Supervision",
     "TooEarly",
@@ -123,5 +128,6 @@ __all__ = [
     "sets_priority",
     "sufficient_limit",
     "too_early",
+    "unsourced",
     "unstartable",
 ]

@@ -44,15 +44,15 @@ from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import NotSourced
 from bringup_lint.api.systemd import Process
-from bringup_lint.api.systemd import Ros
+from bringup_lint.api.systemd import SourcedBefore
 from bringup_lint.api.systemd import Step
-from bringup_lint.api.systemd import Unit
+from bringup_lint.api.systemd import unsourced
 
-ENOUGH = ("AMENT_PREFIX_PATH", "PYTHONPATH", "LD_LIBRARY_PATH", "BASH_ENV")
-INTERPRETER = regex(r"python[0-9.]*$")
 EXITS = "it exits with \"No module named 'ros2cli'\""
 FINDS_NOTHING = "it finds no ROS packages or libraries"
+IN_ONE_LINE = "start it with /bin/bash -c 'source /opt/ros/<distro>/setup.bash && exec ...'"
 DISTRO = regex(r"/opt/ros/[a-z]+")
 
 
@@ -66,71 +66,43 @@ DISTRO = regex(r"/opt/ros/[a-z]+")
     ],
 )
 def ros2_not_sourced(robot: Robot) -> Iterator[Finding]:
-    units = robot.units
-    for unit in units.services:
-        lost = [process for process in units.processes(unit) if process.key == "ExecStartPre" and sources_only(process)]
-        started = units.started(unit)
-        if lost and started and not any(process.setup_files for process in started):
-            yield _gone(lost, started[0])
-            continue
-        for process in started:
-            yield from _unsourced(robot, unit, process, lost)
+    for each in unsourced(robot.units):
+        if isinstance(each, NotSourced):
+            yield _not_sourced(each)
+        elif each.every:
+            yield _sourced_before(each)
+        else:
+            yield finding(
+                each.start.program,
+                f"{each.unit.name} starts without the ROS environment: only ExecStartPre= sources a setup file",
+                advice=IN_ONE_LINE,
+                related=[note(each.sourcing[0].setup_files[0][1], "sourced here, for a process that exits at once")],
+            )
 
 
-def _gone(lost: list[Process], starts: Process) -> Finding:
-    (_, word), *others = (process.setup_files[0] for process in lost)
+def _sourced_before(found: SourcedBefore) -> Finding:
+    (_, word), *others = (process.setup_files[0] for process in found.sourcing)
     return finding(
         word,
         "ExecStartPre= is a separate process: what it sources is gone when ExecStart= starts",
         advice="source the setup files in the ExecStart= line itself",
         related=[
-            note(starts.program, "starts without them"),
+            note(found.start.program, "starts without them"),
             *(note(other, "sourced here, for a process that exits at once") for _, other in others),
         ],
     )
 
 
-def _unsourced(robot: Robot, unit: Unit, process: Process, lost: list[Process]) -> Iterator[Finding]:
-    environment = robot.units.environment(unit)
-    if process.profiles or unit.unsure_of() or any(environment.get(name) for name in ENOUGH):
-        return
-    found = [(step, ros) for step, ros in process.ros if not process.sourced_before(step)]
-    if found and is_bare(process, found[0][1]):
-        return
-    if found and not hidden(process, *found[0]):
-        step, ros = found[0]
-        name = ros.program.rpartition("/")[2]
-        yield finding(
-            ros.program,
-            f"Nothing sources a setup file before {name}: {EXITS if name == 'ros2' else FINDS_NOTHING}",
-            advice="start it with /bin/bash -c 'source /opt/ros/<distro>/setup.bash && exec ...'",
-            related=[note(process.program, f"{unit.name} starts it here")] if step.script else (),
-            fix=_fix(process, step),
-            confidence="high" if environment.complete else "medium",
-        )
-    elif lost and not found and INTERPRETER.match(process.name) and not process.setup_files:
-        yield finding(
-            process.program,
-            f"{unit.name} starts without the ROS environment: only ExecStartPre= sources a setup file",
-            advice="start it with /bin/bash -c 'source /opt/ros/<distro>/setup.bash && exec ...'",
-            related=[note(lost[0].setup_files[0][1], "sourced here, for a process that exits at once")],
-        )
-
-
-def sources_only(process: Process) -> bool:
-    """Whether the line sources setup files and does nothing with them."""
-    last = process.steps[-1].command.name
-    return bool(process.setup_files) and last in ("source", ".")
-
-
-def is_bare(process: Process, ros: Ros) -> bool:
-    """Whether systemd itself looks for ``ros2``, which systemd/exec-bare-ros2 finds."""
-    return ros.program == "ros2" and ros.program.span == process.program.span
-
-
-def hidden(process: Process, step: Step, ros: Ros) -> bool:
-    """Whether something that runs before the program and is not in the tree may source a setup file."""
-    return process.opaque and (process.steps.index(step) > 0 or ros.command is not step.command)
+def _not_sourced(found: NotSourced) -> Finding:
+    name = found.ros.program.rpartition("/")[2]
+    return finding(
+        found.ros.program,
+        f"Nothing sources a setup file before {name}: {EXITS if name == 'ros2' else FINDS_NOTHING}",
+        advice=IN_ONE_LINE,
+        related=[note(found.process.program, f"{found.unit.name} starts it here")] if found.step.script else (),
+        fix=_fix(found.process, found.step),
+        confidence="high" if found.certain else "medium",
+    )
 
 
 def _fix(process: Process, step: Step) -> Fix | None:

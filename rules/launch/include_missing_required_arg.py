@@ -34,39 +34,27 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.launch import Launching
+from bringup_lint.api.launch import not_passed
 
 
 @rule("error", symptoms=["Included launch description missing required argument"])
 def include_missing_required_arg(robot: Robot) -> Iterator[Finding]:
-    for expansion in robot.launch.entries:
-        for include in expansion.includes:
-            if include.target is None or include.action.open:
-                continue
-            present = set(include.arguments) | include.known
-            for declared in robot.launch.expansion(include.target).declared:
-                needed = declared.file is include.target and not declared.conditions
-                if not needed or declared.action.default is not None or declared.name in present:
-                    continue
-                if declared.before is not None or robot.launch.unknown_before(expansion, include):
-                    continue
-                yield finding(
-                    include.action.file.span,
-                    f"The required argument '{declared.name}' is not passed: launch aborts",
-                    advice=f"pass '{declared.name}'",
-                    related=[note(declared.action.span, "declared here without a default")],
-                    chain=robot.provenance.chain_to(include.action.file.span, f"nothing passes '{declared.name}'"),
-                    severity="warning" if include.conditions else None,
-                )
-    for command in robot.runners.launches:
-        passed = {str(name) for name, _ in command.arguments}
-        if command.file is None or not command.runner.certain:
+    for declared, by in not_passed(robot.launch, robot.runners):
+        related = [note(declared.action.span, "declared here without a default")]
+        if isinstance(by, Launching):
+            yield finding(
+                by.target,
+                f"The required argument '{declared.name}' is not passed: launch refuses to start",
+                advice=f"pass {declared.name}:=",
+                related=related,
+            )
             continue
-        for declared in robot.launch.expansion(command.file).declared:
-            own = declared.file is command.file and not declared.conditions and declared.before is None
-            if own and declared.action.default is None and declared.name not in passed:
-                yield finding(
-                    command.target,
-                    f"The required argument '{declared.name}' is not passed: launch refuses to start",
-                    advice=f"pass {declared.name}:=",
-                    related=[note(declared.action.span, "declared here without a default")],
-                )
+        yield finding(
+            by.action.file.span,
+            f"The required argument '{declared.name}' is not passed: launch aborts",
+            advice=f"pass '{declared.name}'",
+            related=related,
+            chain=robot.provenance.chain_to(by.action.file.span, f"nothing passes '{declared.name}'"),
+            severity="warning" if by.conditions else None,
+        )

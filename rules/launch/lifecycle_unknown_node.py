@@ -38,72 +38,35 @@ from bringup_lint.api import fix
 from bringup_lint.api import launch
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.spelling import nearest
+from bringup_lint.api.supervision import Unstarted
+from bringup_lint.api.supervision import unstarted
 
 
 @rule("error", fix="unsafe", symptoms=["Waiting for service", "Failed to change state for node"])
 def lifecycle_unknown_node(robot: Robot) -> Iterator[Finding]:
-    for expansion in robot.launch.entries:
-        managers = launch.managers(expansion)
-        if not managers or launch.outside(expansion):
-            continue
-        started = {launch.full_name(node, robot.launch.role(node)): node for node in expansion.nodes if node.is_node}
-        if len(started) == len(managers):
-            yield from alone(robot, managers)
-            continue
-        bare = {name.rpartition("/")[2]: node for name, node in started.items() if name is not None}
-        nav2 = launch.lifecycle_names() if expansion.open else ()
-        for manager in managers:
-            for managed in listed(robot, manager):
-                last = managed.fqn.rpartition("/")[2]
-                if managed.fqn in started or last in nav2:
-                    continue
-                unsure = None in started or expansion.open
-                if unsure and (last in robot.launch.all_names or (last not in bare and not nearest(last, bare))):
-                    continue
-                yield from described(robot, manager, managed, bare)
+    for missing in unstarted(robot.launch, robot.params):
+        managed, near = missing.managed, missing.near
+        message, advice = _described(robot, missing)
+        exact = len(near) == 1 and missing.namesake is None and managed.name.span.text == managed.name
+        yield finding(
+            managed.name,
+            message,
+            advice=advice,
+            related=[note(missing.started[name].span, f"node '{name}' is started here") for name in near[:3]]
+            or [note(missing.manager.node.span, "the manager")],
+            chain=robot.provenance.chain_to(managed.name, f"the manager waits for {managed.fqn}"),
+            fix=fix(f"list '{near[0]}'", (managed.name, near[0]), safe=False) if exact else None,
+        )
 
 
-def listed(robot: Robot, manager: launch.Manager) -> list[launch.Managed]:
-    """The nodes that a manager brings up, by the launch file or by its parameter file."""
-    if manager.names.value is None and not manager.names.known:
-        return manager.called(robot.params.texts(manager.node, "node_names") or []) or []
-    return manager.managed or []
-
-
-def alone(robot: Robot, managers: list[launch.Manager]) -> Iterator[Finding]:
-    """A manager in a separate launch file: its nodes are in other files, if at least one of them is."""
-    if any(launch.outside(expansion) for expansion in robot.launch.expansions):
-        return
-    for manager in managers:
-        names = robot.launch.names_near(manager.node.file)
-        wanted = {managed.fqn.rpartition("/")[2]: managed for managed in listed(robot, manager)}
-        if names.isdisjoint(wanted):
-            continue
-        for last, managed in wanted.items():
-            if last not in names and last not in launch.lifecycle_names():
-                yield from described(robot, manager, managed, {})
-
-
-def described(
-    robot: Robot, manager: launch.Manager, managed: launch.Managed, bare: dict[str, launch.Started]
-) -> Iterator[Finding]:
-    last = managed.fqn.rpartition("/")[2]
-    near = [last] if last in bare else nearest(last, bare, 3)
-    if last in bare:
-        is_called = launch.full_name(bare[last], robot.launch.role(bare[last]))
-        message = f"The manager looks for {managed.fqn}, but the node is {is_called}"
-        advice = "start the manager in the namespace of its nodes"
-    else:
-        message = f"No node {managed.fqn} is started: the manager waits for it and brings nothing up"
-        advice = f"list '{near[0]}'" if near else "remove it from node_names, or start the node"
-    exact = len(near) == 1 and last not in bare and managed.name.span.text == managed.name
-    yield finding(
-        managed.name,
-        message,
-        advice=advice,
-        related=[note(bare[name].span, f"node '{name}' is started here") for name in near[:3]]
-        or [note(manager.node.span, "the manager")],
-        chain=robot.provenance.chain_to(managed.name, f"the manager waits for {managed.fqn}"),
-        fix=fix(f"list '{near[0]}'", (managed.name, near[0]), safe=False) if exact else None,
-    )
+def _described(robot: Robot, missing: Unstarted) -> tuple[str, str]:
+    """The message and the advice."""
+    fqn, near, namesake = missing.managed.fqn, missing.near, missing.namesake
+    if namesake is not None:
+        is_called = launch.full_name(namesake, robot.launch.role(namesake))
+        return (
+            f"The manager looks for {fqn}, but the node is {is_called}",
+            "start the manager in the namespace of its nodes",
+        )
+    advice = f"list '{near[0]}'" if near else "remove it from node_names, or start the node"
+    return f"No node {fqn} is started: the manager waits for it and brings nothing up", advice

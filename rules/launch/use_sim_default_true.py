@@ -33,57 +33,23 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
-from bringup_lint.api import launch
 from bringup_lint.api import note
 from bringup_lint.api import rule
-
-NAMES = ("use_sim_time", "use_sim", "sim", "simulation", "use_simulation", "is_sim", "is_simulation", "sim_mode")
+from bringup_lint.api.launch import simulated_by_default
 
 
 @rule("error", fix="unsafe", symptoms=["No clock received, using time argument instead!"])
 def use_sim_default_true(robot: Robot) -> Iterator[Finding]:
-    for file in robot.launch.judged:
-        if robot.launch.simulated(file):
-            continue
-        for action, _ in robot.launch.visited(file):
-            if not isinstance(action, launch.DeclareArgument):
-                continue
-            name = launch.literal(action.name)
-            if name not in NAMES:
-                continue
-            default = action.default
-            if default is None or not isinstance(default, launch.Literal) or launch.truth(default) is not True:
-                continue
-            word = default.text
-            where = word if word.span.text == word else default.span
-            false = "false" if where is word else "'false'"
-            starters = robot.runners.launching(file)
-            if starters and all(name in {str(given) for given, _ in each.arguments} for each in starters):
-                continue
-            omitted = next(robot.launch.started_without(file, name), None)
-            if not sets_clock(robot, file, name) or (omitted is None and not starters and passed(robot, file, name)):
-                continue
-            yield finding(
-                where,
-                f"{name} is true by default: started without arguments, the nodes wait for a simulated clock",
-                advice="make the default false and pass true in the simulation",
-                chain=robot.provenance.chain_to(where, f"{name} is true unless a caller passes false"),
-                fix=fix("make the default false", (where, false), safe=False),
-                related=[note(omitted, f"started here without {name}")] if omitted else [],
-                severity=None if starters else "warning" if omitted else "info",
-            )
-
-
-def sets_clock(robot: Robot, file: launch.LaunchFile, name: str) -> bool:
-    """Whether the argument is read where nodes are given the simulated clock."""
-    files = robot.launch.expansion(file).files
-    return name in robot.launch.read_in(files) and any("use_sim_time" in each.source.text for each in files)
-
-
-def passed(robot: Robot, file: launch.LaunchFile, name: str) -> bool:
-    """Whether another launch file includes this one and passes the argument."""
-    return any(
-        include.target is file and name in include.arguments
-        for expansion in robot.launch.leading_to(file)
-        for include in expansion.includes
-    )
+    for name, default, started, omitted in simulated_by_default(robot.launch, robot.runners):
+        word = default.text
+        where = word if word.span.text == word else default.span
+        false = "false" if where is word else "'false'"
+        yield finding(
+            where,
+            f"{name} is true by default: started without arguments, the nodes wait for a simulated clock",
+            advice="make the default false and pass true in the simulation",
+            chain=robot.provenance.chain_to(where, f"{name} is true unless a caller passes false"),
+            fix=fix("make the default false", (where, false), safe=False),
+            related=[note(omitted, f"started here without {name}")] if omitted else [],
+            severity=None if started else "warning" if omitted else "info",
+        )

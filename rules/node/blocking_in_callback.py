@@ -42,21 +42,17 @@ callback runs in a thread that the linter does not see.
 
 import ast
 from collections.abc import Iterator
+from collections.abc import Sequence
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Related
 from bringup_lint.api import Robot
 from bringup_lint.api import Source
+from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import nodes
 from bringup_lint.api import note
 from bringup_lint.api import rule
-
-WORK = ("subscription", "timer", "service", "action", "client")
-URGENT = frozenset({"subscription", "timer", "action"})
-"""What must not wait: a service may answer a few seconds later."""
-
-SOON = ("for ", "as long as ")
-"""Waits that end by themselves: a subscription that only keeps the newest message may be served after them."""
 
 
 @rule("warning", tags=["CWE-833"])
@@ -67,83 +63,57 @@ def blocking_in_callback(robot: Robot) -> Iterator[Finding]:
 
 
 def _in_python(robot: Robot) -> Iterator[Finding]:
-    for file, node in robot.nodes.with_callbacks:
-        threads = robot.nodes.threads(node)
-        for found in nodes.blocking(robot.nodes.ending(file), node):
-            callback = found.callback
-            shared = [each for each in node.callbacks if each.role in WORK and each.name != callback.name]
-            if threads == "several":
-                shared = [each for each in shared if each.group == callback.group]
-                if found.how_long and callback.group is not None and callback.group.reentrant is not False:
-                    continue
-            stuck = nodes.deadlocks(found, threads)
-            bounded = found.how_long and not found.nested
-            ending = robot.nodes.ending(file)
-            urgent = [each for each in shared if each.role in URGENT]
-            if found.how_long.startswith(SOON):
-                urgent = [
-                    each for each in urgent if each.role != "subscription" or not nodes.only_stores(ending, node, each)
-                ]
-            if not urgent if bounded else not stuck:
-                continue
-            others = f"{len(shared)} other callback{'s' if len(shared) > 1 else ''}"
-            where = f"{found.name}()" if callback.function is None else found.name
-            message = f"{found.what} in {where} stops the node's {others} {found.how_long}"
-            if not found.how_long:
-                message = f"{found.what} in {where} waits forever: only the executor that it blocks could end the wait"
-            yield finding(
-                file.span_of(found.call.test if isinstance(found.call, ast.While) else found.call),
-                message,
-                advice="use a timer, call_async with add_done_callback, or a separate thread",
-                related=[
-                    note(callback.span, f"{found.name} is the callback of a {callback.role}"),
-                    *(note(each.span, "does not run in the meantime") for each in shared[:3]),
-                ],
-                severity=grade(robot, file.source, found.how_long),
-                confidence="high" if threads == "one" else "medium",
-            )
+    for file, wait, stopped, certain in nodes.stopped_callbacks(robot.nodes):
+        where = f"{wait.name}()" if wait.callback.function is None else wait.name
+        message = f"{wait.what} in {where} stops the node's {_others(len(stopped))} {wait.how_long}"
+        if not wait.how_long:
+            message = f"{wait.what} in {where} waits forever: only the executor that it blocks could end the wait"
+        yield finding(
+            file.span_of(wait.call.test if isinstance(wait.call, ast.While) else wait.call),
+            message,
+            advice="use a timer, call_async with add_done_callback, or a separate thread",
+            related=_related(wait.callback.span, f"{wait.name} is the callback of a {wait.callback.role}", stopped),
+            severity=_severity(robot, file.source, wait.how_long),
+            confidence="high" if certain else "medium",
+        )
 
 
 def _in_constructors(robot: Robot) -> Iterator[Finding]:
-    for file, node in robot.nodes.with_callbacks:
-        callbacks = [each for each in node.callbacks if each.role in WORK]
-        loops = list(nodes.endless_constructors(robot.nodes.ending(file), node)) if callbacks else []
-        for found in loops[:1]:
-            yield finding(
-                file.span_of(found.loop.test),
-                f"'while {found.test}' in the constructor never ends: none of the node's callbacks ever runs",
-                advice="do the work of the loop in the callback of a timer",
-                related=[note(each.span, "never runs") for each in callbacks[:3]],
-                severity=nodes.lowered(robot.nodes.purpose(file.source), "warning"),
-            )
+    for file, found, callbacks in nodes.never_run(robot.nodes):
+        yield finding(
+            file.span_of(found.loop.test),
+            f"'while {found.test}' in the constructor never ends: none of the node's callbacks ever runs",
+            advice="do the work of the loop in the callback of a timer",
+            related=[note(each.span, "never runs") for each in callbacks[:3]],
+            severity=nodes.lowered(robot.nodes.purpose(file.source), "warning"),
+        )
 
 
 def _in_cpp(robot: Robot) -> Iterator[Finding]:
-    for source in robot.nodes.cpp:
-        if source.executors:
-            continue
-        for wait in source.waits:
-            callback = wait.callback
-            shared = [each for each in source.callbacks if each.span != callback.span and each.role in URGENT]
-            if not shared and wait.how_long != nodes.UNTIL_OTHER_NODE:
-                continue
-            name = f"{callback.name}()" if callback.name is not None else "a lambda"
-            lasts = wait.how_long or "forever, because only this executor could end the wait"
-            others = f"the node's {len(shared)} other callback{'s' if len(shared) > 1 else ''}"
-            yield finding(
-                wait.span,
-                f"{wait.what} in {name} stops {others if shared else 'the node'} {lasts}",
-                advice="use a timer, async_send_request with a callback, or a separate thread",
-                related=[
-                    note(callback.span, f"{name} is the callback of a {callback.role}"),
-                    *(note(each.span, "does not run in the meantime") for each in shared[:3]),
-                ],
-                severity=grade(robot, source.source),
-                confidence="medium",
-            )
+    for source, wait, stopped in nodes.stopped_in_cpp(robot.nodes):
+        callback = wait.callback
+        name = f"{callback.name}()" if callback.name is not None else "a lambda"
+        lasts = wait.how_long or "forever, because only this executor could end the wait"
+        whom = f"the node's {_others(len(stopped))}" if stopped else "the node"
+        yield finding(
+            wait.span,
+            f"{wait.what} in {name} stops {whom} {lasts}",
+            advice="use a timer, async_send_request with a callback, or a separate thread",
+            related=_related(callback.span, f"{name} is the callback of a {callback.role}", stopped),
+            severity=_severity(robot, source),
+            confidence="medium",
+        )
 
 
-def grade(robot: Robot, source: Source, how_long: str = "") -> str:
+def _others(count: int) -> str:
+    return f"{count} other callback{'s' if count > 1 else ''}"
+
+
+def _related(waiting: Span, role: str, stopped: Sequence[nodes.Callback]) -> list[Related]:
+    return [note(waiting, role), *(note(each.span, "does not run in the meantime") for each in stopped[:3])]
+
+
+def _severity(robot: Robot, source: Source, how_long: str = "") -> str:
     """Info in examples and in packages of others, and where a timeout of unknown length ends the wait."""
     if robot.launch.workspace.is_vendored(source) or how_long == nodes.UNTIL_TIMEOUT:
         return "info"

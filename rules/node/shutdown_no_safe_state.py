@@ -58,37 +58,20 @@ ADVICE = (
 
 @rule("warning", confidence="medium", tags=["CWE-404"])
 def shutdown_no_safe_state(robot: Robot) -> Iterator[Finding]:
-    for file in robot.nodes.programs:
-        ending = robot.nodes.ending(file)
-        made = [node for node in robot.nodes.made(file) if nodes.commands(node)]
-        if not made or not ending.spins or ending.signals is None:
-            continue
-        init = nodes.uncovered_sigterm(ending, made)
-        if init is None and nodes.has_safe_state(ending, made):
-            continue
-        gentle = robot.nodes.stopped_by(file) == {"SIGINT"}
-        if init is not None and gentle:
-            continue
-        command = nodes.commands(made[0])[0]
+    for file, command, spin, init, is_caught in nodes.unsafe_ends(robot.nodes):
         place = file.span_of(init) if init is not None else command.span
         message = "The node exits without a stop command: the robot keeps its last velocity"
         if init is not None:
             message = "SIGTERM ends the node at once and no finally runs: the robot keeps its last velocity"
-        calm = (
-            robot.nodes.gate is not None
-            or all(nodes.relays(node) or nodes.stops_itself(ending.syntax, node) for node in made)
-            or made[0].is_lifecycle
-            or any(nodes.is_watched_relay(node, command) for node in robot.nodes.classes if node not in made)
-        )
         yield finding(
             place,
             message,
             advice=ADVICE,
             related=[
-                note(file.span_of(ending.spins[0].call), "after this spin nothing stops it"),
+                note(file.span_of(spin), "after this spin nothing stops it"),
                 *([note(command.span, f"publishes {command.name}")] if init is not None else []),
                 *(note(runner.where, f"{runner.name} stops it") for runner in robot.nodes.runners(file)),
             ],
             chain=robot.nodes.chain_to(file, note(place, "no stop command")),
-            severity="info" if calm else nodes.lowered(robot.nodes.purpose(file.source), "warning"),
+            severity="info" if is_caught else nodes.lowered(robot.nodes.purpose(file.source), "warning"),
         )

@@ -38,86 +38,62 @@ When the node reads the parameters below `qos_overrides` itself. rcl does not ap
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
-from bringup_lint.api import Located
 from bringup_lint.api import Robot
-from bringup_lint.api import Span
 from bringup_lint.api import finding
-from bringup_lint.api import regex
 from bringup_lint.api import rule
-from bringup_lint.api.params import Parameter
+from bringup_lint.api.params import QOS_POLICIES
+from bringup_lint.api.params import QOS_WORDS
+from bringup_lint.api.params import OverrideProblem
 from bringup_lint.api.params import ParameterFile
+from bringup_lint.api.params import QosOverride
+from bringup_lint.api.params import qos_overrides
 from bringup_lint.api.spelling import nearest
 
-_ENTITY = regex(r"(?:publisher|subscription)(?:_\w+)?\Z")
-_BEST = ("system_default", "best_available")
-_WORDS = {
-    "history": ("keep_last", "keep_all", "system_default"),
-    "reliability": ("reliable", "best_effort", *_BEST),
-    "durability": ("volatile", "transient_local", *_BEST),
-    "liveliness": ("automatic", "manual_by_topic", *_BEST),
-}
-_NUMBERS = ("depth", "deadline", "lifespan", "liveliness_lease_duration")
-_FLAG = "avoid_ros_namespace_conventions"
+OF_VALUE = (OverrideProblem.WORD, OverrideProblem.NUMBER, OverrideProblem.FLAG)
 
 
 @rule("warning", symptoms=["InvalidQosOverridesException"])
 def qos_override_invalid(robot: Robot) -> Iterator[Finding]:
     said: set[tuple[ParameterFile, str, str]] = set()
-    for file, parameter in robot.params.parameters:
-        parts = parameter.name.split(".")
-        if parts[0] != "qos_overrides" or len(parts) < 2 or "$(" in parameter.name + parameter.text:
+    for override in qos_overrides(robot.params):
+        problem = override.problem
+        if problem is None:
             continue
-        message, advice, where = _wrong(parts[1:], parameter)
-        cause = (file, parts[1], message)
-        if message and cause not in said:
+        message, advice = _described(override, problem)
+        cause = (override.file, override.topic, message)
+        if cause not in said:
             said.add(cause)
+            where = override.parameter.span if problem in OF_VALUE else override.parameter.key
             yield finding(where, message, advice=advice)
 
 
-def _wrong(parts: list[str], parameter: Parameter) -> tuple[str, str, Located] | tuple[str, str, Span]:
-    name = parameter.name.removeprefix("qos_overrides.")
-    key, value = parameter.key, parameter.value
-    topic = parts[0]
-    if not topic.startswith("/"):
+def _described(override: QosOverride, problem: OverrideProblem) -> tuple[str, str]:
+    """The message and the advice."""
+    policy = override.parts[-1]
+    if problem is OverrideProblem.RELATIVE_TOPIC:
         return (
-            f"The QoS override for '{topic}' is ignored: the topic needs its full name",
+            f"The QoS override for '{override.topic}' is ignored: the topic needs its full name",
             "write it with its namespace and a leading /",
-            key,
         )
-    if len(parts) != 3 or not _ENTITY.match(parts[1]):
-        near = nearest(parts[1], ("publisher", "subscription"), 4) if len(parts) == 3 else []
+    if problem is OverrideProblem.PARTS:
+        near = nearest(override.parts[1], ("publisher", "subscription"), 4) if len(override.parts) == 3 else []
+        needs = "it must be topic.publisher.policy or topic.subscription.policy"
         return (
-            f"The QoS override '{name}' is ignored: it must be topic.publisher.policy or topic.subscription.policy",
+            f"The QoS override '{override.name}' is ignored: {needs}",
             f"write {near[0]}" if near else "use these three parts",
-            key,
         )
-    policy = parts[2]
-    if policy not in (*_WORDS, *_NUMBERS, _FLAG):
-        near = nearest(policy, (*_WORDS, *_NUMBERS, _FLAG), 3)
-        return (
-            f"There is no QoS policy '{policy}': the override is ignored",
-            f"write {near[0]}"
-            if near
-            else "use history, depth, reliability, durability, deadline, lifespan or liveliness",
-            key,
-        )
-    if policy in _WORDS and str(value.data).lower() not in _WORDS[policy]:
-        return (
-            f"'{parameter.text}' is not a valid {policy}: the node exits with an exception",
-            f"use {', '.join(_WORDS[policy][:2])}",
-            parameter.span,
-        )
-    if policy in _NUMBERS and value.type != "integer":
+    if problem is OverrideProblem.POLICY:
+        near = nearest(policy, QOS_POLICIES, 3)
+        usual = "use history, depth, reliability, durability, deadline, lifespan or liveliness"
+        return f"There is no QoS policy '{policy}': the override is ignored", f"write {near[0]}" if near else usual
+    return _of_value(override, policy, problem)
+
+
+def _of_value(override: QosOverride, policy: str, problem: OverrideProblem) -> tuple[str, str]:
+    dies = "the node exits with an exception"
+    if problem is OverrideProblem.WORD:
+        return f"'{override.parameter.text}' is not a valid {policy}: {dies}", f"use {', '.join(QOS_WORDS[policy][:2])}"
+    if problem is OverrideProblem.NUMBER:
         unit = "a number of messages" if policy == "depth" else "nanoseconds"
-        return (
-            f"{policy} must be an integer ({unit}): the node exits with an exception",
-            f"write {unit} as an integer",
-            parameter.span,
-        )
-    if policy == _FLAG and value.type != "bool":
-        return (
-            f"{policy} must be true or false: the node exits with an exception",
-            "write true or false",
-            parameter.span,
-        )
-    return "", "", key
+        return f"{policy} must be an integer ({unit}): {dies}", f"write {unit} as an integer"
+    return f"{policy} must be true or false: {dies}", "write true or false"

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 
-from bringup_lint.graph.nodes.questions.blocking import reached
+from bringup_lint.graph.nodes.questions.callback_code import reached
 from bringup_lint.graph.nodes.questions.motion import moves
 from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.model.node_source import Endpoint

@@ -1,0 +1,53 @@
+"""Loops without an end, in callbacks and in the constructors of nodes."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from bringup_lint.graph.nodes.questions.callback_code import reached
+from bringup_lint.graph.nodes.sources.ending import Ending
+from bringup_lint.graph.nodes.sources.syntax import body_of
+from bringup_lint.graph.nodes.sources.syntax import own
+from bringup_lint.graph.nodes.sources.syntax import own_calls
+from bringup_lint.model.node_source import NodeClass
+
+
+def is_endless(node: ast.While) -> bool:
+    """Whether a ``while True`` never ends."""
+    if not isinstance(node.test, ast.Constant) or not node.test.value:
+        return False
+    return has_no_exit(node)
+
+
+def has_no_exit(node: ast.While) -> bool:
+    """Whether nothing in a loop leaves it, and nothing in it waits for the executor."""
+    leaves = (ast.Break, ast.Return, ast.Raise, ast.Await, ast.Yield, ast.YieldFrom)
+    exits = [call for call in own_calls(node.body) if isinstance(call.func, ast.Attribute) and call.func.attr == "exit"]
+    return not exits and not any(isinstance(each, leaves) for each in own(node.body))
+
+
+class Endless(NamedTuple):
+    """A loop without an end in the constructor of a node."""
+
+    loop: ast.While
+    test: str
+
+
+def endless_constructors(ending: Ending, cls: NodeClass) -> Iterator[Endless]:
+    """Loops that keep a node from ever being handed to an executor; none where a thread or the loop runs one."""
+    init = cls.methods.get("__init__")
+    if init is None or "Thread" in ending.file.source.text or "multiprocessing" in ending.file.source.text:
+        return
+    for node in reached(ending.syntax, body_of(init.node), cls):
+        if isinstance(node, ast.While) and _is_forever(ending, node) and has_no_exit(node):
+            calls = own_calls(node.body)
+            if not any("spin" in ast.unparse(call.func) for call in calls):
+                yield Endless(node, ast.unparse(node.test))
+
+
+def _is_forever(ending: Ending, node: ast.While) -> bool:
+    if isinstance(node.test, ast.Call):
+        return ending.syntax.qualified(node.test) == "rclpy.ok"
+    return isinstance(node.test, ast.Constant) and bool(node.test.value)

@@ -1,0 +1,67 @@
+"""Waits for a service or an action server that may last forever."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from bringup_lint.graph.nodes.questions.callback_code import code_of
+from bringup_lint.graph.nodes.questions.callback_code import reached
+from bringup_lint.graph.nodes.sources.ending import Ending
+from bringup_lint.graph.nodes.sources.syntax import Syntax
+from bringup_lint.graph.nodes.sources.syntax import body_of
+from bringup_lint.graph.nodes.sources.syntax import own_calls
+from bringup_lint.model.node_source import NodeClass
+
+_LOGS = frozenset({"info", "warn", "warning", "error", "debug", "fatal"})
+
+
+class Waiting(NamedTuple):
+    """``wait_for_service()`` or ``wait_for_server()`` without a time-out, in the constructor or in a callback."""
+
+    call: ast.Call
+    service: str | None
+    where: str
+    logged: bool
+    """A message right before it says what the node waits for."""
+
+
+def waits(ending: Ending, cls: NodeClass) -> Iterator[Waiting]:
+    """The waits for a service that may last forever."""
+    init = cls.methods.get("__init__")
+    places = [("__init__", body_of(init.node))] if init is not None else []
+    places += [code_of(ending, cls, callback) for callback in cls.callbacks]
+    seen: set[ast.AST] = set()
+    for where, body in places:
+        for node in reached(ending.syntax, body, cls):
+            if not isinstance(node, ast.Call) or node.args or node.keywords or node in seen:
+                continue
+            function = node.func
+            if not isinstance(function, ast.Attribute) or function.attr not in ("wait_for_service", "wait_for_server"):
+                continue
+            kept = ast.unparse(function.value)
+            found = [each for each in cls.all_endpoints if each.attribute == kept and each.role.endswith("client")]
+            if found:
+                seen.add(node)
+                yield Waiting(node, found[0].name, where, _is_announced(ending.syntax, node))
+
+
+def _is_announced(syntax: Syntax, call: ast.Call) -> bool:
+    """Whether one of the two statements before a call logs or prints something."""
+    for outer, _ in syntax.within(call):
+        if not isinstance(outer, ast.stmt):
+            continue
+        above = next(syntax.above(outer), None)
+        block = getattr(*above) if above is not None else None
+        if isinstance(block, list):
+            at = block.index(outer)
+            return any(_is_message(each) for each in own_calls(block[max(0, at - 2) : at]))
+    return False
+
+
+def _is_message(call: ast.Call) -> bool:
+    function = call.func
+    if isinstance(function, ast.Name):
+        return function.id == "print"
+    return isinstance(function, ast.Attribute) and function.attr in _LOGS

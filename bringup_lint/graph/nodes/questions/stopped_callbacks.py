@@ -1,0 +1,98 @@
+"""Callbacks that do not run while another callback of their node waits, or because the constructor never ends."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+from typing import NamedTuple
+
+from bringup_lint.graph.nodes.questions.blocking import Blocking
+from bringup_lint.graph.nodes.questions.blocking import blocking
+from bringup_lint.graph.nodes.questions.blocking import deadlocks
+from bringup_lint.graph.nodes.questions.callback_code import only_stores
+from bringup_lint.graph.nodes.questions.endless_loops import Endless
+from bringup_lint.graph.nodes.questions.endless_loops import endless_constructors
+from bringup_lint.model.cpp_source import UNTIL_OTHER_NODE
+from bringup_lint.model.cpp_source import Waiting
+from bringup_lint.model.node_source import Callback
+from bringup_lint.model.node_source import NodeClass
+from bringup_lint.model.node_source import NodeSource
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.nodes.nodes import Nodes
+    from bringup_lint.source import Source
+
+_WORK = ("subscription", "timer", "service", "action", "client")
+_URGENT = ("subscription", "timer", "action")
+"""What must not wait: a service may answer a few seconds later."""
+_SOON = ("for ", "as long as ")
+"""Waits that end by themselves: a subscription that only keeps the newest message may be served after them."""
+
+
+class Stopped(NamedTuple):
+    """A wait in a callback of a Python node, and the other callbacks that do not run in the meantime."""
+
+    file: NodeSource
+    wait: Blocking
+    callbacks: list[Callback]
+    certain: bool
+    """One thread runs them all."""
+
+
+class NeverRun(NamedTuple):
+    """A loop in the constructor, and the callbacks that it keeps from ever running."""
+
+    file: NodeSource
+    loop: Endless
+    callbacks: list[Callback]
+
+
+class StoppedInCpp(NamedTuple):
+    source: Source
+    wait: Waiting
+    callbacks: list[Callback]
+
+
+def stopped_callbacks(nodes: Nodes) -> Iterator[Stopped]:
+    for file, node in nodes.with_callbacks:
+        threads = nodes.threads(node)
+        for wait in blocking(nodes.ending(file), node):
+            found = _stopped(nodes, file, node, wait, threads)
+            if found is not None:
+                yield Stopped(file, wait, found, threads == "one")
+
+
+def _stopped(nodes: Nodes, file: NodeSource, node: NodeClass, wait: Blocking, threads: str) -> list[Callback] | None:
+    """The callbacks that a wait stops; None when that does no harm, or is not sure."""
+    callback = wait.callback
+    found = [each for each in node.callbacks if each.role in _WORK and each.name != callback.name]
+    if threads == "several":
+        found = [each for each in found if each.group == callback.group]
+        if wait.how_long and callback.group is not None and callback.group.reentrant is not False:
+            return None
+    if not wait.how_long or wait.nested:
+        return found if deadlocks(wait, threads) else None
+    urgent = [each for each in found if each.role in _URGENT]
+    if wait.how_long.startswith(_SOON):
+        ending = nodes.ending(file)
+        urgent = [each for each in urgent if each.role != "subscription" or not only_stores(ending, node, each)]
+    return found if urgent else None
+
+
+def never_run(nodes: Nodes) -> Iterator[NeverRun]:
+    """The nodes whose constructors never end, so that no executor gets them."""
+    for file, node in nodes.with_callbacks:
+        callbacks = [each for each in node.callbacks if each.role in _WORK]
+        loop = next(endless_constructors(nodes.ending(file), node), None) if callbacks else None
+        if loop is not None:
+            yield NeverRun(file, loop, callbacks)
+
+
+def stopped_in_cpp(nodes: Nodes) -> Iterator[StoppedInCpp]:
+    for node in nodes.cpp:
+        if node.executors:
+            continue
+        for wait in node.waits:
+            found = [each for each in node.callbacks if each.span != wait.callback.span and each.role in _URGENT]
+            if found or wait.how_long == UNTIL_OTHER_NODE:
+                yield StoppedInCpp(node.source, wait, found)

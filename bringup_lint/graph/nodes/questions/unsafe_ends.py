@@ -1,0 +1,57 @@
+"""Programs that command a motion and end without a stop command."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+from typing import NamedTuple
+
+from bringup_lint.graph.nodes.questions.safe_state import commands
+from bringup_lint.graph.nodes.questions.safe_state import has_safe_state
+from bringup_lint.graph.nodes.questions.safe_state import is_watched_relay
+from bringup_lint.graph.nodes.questions.safe_state import relays
+from bringup_lint.graph.nodes.questions.safe_state import stops_itself
+from bringup_lint.graph.nodes.questions.safe_state import uncovered_sigterm
+from bringup_lint.graph.nodes.sources.ending import Ending
+from bringup_lint.model.node_source import Endpoint
+from bringup_lint.model.node_source import NodeClass
+from bringup_lint.model.node_source import NodeSource
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.nodes.nodes import Nodes
+
+
+class UnsafeEnd(NamedTuple):
+    file: NodeSource
+    command: Endpoint
+    """The publisher whose last message stays in force."""
+    spin: ast.Call
+    init: ast.Call | None
+    """The ``rclpy.init`` that leaves SIGTERM to the system; None where the end itself sends no stop command."""
+    is_caught: bool
+    """Something else may stop the robot: a filter in front of the motors, a timeout, the source of what is relayed."""
+
+
+def unsafe_ends(nodes: Nodes) -> Iterator[UnsafeEnd]:
+    """The programs whose spin ends without a stop command, as far as their end is known."""
+    for file in nodes.programs:
+        ending = nodes.ending(file)
+        made = [node for node in nodes.made(file) if commands(node)]
+        if not made or not ending.spins or ending.signals is None:
+            continue
+        init = uncovered_sigterm(ending, made)
+        if init is None and has_safe_state(ending, made):
+            continue
+        if init is not None and nodes.stopped_by(file) == {"SIGINT"}:
+            continue
+        command = commands(made[0])[0]
+        yield UnsafeEnd(file, command, ending.spins[0].call, init, _is_caught(nodes, ending, made, command))
+
+
+def _is_caught(nodes: Nodes, ending: Ending, made: list[NodeClass], command: Endpoint) -> bool:
+    if nodes.gate is not None or made[0].is_lifecycle:
+        return True
+    if all(relays(node) or stops_itself(ending.syntax, node) for node in made):
+        return True
+    return any(is_watched_relay(node, command) for node in nodes.classes if node not in made)
