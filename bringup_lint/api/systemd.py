@@ -7,6 +7,8 @@ from bringup_lint.facts.systemd.directives import Legacy
 from bringup_lint.graph.commands.command_line import Step
 from bringup_lint.graph.commands.environment import Environment
 from bringup_lint.graph.commands.environment import Variable
+from bringup_lint.graph.commands.open_access import Offer
+from bringup_lint.graph.commands.open_access import open_access
 from bringup_lint.graph.commands.ros_command import Ros
 from bringup_lint.graph.systemd.capabilities import file_capabilities
 from bringup_lint.graph.systemd.cycles import Cycle
@@ -38,7 +40,6 @@ from bringup_lint.graph.systemd.network_online import ONLINE
 from bringup_lint.graph.systemd.network_online import TooEarly
 from bringup_lint.graph.systemd.network_online import edits_to_wait
 from bringup_lint.graph.systemd.network_online import too_early
-from bringup_lint.graph.systemd.open_access import open_access
 from bringup_lint.graph.systemd.process import Process
 from bringup_lint.graph.systemd.restart import RestartPolicy
 from bringup_lint.graph.systemd.restart_loop import CrashLoop
@@ -86,6 +87,7 @@ __all__ = [
     "NeedlessRoot",
     "NotSourced",
     "Obstacle",
+    "Offer",
     "Outcome",
     "Process",
     "RestartPolicy",

@@ -3,9 +3,8 @@
 ## What it finds
 A service that starts a desktop or shell server and switches authentication off, on all interfaces:
 
-- VNC: `-SecurityTypes None` of TigerVNC, `-nopw` of x11vnc;
-- Jupyter with an empty token, or `--ip` for all interfaces without one;
-- code-server with `--auth none`, and ttyd or shellinabox without credentials.
+- code-server with `--auth none`, and ttyd without credentials;
+- VNC servers and Jupyter, where host/unauthenticated-service does not report them, as in a simulation.
 
 Servers that listen on this machine only are not reported.
 
@@ -16,21 +15,20 @@ as the user of the service.
 ## Bad
 ```ini
 [Service]
-ExecStart=/usr/bin/x0vncserver -display :0 -SecurityTypes=None
+ExecStart=/usr/bin/ttyd bash
 ```
 
 ## Good
 ```ini
 [Service]
-ExecStart=/usr/bin/x0vncserver -display :0 -PasswordFile=/etc/vnc/passwd
+ExecStart=/usr/bin/ttyd --credential rover:${TTYD_PASSWORD} bash
 ```
 
 ## When to ignore it
 When a firewall or a tunnel is the only way to the port.
 
 ## References
-- x0vncserver(1), -SecurityTypes; x11vnc(1), -nopw
-- Jupyter: "Security in the Jupyter Server"
+- ttyd(1), --credential; code-server, `--auth`
 """
 
 from collections.abc import Iterator
@@ -39,7 +37,10 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Offer
 from bringup_lint.api.systemd import open_access
+
+GIVES = {Offer.DESKTOP: "the desktop", Offer.NOTEBOOK: "a shell", Offer.TERMINAL: "a shell"}
 
 
 @rule("error", tags=["CWE-306"])
@@ -47,11 +48,13 @@ def no_authentication(robot: Robot) -> Iterator[Finding]:
     told = {each.where for each in robot.open_services}
     for unit in robot.units.services:
         for process in robot.units.processes(unit):
-            for found in open_access(process):
-                if found.word.span in told:
+            for step in process.steps:
+                found = open_access(step.command.words)
+                if found is None or found.word.span in told:
                     continue
                 yield finding(
                     found.word,
-                    f"{found.program} of {unit.name} gives everybody in the network {found.what}, without a password",
+                    f"{found.program} of {unit.name} gives everybody in the network {GIVES[found.offer]}, "
+                    "without a password",
                     advice=found.advice,
                 )

@@ -11,6 +11,8 @@ from typing import NamedTuple
 from bringup_lint.addresses import is_loopback
 from bringup_lint.addresses import is_wildcard
 from bringup_lint.discover.kinds.launch import LAUNCH
+from bringup_lint.graph.commands.open_access import Offer
+from bringup_lint.graph.commands.open_access import open_access
 from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.purpose import Purpose
@@ -36,9 +38,6 @@ BRIDGES = {
 """Packages whose server gives the graph to every client on all addresses by default -> the parameters that limit it.
 Source: rosbridge_websocket.py (address ""), foxglove_bridge's README (address 0.0.0.0, capabilities)."""
 
-_EMPTY_TOKEN = regex(r"--(?:NotebookApp|ServerApp|IdentityProvider)\.token=?$")
-_PASSWORD = regex(r"--(?:NotebookApp|ServerApp|PasswordIdentityProvider)\.(?:hashed_)?password=.")
-_VNC = regex(r"(?:x0vncserver|x0tigervncserver|Xvnc|Xtigervnc|vncserver|tigervncserver)$")
 _LISTENER = regex(r"^[ \t]*listener[ \t]+(?P<port>\d+)(?:[ \t]+(?P<address>\S+))?[ \t\r]*$", re.M)
 _ANONYMOUS = regex(r"^[ \t]*allow_anonymous[ \t]+true\b", re.M)
 _LIMITED = regex(r"^[ \t]*(?:acl_file|plugin|auth_plugin|bind_interface|require_certificate[ \t]+true)\b", re.M)
@@ -103,36 +102,11 @@ def _known(value: Value | None) -> str | None:
 
 
 def _command(words: tuple[Located, ...]) -> Iterator[OpenService]:
-    names = [word.rpartition("/")[2] for word in words]
-    for at, name in enumerate(names):
-        if name in ("jupyter", "jupyter-lab", "jupyter-notebook"):
-            yield from _jupyter(words[at:])
-            return
-        if _VNC.match(name):
-            yield from _vnc(words[at:])
-            return
-        if name == "x11vnc" and "-nopw" in words and not {"-localhost", "-rfbauth", "-passwdfile"} & set(words):
-            yield OpenService("desktop", "x11vnc", words[words.index("-nopw")].span)
-            return
-
-
-def _jupyter(words: tuple[Located, ...]) -> Iterator[OpenService]:
-    address = [
-        word.removeprefix("--ip=") if word != "--ip" else following
-        for word, following in zip(words, (*words[1:], ""), strict=True)
-        if word.startswith("--ip")
-    ]
-    token = next((word for word in words if _EMPTY_TOKEN.match(word)), None)
-    if token is not None and any(map(is_wildcard, address)) and not any(map(_PASSWORD.match, words)):
-        yield OpenService("shell", "Jupyter", token.span)
-
-
-def _vnc(words: tuple[Located, ...]) -> Iterator[OpenService]:
-    joined = " ".join(word.lower().lstrip("-").replace("=", " ") for word in words)
-    local = re.search(r"\blocalhost(?: (?:1|on|yes|true)\b|(?! (?:0|off|no|false)\b))|interface 127\.", joined)
-    none = next((word for word in words if "securitytypes" in word.lower()), None)
-    if none is not None and re.search(r"securitytypes (?:\S+,)?none\b", joined) and not local:
-        yield OpenService("desktop", words[0].rpartition("/")[2], none.span)
+    found = open_access(words)
+    if found is not None and found.offer is Offer.DESKTOP:
+        yield OpenService("desktop", found.program, found.word.span)
+    elif found is not None and found.offer is Offer.NOTEBOOK:
+        yield OpenService("shell", "Jupyter", found.word.span)
 
 
 def _broker(source: Source) -> Iterator[OpenService]:

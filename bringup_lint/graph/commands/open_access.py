@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from enum import Enum
 from typing import NamedTuple
 
 from bringup_lint.addresses import host_of
@@ -11,44 +11,67 @@ from bringup_lint.addresses import is_loopback
 from bringup_lint.addresses import is_wildcard
 from bringup_lint.graph.commands.wrappers import program_name
 from bringup_lint.graph.commands.wrappers import unwrapped
-from bringup_lint.graph.systemd.process import Process
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
 _VNC = regex(r"(?:x0|X|tiger|tight)?vnc(?:server)?(?:\.\w+)?|x0tigervncserver|x0vncserver|Xvnc|Xtigervnc", re.I)
 _JUPYTER = regex(r"jupyter(?:-\w+)?")
-_NO_TOKEN = regex(r"--(?:Notebook|Server|Lab|Identity)(?:App|Provider)\.token=(?:''|\"\")?")
+_NO_TOKEN = regex(r"--(?:Notebook|Server|Lab|Identity)(?:App|Provider)\.token=?(?:''|\"\")?")
+_PASSWORD = regex(r"--\w+\.(?:hashed_)?password=.")
+
+
+class Offer(Enum):
+    DESKTOP = "the desktop"
+    NOTEBOOK = "a notebook, and with it a shell"
+    TERMINAL = "a shell"
 
 
 class OpenAccess(NamedTuple):
     program: str
     word: Located
     """What switches the password off, or the program that has none."""
-    what: str
+    offer: Offer
     advice: str
 
 
-def open_access(process: Process) -> Iterator[OpenAccess]:
-    """The servers of a command line that let in everybody who reaches them."""
-    for step in process.steps:
-        words = unwrapped(step.command.words)
-        if not words:
-            continue
-        name = program_name(words[0])
-        for known in (_vnc, _x11vnc, _jupyter, _terminal):
-            found = known(name, words)
+def open_access(words: tuple[Located, ...]) -> OpenAccess | None:
+    """The server that a command starts, when it lets in everybody who reaches it."""
+    plain = unwrapped(words)
+    if not plain:
+        return None
+    for known in (_vnc, _x11vnc, _jupyter, _terminal):
+        found = known(program_name(plain[0]), plain)
+        if found is not None:
+            return found
+    return _started_by_another(plain)
+
+
+def _started_by_another(words: tuple[Located, ...]) -> OpenAccess | None:
+    """``python3 -m jupyter lab``, ``docker exec screen x11vnc``."""
+    for at, word in enumerate(words[1:], 1):
+        name = program_name(word)
+        for known in (_vnc, _x11vnc, _jupyter):
+            found = known(name, words[at:])
             if found is not None:
-                yield found
+                return found
+    return None
 
 
 def _vnc(name: str, words: tuple[Located, ...]) -> OpenAccess | None:
-    local = name.lower() in ("vncserver", "tigervncserver")
-    if not _VNC.fullmatch(name) or _is_on(words, "localhost", otherwise=local):
+    if not _VNC.fullmatch(name) or _is_local(name, words):
         return None
-    value = _option(words, "SecurityTypes")
-    if value is None or value.lower() != "none":
+    types = _option(words, "SecurityTypes")
+    if types is None or types.lower().rpartition(",")[2] != "none":
         return None
-    return OpenAccess(name, value, "the desktop", "use -SecurityTypes VncAuth with a password file, or -localhost")
+    option = next(word for word in words if word.lstrip("-").lower().startswith("securitytypes"))
+    advice = "use -SecurityTypes VncAuth with a password file, or -localhost"
+    return OpenAccess(name, option, Offer.DESKTOP, advice)
+
+
+def _is_local(name: str, words: tuple[Located, ...]) -> bool:
+    """Whether a VNC server listens on the loopback interface only, as the wrappers of TigerVNC do by default."""
+    by_default = name.lower() in ("vncserver", "tigervncserver")
+    return _is_on(words, "localhost", otherwise=by_default) or is_loopback(_option(words, "interface") or "")
 
 
 def _x11vnc(name: str, words: tuple[Located, ...]) -> OpenAccess | None:
@@ -56,18 +79,17 @@ def _x11vnc(name: str, words: tuple[Located, ...]) -> OpenAccess | None:
     if name != "x11vnc" or "-inetd" in words or any(word.startswith(protected) for word in words):
         return None
     opened = next((word for word in words if word == "-nopw"), None)
-    return OpenAccess(name, opened, "the desktop", "use -rfbauth with a password file") if opened else None
+    return OpenAccess(name, opened, Offer.DESKTOP, "use -rfbauth with a password file") if opened else None
 
 
 def _jupyter(name: str, words: tuple[Located, ...]) -> OpenAccess | None:
-    if not _JUPYTER.fullmatch(name):
+    if not _JUPYTER.fullmatch(name) or any(map(_PASSWORD.match, words)):
         return None
     opened = next((word for word in words if _NO_TOKEN.fullmatch(word)), None)
     address = _option(words, "ip")
-    password = next((word for word in words if re.match(r"--\w+\.(?:hashed_)?password=\w", word)), None)
-    if opened is None or address is None or not is_wildcard(address) or password is not None:
+    if opened is None or address is None or not is_wildcard(address):
         return None
-    return OpenAccess(name, opened, "a shell", "remove the empty token, or set a password")
+    return OpenAccess(name, opened, Offer.NOTEBOOK, "remove the empty token, or set a password")
 
 
 def _terminal(name: str, words: tuple[Located, ...]) -> OpenAccess | None:
@@ -75,12 +97,12 @@ def _terminal(name: str, words: tuple[Located, ...]) -> OpenAccess | None:
         limited = ("-c", "--credential", "-i", "--interface", "-H", "--auth-header", "-A", "--ssl-ca")
         if any(word.partition("=")[0] in limited for word in words[1:]):
             return None
-        return OpenAccess(name, words[0], "a shell", "set a user and a password with --credential")
+        return OpenAccess(name, words[0], Offer.TERMINAL, "set a user and a password with --credential")
     address = _option(words, "bind-addr") or _option(words, "host")
     if name != "code-server" or address is None or is_loopback(host_of(address)):
         return None
     value = _option(words, "auth")
-    return OpenAccess(name, value, "a shell", "use --auth password") if value == "none" else None
+    return OpenAccess(name, value, Offer.TERMINAL, "use --auth password") if value == "none" else None
 
 
 def _option(words: tuple[Located, ...], name: str) -> Located | None:
