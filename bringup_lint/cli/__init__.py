@@ -19,6 +19,7 @@ COMMANDS = {
     "fleet": "Judge many robots together.",
     "server": "Speak the language server protocol with an editor.",
     "init": "Write the configuration that the current folder needs.",
+    "completion": "Print a completion script for a shell.",
     "new-rule": "Write the files of a new rule, in a checkout.",
 }
 

@@ -46,7 +46,7 @@ _OF_A_PART = ("since", "changed", "tracked", "stdin_filename")
 """Options that leave out findings which are there."""
 EPILOG = "\n\n".join(
     [
-        "\b\nCommands:\n" + "\n".join(f"  {name:<9}{text}" for name, text in COMMANDS.items()),
+        "\b\nCommands:\n" + "\n".join(f"  {name:<12}{text}" for name, text in COMMANDS.items()),
         "\b\nExit codes:\n  0  nothing at or above --fail-on\n  1  findings"
         "\n  2  wrong usage or configuration, or a file that cannot be written"
         "\n  3  a rule or parser failed inside; everything else is still reported",

@@ -1,0 +1,47 @@
+"""The manual page is that of the commands, and the real formatters take it; ``--update-expected`` rewrites it."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+
+import pytest
+
+from bringup_lint.cli.words import commands
+from tests.conftest import PROJECT
+from tests.docs.man_page import page
+
+FILE = PROJECT / "docs" / "bringup-lint.1"
+
+
+def test_page_is_current(update_expected: bool) -> None:
+    if update_expected:
+        FILE.write_text(page(), "utf-8")
+    assert FILE.read_text("utf-8") == page()
+
+
+def formatted(*command: str) -> str:
+    if shutil.which(command[0]) is None:
+        pytest.skip(f"{command[0]} is not installed")
+    environment = {"PATH": "/usr/bin:/bin", "MANWIDTH": "80", "LC_ALL": "C.UTF-8", "MANROFFOPT": "-Wall"}
+    run = subprocess.run([*command, str(FILE)], capture_output=True, text=True, env=environment, check=True)
+    assert run.stderr == ""
+    return run.stdout
+
+
+def test_mandoc_has_nothing_to_say() -> None:
+    formatted("mandoc", "-T", "lint", "-W", "warning,stop")
+
+
+@pytest.mark.parametrize("command", [["man", "-l"], ["mandoc", "-T", "utf8"]])
+def test_page_shows_every_option(command: list[str]) -> None:
+    if command[0] == "man" and shutil.which("groff") is None:
+        pytest.skip("groff is not installed")
+    shown = formatted(*command)
+    while "\b" in shown:
+        at = shown.index("\b")
+        shown = shown[: at - 1] + shown[at + 1 :]
+    for made in commands():
+        assert made.name in shown
+        for option in made.options:
+            assert option.spellings[0] in shown
