@@ -20,7 +20,9 @@ from bringup_lint.spelling import meant
 
 @click.command(context_settings={"help_option_names": ["-h", "--help"]})
 @click.argument("families", nargs=-1, metavar="[FAMILY]...")
-@click.option("--output-format", type=click.Choice(["text", "json"]), default="text", show_default=True)
+@click.option(
+    "--output-format", type=click.Choice(["text", "json"]), default="text", help="How to list. [default: text]"
+)
 @rules_option
 @colour_option
 @click.pass_context

@@ -100,12 +100,12 @@ def _value(takes: str) -> str:
 
 
 def _prose(text: str) -> Iterator[str]:
-    for paragraph in inspect.cleandoc(text).split("\n\n"):
+    for number, paragraph in enumerate(inspect.cleandoc(text).split("\n\n")):
+        if number:
+            yield ".PP"
         verbatim = paragraph.startswith("\b")
-        yield ".nf" if verbatim else ".PP"
-        yield from map(_escaped, paragraph.removeprefix("\b").strip("\n").splitlines())
-        if verbatim:
-            yield ".fi"
+        lines = map(_escaped, paragraph.removeprefix("\b").strip("\n").splitlines())
+        yield from (".nf", *lines, ".fi") if verbatim else lines
 
 
 def _terms(terms: Iterator[tuple[str, str]] | tuple[tuple[str, str], ...]) -> Iterator[str]:

@@ -29,8 +29,11 @@ def formatted(*command: str) -> str:
     return run.stdout
 
 
-def test_mandoc_has_nothing_to_say() -> None:
-    formatted("mandoc", "-T", "lint", "-W", "warning,stop")
+def test_mandoc_warns_of_nothing_but_the_date() -> None:
+    if shutil.which("mandoc") is None:
+        pytest.skip("mandoc is not installed")
+    run = subprocess.run(["mandoc", "-T", "lint", "-W", "warning", FILE], capture_output=True, text=True)
+    assert [line for line in (run.stdout + run.stderr).splitlines() if "missing date" not in line] == []
 
 
 @pytest.mark.parametrize("command", [["man", "-l"], ["mandoc", "-T", "utf8"]])
