@@ -27,6 +27,8 @@ from bringup_lint.report import Report
 from bringup_lint.report import RuleDoc
 from bringup_lint.report import Target
 from bringup_lint.report import render
+from bringup_lint.report.order import LONG
+from bringup_lint.report.order import at_boot
 from bringup_lint.robot import Robot
 from bringup_lint.source import Source
 
@@ -55,10 +57,12 @@ def finish(
     fail_on: Severity = Severity.WARNING,
     baseline: Iterable[Entry] = (),
     drawn: bool = False,
+    told: bool = False,
 ) -> Report:
     """Everything that a format may say about a run.
 
-    ``baseline`` holds the entries of known findings, which go to ``Report.known``; ``drawn`` asks for the picture.
+    ``baseline`` holds the entries of known findings, which go to ``Report.known``; ``drawn`` asks for the
+    picture, ``told`` for what a text for people needs.
     """
     cwd, target = invocation.cwd, robot.target
     root = str(robot.tree.root or cwd)
@@ -66,6 +70,9 @@ def finish(
     findings, mask = _masked(outcome.findings, root, cwd, steps)
     sifted = sift(findings, baseline)
     picture = steps.attempt("drawing the picture", lambda: _drawn(robot, sifted.new, mask), None) if drawn else None
+    nothing: frozenset[str] = frozenset()
+    many = told and sum(found.suppression is None for found in sifted.new) > LONG
+    boot = steps.attempt("ordering the findings", lambda: at_boot(robot.graph), nothing) if many else nothing
     failures = [mask.words(failure) if mask else failure for failure in outcome.failures]
     failures += (failure.message for failure in steps.failures)
     return Report(
@@ -85,6 +92,7 @@ def finish(
         known=sifted.known,
         stale=tuple(_stale(sifted.gone, outcome, robot, root)),
         picture=picture,
+        at_boot=boot,
     )
 
 

@@ -24,6 +24,7 @@ from bringup_lint.cli.options import configuration_options
 from bringup_lint.cli.options import ignores_option
 from bringup_lint.cli.options import names
 from bringup_lint.cli.options import root_option
+from bringup_lint.cli.options import shown_options
 from bringup_lint.cli.options import target_options
 from bringup_lint.cli.options import verdict_options
 from bringup_lint.cli.outputs import Output
@@ -68,6 +69,7 @@ EPILOG = "\n\n".join(
 @click.option("--tracked", is_flag=True, help="Leave out the files that git does not track.")
 @changes_options
 @baseline_options
+@shown_options
 @click.option("--fix", is_flag=True, help="Apply the safe fixes.")
 @click.option("--unsafe-fixes", is_flag=True, help="With --fix or --diff: the unsafe fixes too.")
 @click.option("--diff", is_flag=True, help="Show what --fix would change, and change nothing.")
@@ -98,6 +100,7 @@ def command(ctx: click.Context, paths: tuple[str, ...], **options) -> None:
 
 def _check(outputs: list[Output], paths: tuple[str, ...], options: dict[str, Any]) -> int:
     from bringup_lint.cli.changes import changes_limit
+    from bringup_lint.cli.progress import progress
     from bringup_lint.engine import run
     from bringup_lint.registry import Registry
 
@@ -110,9 +113,16 @@ def _check(outputs: list[Output], paths: tuple[str, ...], options: dict[str, Any
 
     limit = changes_limit(options)
 
+    if asked := [name for name in ("show_settings", "show_files") if options[name]]:
+        from bringup_lint.cli.showing import show
+
+        return _shown(show(asked, read_robot(paths, config, options), config, options))
+
     def checked() -> tuple[Robot, Outcome]:
-        robot = read_robot(paths, config, options)
-        return robot, limit(run(robot, registry, config, ignores=not options["no_ignores"]))
+        with progress(wanted=not options["quiet"]) as state:
+            robot = read_robot(paths, config, options)
+            ignores = not options["no_ignores"]
+            return robot, limit(run(robot, registry, config, ignores=ignores, between=state.rule))
 
     robot, outcome = checked()
     unsafe = options["unsafe_fixes"]
@@ -152,14 +162,17 @@ def deliver(
     from bringup_lint.cli.reporting import wants_colour
     from bringup_lint.finish import rendered
     from bringup_lint.report import DRAWN
+    from bringup_lint.report import Part
 
     drawn = any(output.format in DRAWN for output in outputs)
-    report = report_of(outcome, robot, config, started, drawn=drawn)
+    part = Part.STATISTICS if options.get("statistics") else Part.FINDINGS if options.get("quiet") else Part.WHOLE
+    told = part is not Part.STATISTICS and any(output.format == "text" for output in outputs)
+    report = dataclasses.replace(report_of(outcome, robot, config, started, drawn=drawn, told=told), part=part)
     if options["exit_zero"] and report.exit_code == 1:
         report = dataclasses.replace(report, exit_code=0)
-    for told in report.notifications:
-        if told.level == "note":
-            complain(told.message)
+    for said in report.notifications:
+        if said.level == "note" and not options.get("quiet"):
+            complain(said.message)
     report, kept = _with_baseline(report, config, options)
     failures, code = [*unwritten, *kept], report.exit_code
     for output in outputs:
@@ -172,6 +185,13 @@ def deliver(
     if failures:
         return max(code, 2)
     return code
+
+
+def _shown(text: str) -> int:
+    """Print what was asked for in place of a report; the exit code."""
+    if failures := _failed(write, text, None):
+        complain(f"not written: {failures[0]}")
+    return 2 if failures else 0
 
 
 def _with_baseline(report: Report, config: Config, options: dict[str, Any]) -> tuple[Report, list[str]]:
@@ -242,6 +262,8 @@ def _usage(paths: tuple[str, ...], options: dict[str, Any]) -> None:
         )
     if options["add_ignores"] is not None:
         _ignores_usage(options)
+    if options["statistics"] and options["quiet"]:
+        raise click.UsageError("--statistics prints the table that --quiet leaves out")
     if options["unsafe_fixes"] and not (options["fix"] or options["diff"]):
         raise click.UsageError("--unsafe-fixes needs --fix or --diff")
 
@@ -297,6 +319,14 @@ def _start(paths: tuple[str, ...], root: str | None) -> Path:
     return first if first.is_dir() else first.parent
 
 
+def _folders(paths: Iterable[str], root: str | None) -> list[str]:
+    """The absolute folders among the paths of the command line, with a slash at the end."""
+    from bringup_lint.discover.walk import inside
+
+    places = [os.path.abspath(path) if root is None else inside(Path(root).absolute(), path) for path in paths]
+    return [f"{place.rstrip('/')}/" for place in places if os.path.isdir(place)]
+
+
 def read_robot(paths: tuple[str, ...], config: Config, options: dict[str, Any]) -> Robot:
     """Read the paths, or standard input, into a robot."""
     from bringup_lint.discover.exclude import exclusion
@@ -312,7 +342,7 @@ def read_robot(paths: tuple[str, ...], config: Config, options: dict[str, Any]) 
         if why := missing(paths, options["root"]):
             raise ConfigError(why)
         deploy = {str(config.folder / path): place for path, place in config.deploy.items()}
-        excluded = exclusion(config.folder, config.exclude)
+        excluded = exclusion(config.folder, config.exclude, _folders(paths, options["root"]))
         if options.get("tracked"):
             excluded = _untracked_too(excluded)
         tree = discover(paths, root=options["root"], deploy=deploy, excluded=excluded)

@@ -85,4 +85,10 @@ baseline_options = _together(
     ),
     click.option("--prune-baseline", is_flag=True, help="Take out of the baseline what is not found any more."),
 )
+shown_options = _together(
+    click.option("--statistics", is_flag=True, help="Print a table of the rules in place of the findings."),
+    click.option("--quiet", "-q", is_flag=True, help="Print the findings alone: no summary, no notes, no progress."),
+    click.option("--show-files", is_flag=True, help="List the files that would be checked, with their kinds."),
+    click.option("--show-settings", is_flag=True, help="Print each setting, and what says so."),
+)
 colour_option = click.option("--colour/--no-colour", "--color/--no-color", default=None, help="Force or forbid colour.")

@@ -24,7 +24,9 @@ if TYPE_CHECKING:
     from bringup_lint.robot import Robot
 
 
-def report_of(outcome: Outcome, robot: Robot, config: Config, started: float, *, drawn: bool = False) -> Report:
+def report_of(
+    outcome: Outcome, robot: Robot, config: Config, started: float, *, drawn: bool = False, told: bool = False
+) -> Report:
     """The report of a run, for this terminal. Raises ConfigError when the baseline cannot be read."""
     from bringup_lint.finish import Invocation
     from bringup_lint.finish import finish
@@ -36,6 +38,7 @@ def report_of(outcome: Outcome, robot: Robot, config: Config, started: float, *,
         fail_on=Severity[config.fail_on.upper()],
         baseline=baseline_of(config),
         drawn=drawn,
+        told=told,
     )
     return replace(report, width=terminal_width())
 

@@ -47,6 +47,11 @@ def say(message: object) -> None:
     click.echo(plain(str(message)), err=True)
 
 
+def overwrite(line: str) -> None:
+    """A line on the terminal in place of the one before it; an empty one takes that away."""
+    click.echo(f"\r{plain(line)}\x1b[K", nl=False, err=True)
+
+
 def plain(message: str) -> str:
     """The text with signs for control characters."""
     from bringup_lint.report.columns import printable

@@ -4,20 +4,29 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
+from collections.abc import Iterable
 from collections.abc import Sequence
 from pathlib import Path
 
 
-def exclusion(folder: Path | str, patterns: Sequence[str]) -> Callable[[str], bool]:
-    """A test for paths (folders end in ``/``): does one of the gitignore patterns, relative to ``folder``, match?"""
+def exclusion(folder: Path | str, patterns: Sequence[str], named: Iterable[str] = ()) -> Callable[[str], bool]:
+    """A test for paths (folders end in ``/``): does one of the gitignore patterns, relative to ``folder``, match?
+
+    A pattern that leaves out one of the absolute paths that a user has ``named`` does not count.
+    """
     if not patterns:
         return lambda path: False
     from bringup_lint.discover.gitignore import Patterns
 
-    rules = Patterns.of(patterns)
+    def below(path: str) -> str:
+        return os.path.relpath(path, folder) + "/" * path.endswith("/")
+
+    asked = [below(path) for path in named]
+    counting = [pattern for pattern in patterns if not any(map(Patterns.of([pattern]).match, asked))]
+    rules = Patterns.of(counting)
 
     def excluded(path: str) -> bool:
-        relative = os.path.relpath(path, folder)
-        return not relative.startswith("..") and rules.match(relative + "/" * path.endswith("/"))
+        relative = below(path)
+        return not relative.startswith("..") and rules.match(relative)
 
     return excluded

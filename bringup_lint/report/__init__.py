@@ -5,11 +5,12 @@ from __future__ import annotations
 from importlib import import_module
 
 from bringup_lint.report.model import Notification
+from bringup_lint.report.model import Part
 from bringup_lint.report.model import Report
 from bringup_lint.report.model import RuleDoc
 from bringup_lint.report.model import Target
 
-__all__ = ["DRAWN", "FORMATS", "Notification", "Report", "RuleDoc", "Target", "render"]
+__all__ = ["DRAWN", "FORMATS", "Notification", "Part", "Report", "RuleDoc", "Target", "render"]
 
 FORMATS = ("text", "concise", "json", "sarif", "html", "github", "gitlab", "junit", "markdown", "rdjson")
 DRAWN = ("html", "markdown")

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from collections.abc import Mapping
 from dataclasses import dataclass
 from dataclasses import field
+from enum import Enum
 from typing import Any
 from typing import NamedTuple
 
@@ -47,6 +48,12 @@ class Target(NamedTuple):
     systemd: int | None = None
     ros_why: str = ""
     systemd_why: str = ""
+
+
+class Part(Enum):
+    WHOLE = "whole"
+    FINDINGS = "findings"
+    STATISTICS = "statistics"
 
 
 NOT_KNOWN = Target()
@@ -96,6 +103,10 @@ class Report:
     """The fingerprints in the baseline whose findings are gone."""
     picture: dict[str, Any] | None = None
     """The robot as ``report.picture`` draws it, with these findings; only the formats in ``report.DRAWN`` show it."""
+    at_boot: frozenset[str] = frozenset()
+    """The names of the files that decide what starts at boot; only asked for by long texts."""
+    part: Part = Part.WHOLE
+    """What of a report for people is printed."""
     colour: bool = False
     width: int = 80
 

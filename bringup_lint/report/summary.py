@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections import defaultdict
 from collections.abc import Iterator
 
 from bringup_lint.finding import Applicability
 from bringup_lint.finding import Finding
 from bringup_lint.finding import Severity
+from bringup_lint.report.model import Part
 from bringup_lint.report.model import Report
+from bringup_lint.report.order import LONG
 from bringup_lint.report.paint import Paint
 
-LONG = 20
-"""Findings from which a report ends with a list of its rules."""
 RULES = 12
+"""Rules that the list at the end of a long report names."""
 
 
 def summary(report: Report, width: int, paint: Paint) -> str:
@@ -22,7 +24,7 @@ def summary(report: Report, width: int, paint: Paint) -> str:
     shown = list(report.shown)
     counts = Counter(finding.severity for finding in shown)
     said = [paint(str(severity), _count(number, severity)) for severity, number in sorted(counts.items())]
-    files = "1 file" if report.files == 1 else f"{report.files} files"
+    files = counted(report.files, "file")
     if said:
         head = f"{', '.join(reversed(said))} in {_affected(shown, report.files)}{files}"
     elif report.elsewhere:
@@ -31,8 +33,17 @@ def summary(report: Report, width: int, paint: Paint) -> str:
         head = f"{paint('good', 'Clear for bring-up')}: {files} checked, nothing to report"
     else:
         head = "Nothing to check: no file of a known kind was found"
-    rules = list(_by_rule(shown)) if len(shown) > LONG else []
-    return "\n".join((*rules, head, *(paint("faint", line) for line in _filled(_asides(report), width))))
+    return "\n".join(
+        (*_table(report, shown), head, *(paint("faint", line) for line in _filled(_asides(report), width)))
+    )
+
+
+def _table(report: Report, shown: list[Finding]) -> Iterator[str]:
+    """The rules, where they are asked for or there is much to read."""
+    if shown and report.part is Part.STATISTICS:
+        yield from by_rule(shown)
+    elif len(shown) > LONG:
+        yield from by_rule(shown, RULES)
 
 
 def _affected(shown: list[Finding], files: int) -> str:
@@ -41,23 +52,31 @@ def _affected(shown: list[Finding], files: int) -> str:
     return f"{affected} of " if affected < files else ""
 
 
-def _by_rule(shown: list[Finding]) -> Iterator[str]:
-    """The rules with the most findings, errors before warnings."""
-    counts = Counter(finding.rule for finding in shown)
-    worst: dict[str, Severity] = {}
-    fixable: Counter[str] = Counter()
+def by_rule(shown: list[Finding], limit: int | None = None) -> Iterator[str]:
+    """A table of the rules, errors before warnings, and of these the one with the most findings first."""
+    found: dict[str, list[Finding]] = defaultdict(list)
     for finding in shown:
-        worst[finding.rule] = max(finding.severity, worst.get(finding.rule, finding.severity))
-        fixable[finding.rule] += finding.fix is not None
-    order = sorted(counts, key=lambda rule: (-worst[rule], -counts[rule], rule))
-    yield "findings  rule"
-    for rule in order[:RULES]:
-        fixes = f", {fixable[rule]} fixable" if fixable[rule] else ""
-        yield f"{counts[rule]:8}  {rule} ({worst[rule]}{fixes})"
-    if len(order) > RULES:
-        rest = sum(counts[rule] for rule in order[RULES:])
-        yield f"{rest:8}  of {len(order) - RULES} more rules"
+        found[finding.rule].append(finding)
+    rows = [(max(each.severity for each in group), len(group), rule, group) for rule, group in found.items()]
+    rows.sort(key=lambda row: (-row[0], -row[1], row[2]))
+    cells = [(str(count), str(worst), _fixable(group), rule) for worst, count, rule, group in rows[:limit]]
+    left = sum(count for _, count, _, _ in rows[len(cells) :])
+    if left:
+        cells.append((str(left), "", "", f"of {counted(len(rows) - len(cells), 'more rule')}"))
+    yield from _columns([("findings", "severity", "fixable", "rule"), *cells])
     yield ""
+
+
+def _fixable(group: list[Finding]) -> str:
+    """How many of the findings a fix removes, and whether it is safe."""
+    fixes = Counter(finding.fix.applicability for finding in group if finding.fix)
+    return ", ".join(f"{count} {kind}" for kind, count in sorted(fixes.items()))
+
+
+def _columns(rows: list[tuple[str, str, str, str]]) -> Iterator[str]:
+    widths = [max(map(len, column)) for column in zip(*rows)]
+    for count, severity, fixable, rule in rows:
+        yield f"{count:>{widths[0]}}  {severity:<{widths[1]}}  {fixable:<{widths[2]}}  {rule}"
 
 
 def _asides(report: Report) -> Iterator[str]:
@@ -92,5 +111,9 @@ def _filled(asides: Iterator[str], width: int) -> list[str]:
     return lines
 
 
+def counted(count: int, name: str) -> str:
+    return f"{count} {name}{'s' * (count != 1)}"
+
+
 def _count(count: int, severity: Severity) -> str:
-    return f"{count} {severity}" if count == 1 or severity is Severity.INFO else f"{count} {severity}s"
+    return f"{count} {severity}" if severity is Severity.INFO else counted(count, str(severity))

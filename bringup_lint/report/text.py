@@ -11,7 +11,10 @@ from bringup_lint.report.columns import printable
 from bringup_lint.report.frame import Mark
 from bringup_lint.report.frame import draw
 from bringup_lint.report.frame import frames
+from bringup_lint.report.model import Part
 from bringup_lint.report.model import Report
+from bringup_lint.report.order import LONG
+from bringup_lint.report.order import by_cause
 from bringup_lint.report.paint import Paint
 from bringup_lint.report.paint import painter
 from bringup_lint.report.summary import summary
@@ -25,12 +28,24 @@ WIDE = 120
 def render(report: Report) -> str:
     paint = painter(report.colour)
     width = max(report.width, NARROW)
-    blocks = ["\n".join(block(finding, width, paint)) for finding in report.shown]
-    return "\n\n".join([*blocks, summary(report, min(width, WIDE), paint)]) + "\n"
+    blocks = () if report.part is Part.STATISTICS else ("\n".join(lines) for lines in _blocks(report, width, paint))
+    last = () if report.part is Part.FINDINGS else (summary(report, min(width, WIDE), paint),)
+    return "".join(f"{text}\n" for text in ["\n\n".join([*blocks, *last])] if text)
 
 
-def block(finding: Finding, width: int, paint: Paint) -> Iterator[str]:
-    """The lines that tell one finding."""
+def _blocks(report: Report, width: int, paint: Paint) -> Iterator[Iterator[str]]:
+    """The findings in the order of their places; many of them by cause, where what is the same is said once."""
+    shown = list(report.shown)
+    if len(shown) <= LONG:
+        yield from (block(finding, width, paint) for finding in shown)
+        return
+    for first, *others in by_cause(shown, report.at_boot):
+        yield block(first, width, paint)
+        yield from (block(finding, width, paint, above=first) for finding in others)
+
+
+def block(finding: Finding, width: int, paint: Paint, above: Finding | None = None) -> Iterator[str]:
+    """The lines that tell one finding; without the advice that one of the same rule ``above`` gives as well."""
     style = str(finding.severity)
     yield from _headline(finding, style, min(width, WIDE), paint)
     marks = [Mark(finding.span, style), *(Mark(span, "mark", message) for span, message in finding.related)]
@@ -42,10 +57,13 @@ def block(finding: Finding, width: int, paint: Paint) -> Iterator[str]:
         yield from draw(frame, gutter, width, paint)
         if frame.lines:
             yield edge
+    told = set(_notes(above)) if above else ()
     for name, text in _notes(finding):
-        yield from _note(name, text, gutter, min(width, WIDE), paint)
-    edge = f"{'':{gutter}} {paint('frame', '=')}"
-    yield f"{edge} {paint('strong', 'docs:')} bringup-lint explain {finding.rule}"
+        if (name, text) not in told:
+            yield from _note(name, text, gutter, min(width, WIDE), paint)
+    if above is None:
+        edge = f"{'':{gutter}} {paint('frame', '=')}"
+        yield f"{edge} {paint('strong', 'docs:')} bringup-lint explain {finding.rule}"
 
 
 def _headline(finding: Finding, style: str, width: int, paint: Paint) -> Iterator[str]:

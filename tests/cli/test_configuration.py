@@ -78,6 +78,17 @@ def test_a_configuration_is_a_bounded_file_of_the_tree(tree: Path, kind: str) ->
     assert len(run.stderr.splitlines()) == 1
 
 
+def test_a_named_folder_is_not_left_out(tree: Path) -> None:
+    (tree / "old/deep").mkdir(parents=True)
+    (tree / "old/deep/b.service").write_text(UNIT)
+    (tree / "old/c.service").write_text(UNIT)
+    (tree / "bringup-lint.toml").write_text('exclude = ["/old/", "c.service"]\n')
+    assert lint("--show-files", cwd=tree).stdout == "a.service  systemd-unit\n"
+    assert lint("--show-files", "old", cwd=tree).stdout == "old/deep/b.service  systemd-unit, archive\n"
+    assert lint("--show-files", cwd=tree / "old/deep").stdout == "b.service  systemd-unit\n"
+    assert lint("--show-files", "--root", "old", cwd=tree).stdout == "old/deep/b.service  systemd-unit\n"
+
+
 def test_patterns_do_not_hang(tree: Path) -> None:
     (tree / "bringup-lint.toml").write_text(f'exclude = ["{"*a" * 40}b", "{"**/a/" * 40}b"]\n')
     (tree / ("a" * 200)).touch()
