@@ -9,6 +9,10 @@ from dataclasses import field
 from functools import cached_property
 from typing import NamedTuple
 
+from bringup_lint.pattern import regex
+
+_WORD = regex(r"[^ \t\n\r\f\v]+")
+
 
 class Position(NamedTuple):
     """A place in a text, as people count: lines and columns start at 1, columns count code points."""
@@ -203,12 +207,9 @@ class Located(str):
         return self.part(start, max(start, len(self.rstrip(chars))))
 
     def words(self) -> Iterator[Located]:
-        """The blank-separated words, each with its place."""
-        end = 0
-        for word in self.split():
-            start = self.find(word, end)
-            end = start + len(word)
-            yield self.part(start, end)
+        """The words between blanks of ASCII, each with its place: other blanks belong to a word, as C reads it."""
+        for match in _WORD.finditer(self):
+            yield self.part(*match.span())
 
     @property
     def line(self) -> int:

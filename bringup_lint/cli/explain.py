@@ -20,6 +20,7 @@ from bringup_lint.log_lines import explained
 from bringup_lint.log_lines import speaker_of
 from bringup_lint.registry import Registry
 from bringup_lint.registry import Rule
+from bringup_lint.report.columns import printable
 from bringup_lint.report.docs import PROSE
 from bringup_lint.report.docs import plain
 from bringup_lint.report.wrap import wrap
@@ -51,17 +52,27 @@ def command(ctx: click.Context, what: tuple[str, ...], rule_folders: tuple[Path,
     elif named:
         _list(f"{len(named)} rules are called '{text}':", named)
     elif found:
-        _list(_heading(text, len(found)), found, [match.symptom for match in answer.matches])
+        _list(_heading(_shown(text), len(found)), found, [match.symptom for match in answer.matches])
     elif answer.other:
-        _print_other(text, answer.other)
+        _print_other(_shown(text), answer.other)
     else:
-        complain(_unknown(text, registry))
+        complain(_unknown(_shown(text), registry))
         ctx.exit(2)
 
 
 def _print(rule: Rule, colour: bool | None) -> None:
     painted = wants_colour(colour)
     click.echo(plain(doc_of(rule), terminal_width(), painted), nl=False, color=painted)
+
+
+def _shown(line: str) -> str:
+    """The line as it may be printed: without its secrets."""
+    from bringup_lint.finding.redact import mask_of
+    from bringup_lint.source import Source
+
+    source = Source("log", line)
+    mask = mask_of((), (source,))
+    return printable(mask.source(source).text if mask else line)
 
 
 def _heading(line: str, count: int) -> str:

@@ -127,12 +127,14 @@ def _known(robot: Robot) -> None:
 
 def loaded(path: str) -> Source:
     """A graph that was saved. Raises ConfigError when the file cannot be read."""
+    from bringup_lint.discover.reading import Unreadable
+    from bringup_lint.discover.reading import read_bytes
     from bringup_lint.source import Source
 
     try:
-        return Source(path, Path(path).read_text("utf-8", errors="replace"), KIND)
-    except OSError as error:
-        raise ConfigError(f"{path}: {error.strerror}") from error
+        return Source(path, read_bytes(path, follow=True)[0].decode("utf-8", "replace"), KIND)
+    except Unreadable as error:
+        raise ConfigError(f"{path}: {error}") from error
 
 
 def seen(robot: Robot, options: dict[str, Any]) -> Source:

@@ -40,16 +40,19 @@ from bringup_lint.api import rule
 
 @rule("warning", fix="unsafe")
 def heartbeat_unknown_node(robot: Robot) -> Iterator[Finding]:
-    for name, watched, meant in robot.topics.missing_nodes:
+    for name, watched, meant, is_typo in robot.topics.missing_nodes:
         node = next((each for each in robot.topics.named_nodes if each.name == meant), None)
         what = f"the node is '{meant}'" if meant else "nothing in the tree starts it"
+        better = (
+            f"call it '{meant}' on both sides" if meant else "name a node that is started, as `ros2 node list` shows it"
+        )
         yield finding(
             name,
             f"No node is called '{name}' ({what}): a watchdog or script that waits for it never sees it",
-            advice=f"write '{meant}'" if meant else "name a node that is started, as `ros2 node list` shows it",
+            advice=better,
             related=[
                 *([note(watched.where, "this list monitors it")] if watched.where is not name else []),
                 *([note(node.started.span, f"{node.label()} is started here")] if node else []),
             ],
-            fix=fix(f"write '{meant}'", (name, meant), safe=False) if meant and "/" not in name else None,
+            fix=fix(f"write '{meant}'", (name, meant), safe=False) if meant and is_typo and "/" not in name else None,
         )

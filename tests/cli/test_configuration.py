@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import os
+import shutil
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 
+from tests.conftest import PROJECT
 from tests.lint import lint
 
 UNIT = "[Unit]\nDescription=One\n[Service]\nExecStart=/bin/true\n"
@@ -87,6 +91,41 @@ def test_a_named_folder_is_not_left_out(tree: Path) -> None:
     assert lint("--show-files", "old", cwd=tree).stdout == "old/deep/b.service  systemd-unit, archive\n"
     assert lint("--show-files", cwd=tree / "old/deep").stdout == "b.service  systemd-unit\n"
     assert lint("--show-files", "--root", "old", cwd=tree).stdout == "old/deep/b.service  systemd-unit\n"
+
+
+@pytest.mark.parametrize("option", ["--config", "--baseline"])
+@pytest.mark.parametrize(("file", "said"), [("/dev/zero", "a character device"), ("fifo", "a FIFO")])
+def test_what_the_command_line_names_is_a_bounded_file(tree: Path, option: str, file: str, said: str) -> None:
+    os.mkfifo(tree / "fifo")
+    run = lint(option, file, cwd=tree)
+    assert (run.code, run.stdout) == (2, "")
+    assert f"not a regular file but {said}" in run.stderr
+
+
+@pytest.mark.parametrize("name", ["bringup-lint.toml", "pyproject.toml", "known.json"])
+def test_a_device_of_the_tree_is_not_read(tree: Path, name: str) -> None:
+    if name == "known.json":
+        (tree / "bringup-lint.toml").write_text('baseline = "known.json"\n')
+    (tree / name).symlink_to("/dev/zero")
+    run = lint(cwd=tree)
+    assert run.code == 2
+    assert len(run.stderr.splitlines()) == 1
+
+
+@pytest.mark.skipif(not shutil.which("setpriv") or os.getuid() != 0, reason="needs root, who gives up its rights")
+@pytest.mark.parametrize("name", ["bringup-lint.toml", "pyproject.toml", "known.json"])
+def test_a_configuration_without_permission_to_read_is_one_line(tree: Path, name: str) -> None:
+    if name == "known.json":
+        (tree / "bringup-lint.toml").write_text('baseline = "known.json"\n')
+    (tree / name).write_text("[tool.bringup-lint]\n")
+    os.chown(tree / name, 1234, 5678)
+    (tree / name).chmod(0o600)
+    without_rights = ("setpriv", "--bounding-set=-all", "--inh-caps=-all", sys.executable, "-m", "bringup_lint")
+    environment = {**os.environ, "PYTHONPATH": str(PROJECT)}
+    run = subprocess.run(without_rights, cwd=tree, capture_output=True, text=True, env=environment)
+    assert (run.returncode, run.stdout) == (2, "")
+    assert f"{name}: Permission denied" in run.stderr
+    assert len(run.stderr.splitlines()) == 1
 
 
 def test_patterns_do_not_hang(tree: Path) -> None:

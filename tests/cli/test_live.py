@@ -66,6 +66,14 @@ def stub(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path / "rclpy.py"
 
 
+@pytest.mark.parametrize(("file", "said"), [("/dev/zero", "a character device"), ("fifo", "a FIFO")])
+def test_what_is_loaded_is_a_bounded_file(tmp_path: Path, file: str, said: str) -> None:
+    os.mkfifo(tmp_path / "fifo")
+    run = lint("live", "--load", file, cwd=tmp_path)
+    assert (run.code, run.stdout) == (2, "")
+    assert f"{file}: not a regular file but {said}" in run.stderr
+
+
 def test_without_rclpy_it_says_how_to_get_it(stub: Path) -> None:
     stub.write_text("raise ModuleNotFoundError(\"No module named 'rclpy'\")\n")
     run = lint("live", cwd=stub.parent / "tree")

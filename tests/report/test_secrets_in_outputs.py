@@ -11,6 +11,7 @@ from bringup_lint.discover.kinds import kind_of
 from bringup_lint.report import FORMATS
 from bringup_lint.source import Source
 from bringup_lint.suppress.forms import form_of
+from tests.conftest import PROJECT
 from tests.lint import lint
 from tests.report.planted import Planted
 from tests.report.planted import planted
@@ -58,6 +59,21 @@ def test_baseline_holds_no_secret(tree: Path, tmp_path: Path) -> None:
     lint("--write-baseline", tmp_path / "known.json", cwd=tree)
     text = (tmp_path / "known.json").read_text()
     assert [each for each in planted() if each.secret in text] == []
+
+
+@pytest.mark.parametrize("each", planted(), ids=lambda each: f"{each.file}-{each.secret}")
+def test_explain_repeats_no_secret(each: Planted, tmp_path: Path) -> None:
+    run = lint("explain", f"qqqq\n{each.text}", cwd=tmp_path)
+    assert each.secret not in run.stdout + run.stderr
+
+
+@pytest.mark.parametrize("output", FORMATS)
+def test_live_shows_no_secret(tree: Path, output: str) -> None:
+    seen = PROJECT / "fixtures/live/qos_incompatible/bad/graph.yaml"
+    run = lint("live", "--load", seen, "--select", "lint,live", "--output-format", output, cwd=tree)
+    assert run.code in (0, 1), run.stderr
+    assert len(run.stdout) > 500
+    assert [each for each in planted() if each.secret in run.stdout + run.stderr] == []
 
 
 def test_findings_are_beside_secrets(tree: Path) -> None:

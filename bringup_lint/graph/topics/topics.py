@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable
+from collections.abc import Iterable
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
@@ -40,6 +42,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.params.params import Params
     from bringup_lint.graph.systemd.units import Units
     from bringup_lint.graph.topics.questions.watch_lists import Missing
+    from bringup_lint.graph.topics.questions.watch_lists import Watched
     from bringup_lint.graph.topics.resolved.node_names import NodeNames
     from bringup_lint.graph.topics.sources.parameter_names import ParameterNames
     from bringup_lint.model.node_source import Endpoint
@@ -191,8 +194,17 @@ class Topics:
 
         if not self.files.of_kind(*LAUNCH):
             return
-        for found in WatchLists(self.files, self.nodes, self.params, self._given_to).all():
-            yield from missing(found, self.node_names)
+        lists = list(WatchLists(self.files, self.nodes, self.params, self._given_to).all())
+        naming = self._naming(lists)
+        for found in lists:
+            yield from missing(found, self.node_names, naming)
+
+    def _naming(self, lists: Iterable[Watched]) -> Counter[str]:
+        """How many places call a node so: those that start it, those that watch it, those that give it parameters."""
+        places = {name.span: str(name) for found in lists for name in found.names}
+        places |= {node.started.span: str(node.name) for node in self.named_nodes}
+        places |= {block.key.span: str(block.key) for file in self.params().judged for block in file.blocks}
+        return Counter(names.tail(name) for name in places.values())
 
     def _given_to(self, source: Source) -> set[str]:
         """The names of the parameters that launch files give to the nodes of a source."""

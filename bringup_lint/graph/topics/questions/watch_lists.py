@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import re
+from collections import Counter
 from collections.abc import Callable
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -121,11 +122,14 @@ class Missing(NamedTuple):
     list: Watched
     meant: str | None
     """The node that is probably meant."""
+    is_typo: bool
+    """More places have the name of that node, so that this one is wrong, and not the one that starts it."""
 
 
-def missing(found: Watched, names: NodeNames) -> Iterator[Missing]:
+def missing(found: Watched, names: NodeNames, naming: Counter[str]) -> Iterator[Missing]:
     """The names of a list that no node has. Where none of them is the name of a node, or nearly so, the list is one of
-    something else. With nodes of public packages beside the known ones, only what is nearly the name of a node."""
+    something else. With nodes of public packages beside the known ones, only what is nearly the name of a node.
+    ``naming`` counts the places that call a node so."""
     if names.open:
         return
     full = sorted(names.known)
@@ -135,9 +139,10 @@ def missing(found: Watched, names: NodeNames) -> Iterator[Missing]:
     if len(lost) == len(found.names) and not any(meant.values()):
         return
     for name in lost:
-        if names.may_be(name) or (names.public and meant[str(name)] is None):
+        near = meant[str(name)]
+        if names.may_be(name) or (names.public and near is None):
             continue
-        yield Missing(name, found, meant[str(name)])
+        yield Missing(name, found, near, near is not None and naming[near] > naming[name.rpartition("/")[2]])
 
 
 def _is_there(name: str, whole: bool, full: list[str], bare: set[str]) -> bool:
