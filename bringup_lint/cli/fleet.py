@@ -33,7 +33,6 @@ from bringup_lint.cli.streams import complain
 from bringup_lint.config import ConfigError
 from bringup_lint.report.fleet import FORMATS
 from bringup_lint.report.fleet import FleetReport
-from bringup_lint.report.fleet import render
 
 if TYPE_CHECKING:
     from bringup_lint.fleet.check import Job
@@ -79,6 +78,7 @@ def command(ctx: click.Context, paths: tuple[str, ...], **options) -> None:
 def _judge(outputs: list[Output], paths: tuple[str, ...], options: dict[str, Any]) -> int:
     from bringup_lint.fleet.check import Job
     from bringup_lint.fleet.inventory import read_inventory
+    from bringup_lint.fleet.render import rendered
 
     config, rule_folders = configuration(paths, {**options, "root": None, "baseline": None})
     inventory = read_inventory(paths)
@@ -92,10 +92,15 @@ def _judge(outputs: list[Output], paths: tuple[str, ...], options: dict[str, Any
     job = Job(config, key, today, tuple(rule_folders), not options["no_ignores"])
     report = fleet_report(_gathered(inventory, job, state, options), inventory, job)
     report = dataclasses.replace(report, width=terminal_width())
+    code = report.exit_code
     for output in outputs:
         colour = output.file is None and wants_colour(options["colour"])
-        write(render(output.format, dataclasses.replace(report, colour=colour)), output.file)
-    return 0 if options["exit_zero"] and report.exit_code == 1 else report.exit_code
+        text, failures = rendered(output.format, dataclasses.replace(report, colour=colour))
+        code = 3 if failures else code
+        for failure in failures:
+            complain(failure)
+        write(text, output.file)
+    return 0 if options["exit_zero"] and code == 1 else code
 
 
 def fleet_report(summaries: Iterable[Summary], inventory: Inventory, job: Job) -> FleetReport:
@@ -108,7 +113,7 @@ def fleet_report(summaries: Iterable[Summary], inventory: Inventory, job: Job) -
 
     robots = tuple(sorted(summaries, key=lambda summary: summary.name))
     registry = Registry.of(job.rule_folders)
-    verdict = judge(Fleet(robots), registry, job.config, inventory.accepted)
+    verdict = judge(Fleet(robots), registry, job.config, inventory.accepted, ignores=job.ignores)
     own = {finding.rule for robot in robots for finding in robot.own}
     known = [rule for rule in map(registry.get, sorted(own)) if rule is not None]
     report = FleetReport(

@@ -8,18 +8,21 @@ from pathlib import Path
 from typing import Any
 
 from bringup_lint.config import ConfigError
+from bringup_lint.discover.tree import display_name
 from bringup_lint.fleet.ansible import read_ansible
 from bringup_lint.fleet.members import ROLE
 from bringup_lint.fleet.members import Accepted
 from bringup_lint.fleet.members import Inventory
 from bringup_lint.fleet.members import Member
 from bringup_lint.fleet.members import text_of
+from bringup_lint.pattern import regex
 from bringup_lint.spelling import meant
 from bringup_lint.toml import read_toml
 
 FILE_NAME = "fleet.toml"
 ARCHIVES = (".tar", ".tar.gz", ".tgz", ".tar.xz", ".tar.bz2")
 TALKS = ("shared", "separate")
+_ACCEPT = regex(r"[ \t]*\[\[[ \t]*accept[ \t]*\]\]")
 _KEYS: dict[str, dict[str, type]] = {
     "": {"robot": list, "site": dict, "accept": list},
     "robot": {"name": str, "role": str, "site": str, "root": str, "overlays": list, "domain": int},
@@ -66,8 +69,9 @@ def archive_name(path: str) -> str:
 
 def read_fleet_file(path: str) -> Inventory:
     """A ``fleet.toml``; its paths are relative to its folder. Raises ConfigError."""
+    text = text_of(path)
     try:
-        data = read_toml(text_of(path))
+        data = read_toml(text)
     except ValueError as error:
         raise ConfigError(f"{path}: {error}") from error
     _checked(path, "", data)
@@ -77,7 +81,11 @@ def read_fleet_file(path: str) -> Inventory:
             raise ConfigError(f"{path}: site '{name}': domains is one of {', '.join(TALKS)}")
     folder = Path(path).parent
     members = tuple(_member(path, folder, row, data.get("site", {})) for row in data.get("robot", ()))
-    return Inventory(members, tuple(_accepted(path, row) for row in data.get("accept", ())))
+    accepted = data.get("accept", ())
+    lines = [number for number, line in enumerate(text.split("\n"), 1) if _ACCEPT.match(line)]
+    if len(lines) != len(accepted):
+        lines = [1] * len(accepted)
+    return Inventory(members, tuple(_accepted(path, row, line) for row, line in zip(accepted, lines)))
 
 
 def _member(path: str, folder: Path, row: dict[str, Any], sites: dict[str, dict[str, str]]) -> Member:
@@ -97,11 +105,13 @@ def _member(path: str, folder: Path, row: dict[str, Any], sites: dict[str, dict[
     return Member(row["name"], places, row.get("role", ROLE), site, row.get("domain"), talks)
 
 
-def _accepted(path: str, row: dict[str, Any]) -> Accepted:
+def _accepted(path: str, row: dict[str, Any], line: int) -> Accepted:
     _checked(path, "accept", row)
     if not row.get("rule") or not row.get("reason"):
         raise ConfigError(f"{path}: what is accepted needs a rule and a reason")
-    return Accepted(row["rule"], tuple(row.get("robots", ())), row.get("key", ""), row["reason"])
+    return Accepted(
+        row["rule"], tuple(row.get("robots", ())), row.get("key", ""), row["reason"], display_name(path), line
+    )
 
 
 def _checked(path: str, table: str, row: object) -> None:

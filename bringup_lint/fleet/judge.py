@@ -4,18 +4,23 @@ from __future__ import annotations
 
 import traceback
 from collections.abc import Iterable
-from collections.abc import Iterator
 from dataclasses import dataclass
 from dataclasses import replace
 
 from bringup_lint.config import Config
+from bringup_lint.discover.tree import display_name
 from bringup_lint.engine import Selection
+from bringup_lint.engine import names
 from bringup_lint.finding import Severity
 from bringup_lint.fleet.fleet import Fleet
 from bringup_lint.fleet.fleet import FleetFinding
 from bringup_lint.fleet.members import Accepted
+from bringup_lint.fleet.silence import Silence
 from bringup_lint.registry import Registry
 from bringup_lint.registry import Rule
+from bringup_lint.source import Source
+from bringup_lint.suppress import UNUSED
+from bringup_lint.suppress.files import file_ignores
 
 FAMILY = "fleet"
 
@@ -32,30 +37,42 @@ class Verdict:
     """How many findings lie below the lowest severity shown."""
 
 
-def judge(fleet: Fleet, registry: Registry, config: Config, accepted: Iterable[Accepted] = ()) -> Verdict:
-    """Raises ConfigError for names that mean nothing."""
+def judge(
+    fleet: Fleet, registry: Registry, config: Config, accepted: Iterable[Accepted] = (), *, ignores: bool = True
+) -> Verdict:
+    """``ignores``: whether anything silences findings. Raises ConfigError for names that mean nothing."""
     selection = Selection(registry, config)
-    accepted = tuple(accepted)
-    for declared in accepted:
-        selection.known(declared.rule)
+    silence = _silence(accepted if ignores else (), config if ignores else Config(), selection)
     ids = [rule_id for rule_id in registry.paths if rule_id.startswith(f"{FAMILY}/") and selection.runs(rule_id)]
     rules = {rule_id: registry[rule_id] for rule_id in ids}
-    lowest = Severity[config.min_severity.upper()]
-    shown: list[FleetFinding] = []
-    failures: list[str] = []
-    hidden = 0
+    failures: dict[str, str] = {}
+    findings: list[FleetFinding] = []
     for rule in rules.values():
         try:
-            found = [_graded(each, rule, selection) for each in rule.check(fleet)]
+            findings += (silence.apply(_graded(each, rule, selection)) for each in rule.check(fleet))
         except Exception as error:
-            failures.append(_failure(rule, error))
-            continue
-        for each in found:
-            if each.severity >= lowest or each.rule in selection.select:
-                shown += _declared(each, accepted)
-            else:
-                hidden += 1
-    return Verdict(tuple(sorted(shown, key=_order)), rules, tuple(failures), hidden)
+            failures[rule.id] = _failure(rule, error)
+    if selection.runs(UNUSED):
+        rules[UNUSED] = registry[UNUSED]
+        said = silence.complaints(
+            [robot.name for robot in fleet.robots],
+            lambda name: selection.covers(name) and any(names(name, each) for each in set(ids) - set(failures)),
+        )
+        findings += (_graded(each, rules[UNUSED], selection) for each in said)
+    lowest = Severity[config.min_severity.upper()]
+    shown = [each for each in findings if each.severity >= lowest or each.rule in selection.select]
+    return Verdict(tuple(sorted(shown, key=_order)), rules, tuple(failures.values()), len(findings) - len(shown))
+
+
+def _silence(accepted: Iterable[Accepted], config: Config, selection: Selection) -> Silence:
+    """Raises ConfigError for names that mean nothing."""
+
+    def is_name_of(name: str, rule_id: str) -> bool:
+        return names(selection.known(name), rule_id)
+
+    known = tuple(replace(each, rule=selection.known(each.rule)) for each in accepted)
+    files = file_ignores(config.per_file_ignores, Source(display_name(str(config.path)), config.text), is_name_of)
+    return Silence(known, files)
 
 
 def _failure(rule: Rule, error: Exception) -> str:
@@ -67,17 +84,6 @@ def _graded(found: FleetFinding, rule: Rule, selection: Selection) -> FleetFindi
     severity = selection.severity(rule.id) or found.own_severity or rule.severity
     confidence = min(found.own_confidence or rule.meta.confidence, rule.meta.confidence)
     return replace(found, rule=rule.id, severity=severity, confidence=confidence)
-
-
-def _declared(found: FleetFinding, accepted: Iterable[Accepted]) -> Iterator[FleetFinding]:
-    """The finding, with the reason for which the inventory accepts it."""
-    for each in accepted:
-        about = found.difference.key if found.difference else ""
-        odd = found.difference.odd_robots if found.difference else found.robots
-        if each.rule == found.rule and about.startswith(each.key) and set(odd) <= set(each.robots or odd):
-            yield replace(found, declared=each.reason)
-            return
-    yield found
 
 
 def _order(found: FleetFinding) -> tuple[int, str, str, str, int]:

@@ -35,6 +35,9 @@ class Accepted:
     key: str = ""
     """What a difference is about, such as ``rover.service``; anything when empty."""
     reason: str = ""
+    path: str = ""
+    """The inventory that says so."""
+    line: int = 1
 
 
 @dataclass(frozen=True)

@@ -46,12 +46,19 @@ class FileIgnores:
         """The finding, with its suppression when an entry silences it."""
         if finding.suppression is not None:
             return finding
+        entry = self.entry_for(finding.rule, finding.span.path)
+        if entry is None:
+            return finding
+        reason = f"per-file-ignores of {entry.where.source.basename}"
+        return replace(finding, suppression=Suppression(entry.where, reason, external=True))
+
+    def entry_for(self, rule: str, path: str) -> Entry | None:
+        """The first entry that silences a rule in a file, which is then in use."""
         for entry in self.entries:
-            if self.is_name_of(entry.name, finding.rule) and self._matches(entry, finding.span.path):
+            if self.is_name_of(entry.name, rule) and self._matches(entry, path):
                 entry.used = True
-                reason = f"per-file-ignores of {entry.where.source.basename}"
-                return replace(finding, suppression=Suppression(entry.where, reason, external=True))
-        return finding
+                return entry
+        return None
 
     def complaints(
         self, walked: Collection[str], sources: Iterable[Source], ran: Callable[[str], bool]

@@ -2,7 +2,8 @@
 
 ## What it finds
 A name in `bringup-lint: ignore[...]` or `ignore-file[...]` that suppressed no finding, although its rules ran. The same
-for an entry of `[per-file-ignores]` in the configuration, and for a pattern there that matches no file.
+for an entry of `[per-file-ignores]` in the configuration, for a pattern there that matches no file, and for an
+`[[accept]]` of a fleet.
 
 ## Why it matters on a robot
 Either the defect is fixed, or the comment is on the wrong line or misspells the rule. Then the accepted finding is

@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
 from pathlib import Path
+
+import pytest
 
 from bringup_lint.fleet.fleet import Difference
 from bringup_lint.fleet.fleet import FleetFinding
 from bringup_lint.fleet.fleet import FleetPlace
+from bringup_lint.fleet.render import rendered
 from bringup_lint.fleet.summary import Own
 from bringup_lint.fleet.summary import Summary
 from bringup_lint.report.fleet import FleetReport
+from bringup_lint.report.fleet import concise
 from bringup_lint.report.fleet import render
 from bringup_lint.report.fleet import sarif
 from tests.conftest import PROJECT
@@ -64,3 +69,34 @@ def test_the_page_is_written_to_a_file(tmp_path: Path) -> None:
     run = lint("fleet", "--workers", "1", "--output-format", "html", "--output-file", page, ".", cwd=DRIFT)
     assert run.stdout == ""
     assert "net.core.rmem_max" in page.read_text("utf-8")
+
+
+def test_what_cannot_be_rendered_costs_nothing_else() -> None:
+    sound = report(2, own=1)
+    broken = Own("systemd/root-user", "none of them", "Runs as root", "a/rover.service", 3, 1, "0" * 32)
+    unlucky = dataclasses.replace(sound.robots[1], own=(broken,))
+    text, failures = rendered("sarif", dataclasses.replace(sound, robots=(sound.robots[0], unlucky)))
+    assert failures == ("rendering as sarif a finding of systemd/root-user failed: KeyError",)
+    runs = json.loads(text)["runs"]
+    assert [[each["ruleId"] for each in run["results"]] for run in runs] == [["systemd/root-user"], ["fleet/drift"]]
+    assert runs[0]["invocations"][0] == {
+        "executionSuccessful": False,
+        "toolExecutionNotifications": [{"level": "error", "message": {"text": failures[0]}}],
+    }
+
+
+def test_a_format_that_fails_as_a_whole_costs_no_other(monkeypatch: pytest.MonkeyPatch) -> None:
+    own = concise.render
+
+    def failing(report: FleetReport) -> str:
+        if report.findings and any(robot.own for robot in report.robots):
+            raise KeyError("both")
+        return own(report)
+
+    monkeypatch.setattr(concise, "render", failing)
+    text, failures = rendered("concise", report(2, own=1))
+    assert "fleet/drift" in text
+    assert failures == ("rendering as concise failed: KeyError",)
+    run = lint("fleet", "--workers", "1", "--output-format", "concise", ".", cwd=DRIFT)
+    assert run.code == 3
+    assert run.stderr == "bringup-lint: rendering as concise failed: KeyError\n"

@@ -30,7 +30,7 @@ COMPLAINTS = ("lint/unused-ignore", "lint/ignore-without-reason")
 CASES = [
     (rule_id, case) for rule_id, case in cases("bad") if rule_id not in COMPLAINTS and not rule_id.startswith("fleet/")
 ]
-"""Findings of a fleet are of several robots: ``[[accept]]`` in ``fleet.toml`` silences them."""
+"""Findings of a fleet are of several robots: ``tests/fleet/test_silence.py`` silences them."""
 EVERY = 12
 """Of so many fixtures, one is tried in a quick run; all of them in a whole one."""
 

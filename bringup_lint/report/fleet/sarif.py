@@ -36,7 +36,8 @@ def _run(report: FleetReport, robots: list[Summary]) -> dict[str, Any]:
     results += [_of_robot(own) for robot in robots for own in robot.own]
     results.sort(key=lambda result: tuple(_LEVELS.values()).index(result["level"]))
     left_out = len(results) - MOST_RESULTS
-    told = [failure for robot in robots for failure in robot.failures]
+    failures = [*report.failures, *(failure for robot in robots for failure in robot.failures)]
+    told = list(failures)
     told += [f"{left_out} results are left out: a run holds at most {MOST_RESULTS}"] * (left_out > 0)
     results = results[:MOST_RESULTS]
     rules = [_rule(report.rules[name]) for name in sorted({result["ruleId"] for result in results} & set(report.rules))]
@@ -45,7 +46,7 @@ def _run(report: FleetReport, robots: list[Summary]) -> dict[str, Any]:
         "automationDetails": {"id": f"bringup-lint/fleet/{robots[0].name if len(robots) == 1 else 'others'}/"},
         "invocations": [
             {
-                "executionSuccessful": not any(robot.failures for robot in robots),
+                "executionSuccessful": not failures,
                 "toolExecutionNotifications": [{"level": "error", "message": {"text": text}} for text in told],
             }
         ],
