@@ -8,13 +8,13 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from dataclasses import field
 from dataclasses import fields
 from pathlib import Path
 from typing import Any
 from typing import NamedTuple
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.discover.gitignore import PatternError
 from bringup_lint.discover.gitignore import pattern_of
 from bringup_lint.discover.reading import Unreadable

@@ -8,6 +8,7 @@ import time
 from collections import Counter
 from collections.abc import Iterable
 from collections.abc import Iterator
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING
 from typing import Any
@@ -77,7 +78,7 @@ def finish(
     failures += (failure.message for failure in steps.failures)
     return Report(
         findings=(*sifted.new, *steps.unplaced),
-        rules={rule_id: doc_of(rule) for rule_id, rule in outcome.rules.items()},
+        rules=_Docs(outcome.rules),
         kinds=Counter(source.kind for source in robot.sources if source.judged),
         root=root,
         cwd=cwd,
@@ -103,6 +104,22 @@ def _stale(gone: Iterable[Entry], outcome: Outcome, robot: Robot, root: str) -> 
     for entry in gone:
         if entry.rule not in outcome.unsaid and robot.tree.judges(os.path.join(root, entry.path)):
             yield entry.fingerprint
+
+
+class _Docs(Mapping[str, RuleDoc]):
+    """The documentation of the rules that ran, of which most reports ask for none."""
+
+    def __init__(self, rules: Mapping[str, Rule]) -> None:
+        self.rules = rules
+
+    def __getitem__(self, rule_id: str) -> RuleDoc:
+        return doc_of(self.rules[rule_id])
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.rules)
+
+    def __len__(self) -> int:
+        return len(self.rules)
 
 
 def _masked(findings: tuple[Finding, ...], root: str, cwd: str, steps: Steps) -> Presented:

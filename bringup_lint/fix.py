@@ -7,13 +7,13 @@ import ast
 import os
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass
 from dataclasses import field
 from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 from typing import NamedTuple
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.finding import Applicability
 from bringup_lint.finding import Codemod
 from bringup_lint.finding import Edit

@@ -14,7 +14,6 @@ from collections.abc import Collection
 from collections.abc import Iterable
 from collections.abc import Iterator
 from collections.abc import Mapping
-from dataclasses import dataclass
 from dataclasses import field
 from dataclasses import replace
 from types import TracebackType
@@ -23,6 +22,7 @@ from typing import NamedTuple
 from bringup_lint import budget
 from bringup_lint.budget import OutOfTime
 from bringup_lint.budget import limited
+from bringup_lint.dataclass import dataclass
 from bringup_lint.finding import Finding
 from bringup_lint.finding import Severity
 from bringup_lint.finding.origin import at_origin

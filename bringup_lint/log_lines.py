@@ -11,11 +11,11 @@ from collections import Counter
 from collections.abc import Iterable
 from collections.abc import Iterator
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cache
 from math import log
 from typing import NamedTuple
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.facts import table
 from bringup_lint.pattern import regex
 from bringup_lint.registry import Rule

@@ -13,7 +13,6 @@ import re
 from collections.abc import Iterable
 from collections.abc import Iterator
 from collections.abc import Mapping
-from dataclasses import dataclass
 from dataclasses import field
 from functools import cache
 from functools import cached_property
@@ -23,11 +22,19 @@ from typing import Any
 from bringup_lint.api import Check
 from bringup_lint.api import Metadata
 from bringup_lint.api import rule
+from bringup_lint.dataclass import dataclass
 from bringup_lint.discover.starters import STARTING
 from bringup_lint.finding import Severity
 from bringup_lint.graph.purpose import Purpose
+from bringup_lint.pattern import regex
 from bringup_lint.report.docs import HEADINGS
 from bringup_lint.robot import Robot
+from bringup_lint.rule_index.described import Described
+from bringup_lint.rule_index.described import described as read_description
+from bringup_lint.rule_index.described import documentation
+from bringup_lint.rule_index.met import is_met
+from bringup_lint.rule_index.stored import Index
+from bringup_lint.rule_index.stored import index_of
 from bringup_lint.toml import read_toml
 
 
@@ -37,20 +44,23 @@ class RuleError(Exception):
 
 @dataclass(frozen=True)
 class Rule:
-    """A loaded rule file."""
+    """A rule file, loaded or known from the index."""
 
     id: str
     path: Path
-    doc: str
     meta: Metadata
+    title: str
+    text: str | None = None
+    """The documentation, where it is read already."""
+
+    @cached_property
+    def doc(self) -> str:
+        """The documentation of the file."""
+        return documentation(self.path.read_text("utf-8")) if self.text is None else self.text
 
     @property
     def family(self) -> str:
         return self.id.partition("/")[0]
-
-    @property
-    def title(self) -> str:
-        return self.doc.strip().partition("\n")[0].rstrip(".")
 
     @property
     def builtin(self) -> bool:
@@ -84,6 +94,8 @@ class Family:
     """The rule files that judge how a robot is deployed; the others hold for every file, whatever it is for."""
     joins: dict[str, frozenset[str]] = field(default_factory=dict)
     """Rule file -> kinds of other families that give this rule something to say."""
+    indexed: tuple[str, ...] | None = None
+    """The names of the rule files, where the index knows them."""
 
     def rules_for(self, robot: Robot) -> Iterator[Path]:
         """The rule files that can say something about the robot."""
@@ -97,6 +109,8 @@ class Family:
 
     @cached_property
     def rule_paths(self) -> list[Path]:
+        if self.indexed is not None:
+            return [self.path / name for name in self.indexed]
         return sorted(path for path in self.path.glob("*.py") if not path.name.startswith("_"))
 
     def rule_id(self, path: Path) -> str:
@@ -124,20 +138,33 @@ def families(folders: Iterable[Path]) -> list[Family]:
 
 def _family(path: Path) -> Family:
     description = path / "family.toml"
-    data = {}
-    if description.is_file():
-        data = read_toml(description.read_text("utf-8"))
+    return _described_family(path, read_toml(description.read_text("utf-8")) if description.is_file() else {})
+
+
+def _described_family(path: Path, data: Mapping[str, Any], indexed: tuple[str, ...] | None = None) -> Family:
     return Family(
         path.name.replace("_", "-"),
         data.get("title", path.name),
         data.get("description", ""),
         _kinds(data.get("reads", ())),
         path,
-        re.compile(data["mentions"]) if "mentions" in data else None,
+        regex(data["mentions"]) if "mentions" in data else None,
         _purposes(data.get("purpose", {})),
         frozenset(data.get("purpose", {}).get("rules", ())),
         {stem: _kinds(kinds) for stem, kinds in data.get("joins", {}).items()},
+        indexed,
     )
+
+
+def _indexed_families(folder: Path, index: Index) -> list[Family]:
+    """The same families as ``families`` finds, without a look at the folder."""
+    names: dict[str, list[str]] = {name: [] for name in index.families}
+    for file in index.rules:
+        family, _, name = file.partition("/")
+        names.setdefault(family, []).append(name)
+    return [
+        _described_family(folder / name, index.families.get(name, {}), tuple(names[name])) for name in sorted(names)
+    ]
 
 
 def _kinds(names: Iterable[str]) -> frozenset[str]:
@@ -169,26 +196,30 @@ def load(path: Path, rule_id: str) -> Rule:
     missing = [heading for heading in HEADINGS if f"\n## {heading}\n" not in doc]
     if missing:
         raise RuleError(f"{path}: the docstring lacks the heading {', '.join(missing)}")
-    return Rule(rule_id, path, doc, rules[0])
+    return Rule(rule_id, path, rules[0], _title(doc), doc)
+
+
+def _title(doc: str) -> str:
+    return doc.strip().partition("\n")[0].rstrip(".")
 
 
 def described(path: Path, rule_id: str) -> Rule:
     """A rule by what its file says of itself, without what the file imports, which comes with the first check: to list
     all rules takes a sixth of the time. A file of an unusual form is loaded. Raises RuleError as ``load`` does."""
-    import ast
-
-    text = path.read_text("utf-8")
     try:
-        decorator = text.index("\n@rule(")
-        expression = ast.parse(text[decorator + 2 : text.index("\ndef ", decorator)], mode="eval").body
-        doc = ast.literal_eval(text[: text.index('\n"""\n') + 4])
-        assert isinstance(expression, ast.Call)
-        arguments = [ast.literal_eval(value) for value in expression.args]
-        options = {str(option.arg): ast.literal_eval(option.value) for option in expression.keywords}
-        meta = rule(*arguments, **options)(lambda robot: load(path, rule_id).check(robot))
-    except (ValueError, TypeError, KeyError, SyntaxError, AssertionError):
+        text = path.read_text("utf-8")
+        return _unloaded(path, rule_id, read_description(text), None, documentation(text))
+    except (ValueError, TypeError, KeyError):
         return load(path, rule_id)
-    return Rule(rule_id, path, doc, meta)
+
+
+def _unloaded(path: Path, rule_id: str, found: Described, needs: Any, doc: str | None = None) -> Rule:
+    """A rule that is loaded when a robot has what it needs; all have where nothing is known of its needs."""
+
+    def check(robot: Any) -> Iterator[Any]:
+        return load(path, rule_id).check(robot) if needs is None or is_met(needs, robot) else iter(())
+
+    return Rule(rule_id, path, rule(found.severity, **found.options)(check), found.title, doc)
 
 
 def _docstring(path: Path) -> str:
@@ -203,12 +234,14 @@ class Registry:
     """All rule files of the built-in folder and of the user's own ones."""
 
     families: list[Family]
+    index: Index | None = None
+    """What is known of the built-in rules."""
 
     @classmethod
     def of(cls, extra: Iterable[Path] = ()) -> Registry:
         """The built-in rules, which a process reads once, and those of a user's folders."""
         own = families(extra)
-        return cls([*_builtin().families, *own]) if own else _builtin()
+        return cls([*_builtin().families, *own], _builtin().index) if own else _builtin()
 
     @cached_property
     def paths(self) -> dict[str, Path]:
@@ -227,10 +260,17 @@ class Registry:
         return {}
 
     def __getitem__(self, rule_id: str) -> Rule:
-        """A rule, whose file is loaded once."""
+        """A rule, always the same. One of the index is loaded when it is first run."""
         if rule_id not in self._loaded:
-            self._loaded[rule_id] = load(self.paths[rule_id], rule_id)
+            path = self.paths[rule_id]
+            self._loaded[rule_id] = self._from_index(path, rule_id) or load(path, rule_id)
         return self._loaded[rule_id]
+
+    def _from_index(self, path: Path, rule_id: str) -> Rule | None:
+        if self.index is None or path.parent.parent != builtin_folder():
+            return None
+        entry = self.index.entry(f"{path.parent.name}/{path.name}")
+        return None if entry is None else _unloaded(path, rule_id, entry.described, entry.needs)
 
     def purposes(self, rule_id: str) -> Mapping[Purpose, Severity | None]:
         """What a purpose makes of the findings of a rule (``family.toml``: purpose)."""
@@ -249,9 +289,14 @@ class Registry:
         """All rules, the built-in ones not loaded yet."""
         builtin = builtin_folder()
         for rule_id, path in self.paths.items():
-            yield described(path, rule_id) if builtin in path.parents else load(path, rule_id)
+            if builtin not in path.parents:
+                yield load(path, rule_id)
+            else:
+                yield self._from_index(path, rule_id) or described(path, rule_id)
 
 
 @cache
 def _builtin() -> Registry:
-    return Registry(families([builtin_folder()]))
+    folder = builtin_folder()
+    index = index_of(folder)
+    return Registry(families([folder]) if index is None else _indexed_families(folder, index), index)

@@ -25,6 +25,7 @@ from collections.abc import Mapping
 from datetime import date
 from functools import cached_property
 from typing import TYPE_CHECKING
+from typing import Any
 from typing import TypeVar
 
 from bringup_lint.discover.kinds.launch import LAUNCH
@@ -102,6 +103,8 @@ class Robot:
             from bringup_lint.graph.installed.installed import join_installed
 
             join_installed(self.files, self.scripts)
+        self.answers: dict[tuple[str, Any], bool] = {}
+        """What it was asked for before rules were loaded, which need it to find anything."""
         self.launch_commands: tuple[str, ...] = ()
         """For a comparison with the running graph: what was launched, as after ``ros2 launch``."""
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Iterator
-from dataclasses import dataclass
 from dataclasses import field
 from functools import cached_property
 from typing import NamedTuple
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.pattern import regex
 
 _WORD = regex(r"[^ \t\n\r\f\v]+")

@@ -26,6 +26,17 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--update-expected", action="store_true", help="rewrite expected outputs; read the diff")
 
 
+def pytest_sessionstart(session: pytest.Session) -> None:
+    """Make the index of the rules, so that all tests run with it, also where Python writes no byte code."""
+    from bringup_lint.registry import builtin_folder
+    from bringup_lint.rule_index.stored import index_of
+
+    if not hasattr(session.config, "workerinput"):
+        written, sys.dont_write_bytecode = sys.dont_write_bytecode, False
+        index_of(builtin_folder())
+        sys.dont_write_bytecode = written
+
+
 def pytest_itemcollected(item: pytest.Item) -> None:
     if item.get_closest_marker("corpus"):
         item.add_marker("slow")

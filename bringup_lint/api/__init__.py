@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import Any
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.finding import Applicability
 from bringup_lint.finding import Codemod
 from bringup_lint.finding import Confidence

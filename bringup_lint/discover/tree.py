@@ -9,12 +9,12 @@ import stat
 from collections.abc import Collection
 from collections.abc import Iterable
 from collections.abc import Iterator
-from dataclasses import dataclass
 from dataclasses import field
 from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.discover.git_index import UnknownFormat
 from bringup_lint.discover.git_index import index_of
 from bringup_lint.discover.git_index import read_index

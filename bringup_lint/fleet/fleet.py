@@ -6,10 +6,10 @@ from collections import defaultdict
 from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.finding import Confidence
 from bringup_lint.finding import Severity
 from bringup_lint.fleet.summary import Fact

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from bringup_lint.config import ConfigError
+from bringup_lint.dataclass import dataclass
 from bringup_lint.discover.reading import Unreadable
 from bringup_lint.discover.reading import read_bytes
 

@@ -7,9 +7,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from collections.abc import Mapping
 from dataclasses import asdict
-from dataclasses import dataclass
 from typing import Any
 from typing import NamedTuple
+
+from bringup_lint.dataclass import dataclass
 
 VERSION = 1
 """Of the form of a summary; a stored summary of another version is made anew."""

@@ -5,10 +5,10 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.parsers.jsonc import strings
 from bringup_lint.source import Located

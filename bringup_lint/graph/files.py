@@ -6,7 +6,6 @@ import re
 from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Mapping
-from dataclasses import dataclass
 from dataclasses import field
 from datetime import date
 from functools import cached_property
@@ -18,6 +17,7 @@ from typing import cast
 from bringup_lint import budget
 from bringup_lint.budget import OutOfTime
 from bringup_lint.budget import limited
+from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.graph.purpose import Purposes
 from bringup_lint.graph.purpose import by_names

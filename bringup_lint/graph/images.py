@@ -6,12 +6,12 @@ import posixpath
 import re
 from collections.abc import Iterable
 from collections.abc import Iterator
-from dataclasses import dataclass
 from dataclasses import field
 from functools import cached_property
 from typing import NamedTuple
 
 from bringup_lint import facts
+from bringup_lint.dataclass import dataclass
 from bringup_lint.discover.tree import Tree
 from bringup_lint.model.compose import ComposeFile
 from bringup_lint.model.compose import is_variable

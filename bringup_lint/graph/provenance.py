@@ -7,10 +7,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.finding import Related
 from bringup_lint.finding import span_of
 from bringup_lint.source import Located

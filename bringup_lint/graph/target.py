@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.facts.ros import distros
 from bringup_lint.facts.systemd.directives import NEWEST
 from bringup_lint.pattern import regex

@@ -6,12 +6,12 @@ import re
 from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
-from dataclasses import dataclass
 from dataclasses import field
 from functools import cached_property
 from itertools import pairwise
 from typing import NamedTuple
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.model.schema import Remark
 from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.model.yaml_node import Node

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from dataclasses import field
 from itertools import count
 from typing import NamedTuple
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.model.launch_tag import Tag
 from bringup_lint.model.launch_values import Argument
 from bringup_lint.model.launch_values import Choice

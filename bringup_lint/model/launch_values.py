@@ -7,12 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import Any
 from typing import TypeGuard
 from typing import Union
 from typing import get_args
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.source import Located
 from bringup_lint.source import Span
 

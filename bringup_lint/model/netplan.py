@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from dataclasses import field
 from enum import Enum
 from functools import cached_property
 from typing import NamedTuple
 
 from bringup_lint import addresses
+from bringup_lint.dataclass import dataclass
 from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.model.yaml_node import Node
 from bringup_lint.model.yaml_node import Scalar

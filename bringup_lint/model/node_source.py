@@ -5,13 +5,13 @@ from __future__ import annotations
 import ast
 from collections.abc import Callable
 from collections.abc import Iterator
-from dataclasses import dataclass
 from dataclasses import field
 from dataclasses import replace
 from typing import Any
 from typing import NamedTuple
 from typing import TypedDict
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.model.python import PlacedNode
 from bringup_lint.source import Located
 from bringup_lint.source import Problem

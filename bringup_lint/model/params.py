@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from dataclasses import field
 from typing import Any
 from typing import NamedTuple
 from typing import Union
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.model.yaml_node import Node
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cache
 
 from bringup_lint import facts
+from bringup_lint.dataclass import dataclass
 from bringup_lint.model.udev import Token
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located

@@ -3,8 +3,9 @@ mappings, such as ``string or [string or {port}]`` or ``{name:{service}}``."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cache
+
+from bringup_lint.dataclass import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,8 +11,8 @@ from collections.abc import Iterable
 from collections.abc import Iterator
 from collections.abc import Mapping
 from collections.abc import Sequence
-from dataclasses import dataclass
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.facts import table
 from bringup_lint.model.schema import Item
 

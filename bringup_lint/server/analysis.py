@@ -6,7 +6,6 @@ import os
 from collections.abc import Iterable
 from collections.abc import Iterator
 from collections.abc import Mapping
-from dataclasses import dataclass
 from dataclasses import field
 from functools import cached_property
 from typing import NamedTuple
@@ -15,6 +14,7 @@ from lsprotocol.types import PositionEncodingKind
 from lsprotocol.types import Range
 from pygls.uris import from_fs_path
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.finding import Finding
 from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.places import Places

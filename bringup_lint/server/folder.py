@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 from collections.abc import Mapping
-from dataclasses import dataclass
 from dataclasses import field
 from dataclasses import replace
 from datetime import date
@@ -17,6 +16,7 @@ from lsprotocol.types import PositionEncodingKind
 from bringup_lint.config import Config
 from bringup_lint.config import find
 from bringup_lint.config import read
+from bringup_lint.dataclass import dataclass
 from bringup_lint.discover.exclude import exclusion
 from bringup_lint.discover.held import Held
 from bringup_lint.discover.tree import Tree

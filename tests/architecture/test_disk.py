@@ -19,6 +19,7 @@ ALLOWED = {
     "fleet": "reads the inventory, and asks whether there is what it names",
     "config.py": "reads the configuration",
     "registry.py": "loads the rules",
+    "rule_index": "keeps what the rules say of themselves",
     "fix.py": "asks whether a file is a link before it is corrected",
     "writing.py": "writes corrected files and reports",
     "facts/__init__.py": "reads the tables of the package",

@@ -25,6 +25,7 @@ LAYERS = (
     {"apart"},
     {"isolation"},
     {"fix", "baseline", "suppress", "config", "registry"},
+    {"rule_index"},
     {"report", "live", "writing"},
     {"api"},
     {"robot", "fleet.fleet"},
@@ -63,7 +64,7 @@ LAYERS = (
     {"model", "finding", "facts", "fleet.summary"},
     {"addresses"},
     {"budget", "source", "spelling", "templates", "toml"},
-    {"pattern"},
+    {"pattern", "dataclass"},
     {""},
 )
 """From the top down. The layers of one line do not import each other; ``""`` is the version of the package."""

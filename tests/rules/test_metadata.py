@@ -11,13 +11,14 @@ from functools import cache
 from bringup_lint.registry import Registry
 from bringup_lint.registry import Rule
 from bringup_lint.registry import described
+from bringup_lint.registry import load
 from bringup_lint.report.docs import HEADINGS
 
 
 @cache
 def rules() -> list[Rule]:
     registry = Registry.of()
-    return [registry[rule_id] for rule_id in sorted(registry.paths)]
+    return [load(registry.paths[rule_id], rule_id) for rule_id in sorted(registry.paths)]
 
 
 def other_than(holds: Callable[[Rule], bool]) -> list[str]:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from dataclasses import field
 from functools import cache
 from typing import NamedTuple
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.facts import table
 from bringup_lint.facts.ros import distros
 

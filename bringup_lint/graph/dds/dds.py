@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 from functools import partial
 from typing import TYPE_CHECKING
 
 from bringup_lint.addresses import hosts_in
 from bringup_lint.addresses import is_elsewhere
+from bringup_lint.dataclass import dataclass
 from bringup_lint.facts.ros.distros import at_least
 from bringup_lint.graph.commands.environment import stays_local
 from bringup_lint.graph.dds import machines

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from bringup_lint.dataclass import dataclass
 from bringup_lint.facts.ros import distros
 from bringup_lint.parsers import cyclonedds
 from bringup_lint.parsers import fastdds

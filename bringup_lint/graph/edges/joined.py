@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.discover.starters import STARTING
 from bringup_lint.graph.graph import Graph

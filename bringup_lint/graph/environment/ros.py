@@ -5,12 +5,12 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 from typing import Any
 from typing import NamedTuple
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.discover.tree import display_name
 from bringup_lint.graph.commands.environment import UNKNOWN

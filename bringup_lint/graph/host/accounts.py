@@ -6,11 +6,11 @@ import re
 from collections.abc import Callable
 from collections.abc import Collection
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
 from bringup_lint import facts
+from bringup_lint.dataclass import dataclass
 from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:

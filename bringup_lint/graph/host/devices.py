@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.host.device_uses import DeviceUse
 from bringup_lint.graph.host.device_uses import device_path
 from bringup_lint.graph.host.device_uses import of_compose

@@ -6,11 +6,11 @@ import posixpath
 import re
 from collections.abc import Callable
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.facts import table
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.model.fstab import Fstab

@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 from collections.abc import Iterator
-from dataclasses import dataclass
 from dataclasses import field
 from typing import NamedTuple
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.commands.shells import SHELLS
 from bringup_lint.graph.commands.shells import shell_input
 from bringup_lint.graph.commands.wrappers import program_name

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.discover.starters import STARTING
 from bringup_lint.graph.files import Files
 from bringup_lint.graph.installed.script import Run

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.facts.ros.node_roles import Role
 from bringup_lint.facts.ros.node_roles import lifecycle_names
 from bringup_lint.graph.launch.expansion import Expansion

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from fnmatch import fnmatch
 from itertools import combinations
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.files import Files
 from bringup_lint.model.netplan import Address as NetplanAddress
 from bringup_lint.model.netplan import Interface

@@ -6,10 +6,10 @@ import os
 import re
 from collections.abc import Callable
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.finding import Related
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import literal_text

@@ -6,12 +6,12 @@ import shlex
 from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
-from dataclasses import dataclass
 from dataclasses import field
 from dataclasses import replace
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.finding import Related
 from bringup_lint.graph.commands.environment import Environment
 from bringup_lint.graph.commands.ros_command import Ros

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import cached_property
 from itertools import product
 from typing import TYPE_CHECKING
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.launch.lifecycle import Managed
 from bringup_lint.graph.launch.lifecycle import Manager
 from bringup_lint.graph.launch.lifecycle import managers

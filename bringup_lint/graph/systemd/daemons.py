@@ -10,12 +10,12 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from collections.abc import Iterator
-from dataclasses import dataclass
 from dataclasses import field
 from functools import cached_property
 from typing import NamedTuple
 from typing import TypeVar
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.files import Files
 from bringup_lint.model.schema import Item
 from bringup_lint.model.unit import Assignment

@@ -6,11 +6,11 @@ import os
 import re
 from collections.abc import Callable
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain
 from itertools import takewhile
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.discover.roots import resolve_inside
 from bringup_lint.facts import table
 from bringup_lint.graph.commands.wrappers import program_name

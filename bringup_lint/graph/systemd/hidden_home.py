@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.systemd.directories import Path
 from bringup_lint.graph.systemd.directories import paths
 from bringup_lint.graph.systemd.sandbox import Sandbox

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import Enum
 from typing import NamedTuple
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.systemd.settings import Setting
 from bringup_lint.graph.systemd.user_database import UserDatabase
 from bringup_lint.parsers.systemd_values import expand

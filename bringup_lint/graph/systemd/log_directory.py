@@ -5,10 +5,10 @@ Per rcl (``rcl_logging_get_logging_directory()``): ROS_LOG_DIR, else ROS_HOME/lo
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import Enum
 from typing import NamedTuple
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.commands.environment import Environment
 from bringup_lint.graph.systemd.filesystem import Filesystem
 from bringup_lint.graph.systemd.identity import HomeOrigin

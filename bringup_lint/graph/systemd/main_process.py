@@ -6,10 +6,10 @@ A shell is replaced by what it execs; ``bash -c`` also execs the last command of
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal
 from typing import NamedTuple
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.commands.ros_command import Ros
 from bringup_lint.graph.commands.ros_command import ros_command
 from bringup_lint.graph.commands.shells import SCRIPT_DEPTH

@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.files import Files
 from bringup_lint.graph.graph import Node
 from bringup_lint.graph.memo import memo

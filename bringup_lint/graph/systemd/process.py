@@ -6,9 +6,9 @@ systemd.service(5), "Command lines"; systemd replaces ``$$`` and known variables
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.commands.command_line import CommandLine
 from bringup_lint.graph.commands.following import follow
 from bringup_lint.graph.systemd.unit import Unit

@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 from typing import TypeVar
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.systemd.daemons import Daemon
 from bringup_lint.graph.systemd.manager import manager_setting
 from bringup_lint.graph.systemd.settings import Setting

@@ -8,11 +8,11 @@ whatever ReadWritePaths= says.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 from typing import NamedTuple
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.systemd.directories import directories
 from bringup_lint.graph.systemd.directories import paths
 from bringup_lint.graph.systemd.settings import Setting

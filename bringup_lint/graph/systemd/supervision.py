@@ -5,9 +5,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import cached_property
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.files import Files
 from bringup_lint.graph.systemd.daemons import Daemon
 from bringup_lint.graph.systemd.main_process import Main

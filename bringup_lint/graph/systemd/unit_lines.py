@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cache
 
 from bringup_lint import facts
+from bringup_lint.dataclass import dataclass
 from bringup_lint.facts.systemd.directives import Directive
 from bringup_lint.facts.systemd.directives import directive
 from bringup_lint.facts.systemd.directives import sections_of_type

@@ -5,11 +5,11 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 from collections.abc import Iterator
-from dataclasses import dataclass
 from dataclasses import field
 from functools import cached_property
 from typing import NamedTuple
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.files import Files
 from bringup_lint.graph.systemd.load_path import Place
 from bringup_lint.graph.systemd.load_path import order

@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.facts.systemd.directives import NEWEST
 from bringup_lint.facts.systemd.directives import SECTION_OF_TYPE
 from bringup_lint.graph.commands.command_line import Step
@@ -84,6 +84,11 @@ class Units(NamedUnits):
         """All unit files and drop-ins that systemd reads, as written, judged ones only."""
         found = [*(file for unit in self.all for file in unit.files), *self.loose]
         return list(dict.fromkeys(file for file in found if file.source.judged))
+
+    @cached_property
+    def keys(self) -> frozenset[str]:
+        """Every key that a unit sets or resets."""
+        return frozenset(str(line.key) for unit in self.all for file in unit.files for line in file.assignments)
 
     @cached_property
     def judged(self) -> list[Unit]:

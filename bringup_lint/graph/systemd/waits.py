@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass
 from typing import NamedTuple
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.commands.shells import SCRIPT_DEPTH
 from bringup_lint.graph.commands.shells import SHELL_SCRIPT
 from bringup_lint.graph.commands.shells import SHELLS

@@ -6,12 +6,12 @@ from collections import Counter
 from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain
 from itertools import product
 from typing import TYPE_CHECKING
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.discover.starters import STARTING
 from bringup_lint.graph.launch.expansion import Expansion

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.udev.conditions import Condition
 from bringup_lint.graph.udev.conditions import Conditions
 from bringup_lint.graph.udev.conditions import contradict

@@ -6,10 +6,10 @@ import re
 from collections import defaultdict
 from collections.abc import Iterable
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.facts import table
 from bringup_lint.graph.udev.conditions import all_conditions
 from bringup_lint.graph.udev.matched_devices import subsystem_of_name

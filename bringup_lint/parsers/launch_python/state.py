@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Callable
-from dataclasses import dataclass
 from dataclasses import field
 from typing import Any
 from typing import NamedTuple
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.model.launch import Action
 from bringup_lint.model.launch import LaunchFile
 from bringup_lint.model.launch_values import Unknown

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterator
-from dataclasses import dataclass
 from dataclasses import field
 from typing import NamedTuple
+
+from bringup_lint.dataclass import dataclass
 
 Def = ast.FunctionDef | ast.AsyncFunctionDef
 NODES = 400_000

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from bringup_lint.dataclass import dataclass
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 

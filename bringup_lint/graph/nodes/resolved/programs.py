@@ -5,9 +5,9 @@ from __future__ import annotations
 import ast
 import os
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.nodes.sources.modules import Modules
 from bringup_lint.graph.workspace import Package
 from bringup_lint.model.node_source import NodeClass

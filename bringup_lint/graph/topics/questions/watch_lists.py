@@ -7,10 +7,10 @@ import re
 from collections import Counter
 from collections.abc import Callable
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.discover.starters import STARTING
 from bringup_lint.graph.topics.resolved.node_names import NodeNames
 from bringup_lint.model.node_source import NodeSource

@@ -1,0 +1,46 @@
+"""What a rule file says of itself, read from its text."""
+
+from __future__ import annotations
+
+from typing import Any
+from typing import NamedTuple
+
+END_OF_DOC = '\n"""\n'
+
+
+class Described(NamedTuple):
+    """The metadata of a rule that is not imported."""
+
+    severity: str
+    options: dict[str, Any]
+    """The other arguments of the decorator."""
+    title: str
+
+
+def described(text: str) -> Described:
+    """The arguments of the decorator and the title. Raises ValueError for a file of an unusual form."""
+    import ast
+
+    decorator = text.index("\n@rule(")
+    try:
+        expression = ast.parse(text[decorator + 2 : text.index("\ndef ", decorator)], mode="eval").body
+    except SyntaxError as error:
+        raise ValueError(str(error)) from error
+    if not isinstance(expression, ast.Call) or len(expression.args) != 1:
+        raise ValueError("a decorator of an unusual form")
+    severity = ast.literal_eval(expression.args[0])
+    options = {str(option.arg): ast.literal_eval(option.value) for option in expression.keywords}
+    return Described(severity, options, documentation(text).strip().partition("\n")[0].rstrip("."))
+
+
+def documentation(text: str) -> str:
+    """The docstring of a rule file. Raises ValueError for a file of an unusual form."""
+    import ast
+
+    try:
+        doc = ast.literal_eval(text[: text.index(END_OF_DOC) + 4])
+    except SyntaxError as error:
+        raise ValueError(str(error)) from error
+    if not isinstance(doc, str):
+        raise ValueError("a file without documentation")
+    return doc

@@ -1,0 +1,150 @@
+"""The index of the built-in rules: one file with what all of them say of themselves and need.
+
+A wheel carries it. In a checkout it lies in ``__pycache__``, is as trusted as the byte code there, and is made again
+for the files whose size or time has changed. Where it can be neither read nor written, rules are read as they come.
+"""
+
+from __future__ import annotations
+
+import marshal
+import os
+import sys
+from collections.abc import Iterator
+from importlib.util import cache_from_source
+from pathlib import Path
+from typing import Any
+from typing import NamedTuple
+
+from bringup_lint import __version__
+from bringup_lint.rule_index.described import Described
+
+FILE = "index.marshal"
+FAMILY = "family.toml"
+_FORMAT = 2
+"""Of marshal; every Python reads it."""
+
+Stamp = tuple[int, int]
+"""The time of a file's last change in nanoseconds, and its size."""
+
+
+class Entry(NamedTuple):
+    """What is known of one rule."""
+
+    described: Described
+    needs: Any
+    """``needs.Needs`` as tuples."""
+
+
+class Index(NamedTuple):
+    """What is known of all rules of a folder."""
+
+    families: dict[str, dict[str, Any]]
+    """Folder -> what its ``family.toml`` says."""
+    rules: dict[str, tuple[Any, ...] | None]
+    """``systemd/kill_mode.py`` -> an ``Entry`` as tuples; None for a file of an unusual form."""
+
+    def entry(self, name: str) -> Entry | None:
+        found = self.rules.get(name)
+        return None if found is None else Entry(Described(*found[0]), found[1])
+
+
+def index_of(folder: Path) -> Index | None:
+    """The index of a folder of rules; None where there is none, and none can be written."""
+    carried = _read(folder / FILE)
+    if carried is not None and carried.get("version") == __version__:
+        return Index(carried["families"], carried["rules"])
+    place = Path(cache_from_source(str(folder / "index.py"))).with_suffix(".marshal")
+    stamps = dict(_stamps(folder))
+    known = _read(place) or {}
+    if known.get("stamps") == stamps:
+        return Index(known["families"], known["rules"])
+    if sys.dont_write_bytecode or not _is_writable(place):
+        return None
+    made = _made(folder, stamps, known)
+    _write(place, made)
+    return Index(made["families"], made["rules"])
+
+
+def made_for_wheel(folder: Path) -> bytes:
+    """The index that a wheel carries."""
+    made = _made(folder, dict(_stamps(folder)), {})
+    return marshal.dumps({**made, "stamps": {}, "version": __version__}, _FORMAT)
+
+
+def _read(place: Path) -> dict[str, Any] | None:
+    try:
+        data = marshal.loads(place.read_bytes())
+    except (OSError, ValueError, EOFError, TypeError):
+        return None
+    return data if isinstance(data, dict) else None
+
+
+def _stamps(folder: Path) -> Iterator[tuple[str, Stamp]]:
+    """The files that the index is made from: the rules, and the modules that read them."""
+    for family in sorted(_folders(folder)):
+        with os.scandir(folder / family) as entries:
+            for entry in entries:
+                if entry.name == FAMILY or (entry.name.endswith(".py") and not entry.name.startswith("_")):
+                    yield f"{family}/{entry.name}", _stamp(entry.stat())
+    for name in ("described.py", "needs.py", "stored.py"):
+        yield name, _stamp(os.stat(Path(__file__).with_name(name)))
+
+
+def _folders(folder: Path) -> Iterator[str]:
+    with os.scandir(folder) as entries:
+        yield from (entry.name for entry in entries if entry.is_dir() and not entry.name.startswith((".", "_")))
+
+
+def _stamp(status: os.stat_result) -> Stamp:
+    return status.st_mtime_ns, status.st_size
+
+
+def _made(folder: Path, stamps: dict[str, Stamp], known: dict[str, Any]) -> dict[str, Any]:
+    """The index, with what is known of files that have not changed."""
+    before = known.get("stamps", {})
+    makers = [name for name in stamps if "/" not in name]
+    if any(before.get(name) != stamps[name] for name in makers):
+        before = {}
+    families, rules = {}, {}
+    for name, stamp in stamps.items():
+        if "/" not in name:
+            continue
+        same = before.get(name) == stamp
+        if name.endswith(FAMILY):
+            families[name.partition("/")[0]] = _family(folder / name)
+        else:
+            rules[name] = known["rules"][name] if same else _entry((folder / name).read_text("utf-8"))
+    return {"stamps": stamps, "families": families, "rules": dict(sorted(rules.items()))}
+
+
+def _family(path: Path) -> dict[str, Any]:
+    from bringup_lint.toml import read_toml
+
+    return read_toml(path.read_text("utf-8"))
+
+
+def _entry(text: str) -> tuple[Any, ...] | None:
+    from bringup_lint.rule_index.described import described
+    from bringup_lint.rule_index.needs import needs_of
+
+    needs = tuple(sorted((tuple(sorted(alternative, key=repr)) for alternative in needs_of(text)), key=repr))
+    try:
+        return tuple(described(text)), needs
+    except ValueError:
+        return None
+
+
+def _is_writable(place: Path) -> bool:
+    folder = place.parent
+    return os.access(folder if folder.is_dir() else folder.parent, os.W_OK)
+
+
+def _write(place: Path, data: dict[str, Any]) -> None:
+    """Whole or not at all, as two processes may write at once."""
+    temporary = place.with_name(f"{place.name}.{os.getpid()}")
+    try:
+        place.parent.mkdir(exist_ok=True)
+        temporary.write_bytes(marshal.dumps(data, _FORMAT))
+        os.replace(temporary, place)
+    except OSError:
+        temporary.unlink(missing_ok=True)

@@ -1,0 +1,129 @@
+"""What rules need to find anything: a rule is never left out that would find something."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from bringup_lint.discover.walk import discover
+from bringup_lint.registry import Registry
+from bringup_lint.registry import load
+from bringup_lint.robot import Robot
+from bringup_lint.rule_index.met import KINDS
+from bringup_lint.rule_index.met import is_met
+from bringup_lint.rule_index.needs import NEVER
+from bringup_lint.rule_index.needs import NOTHING
+from bringup_lint.rule_index.needs import Atom
+from bringup_lint.rule_index.needs import Needs
+from bringup_lint.rule_index.needs import needs_of
+from tests.conftest import PROJECT
+
+RULE = '@rule("warning")\ndef example(robot):\n'
+UNITS = "for unit in robot.units.judged:\n    "
+JUDGED: Atom = ("some", ("units", "judged"))
+
+
+def needs(body: str, more: str = "") -> Needs:
+    indented = "".join(f"    {line}\n" for line in body.splitlines())
+    return needs_of(f"{RULE}{indented}\n{more}")
+
+
+def all_of(*atoms: Atom) -> Needs:
+    return frozenset([frozenset(atoms)])
+
+
+def any_of(*atoms: Atom) -> Needs:
+    return frozenset(frozenset([atom]) for atom in atoms)
+
+
+@pytest.mark.parametrize(
+    ("body", "expected"),
+    [
+        ("yield 1", NOTHING),
+        ("return ()", NEVER),
+        ("for unit in robot.units.judged:\n    yield unit", all_of(JUDGED)),
+        ("yield from robot.sshd", all_of(("some", ("sshd",)))),
+        ("units = robot.units\nfor unit in units.judged:\n    yield unit", all_of(JUDGED)),
+        ("for each in robot.ros.of('A', 'B'):\n    yield each", all_of(("some", ("ros", ("of", "A", "B"))))),
+        ("for each in robot.ros.of(NAME):\n    yield each", NOTHING),
+        ("if not robot.of_kind('compose'):\n    return\nyield 1", all_of(("true", (("of_kind", "compose"),)))),
+        (f"{UNITS}if unit.get('User'):\n        yield unit", all_of(JUDGED, ("key", "User"))),
+        (
+            "for unit in robot.units.judged:\n    user = unit.get('User')\n    if user is None:\n        continue\n"
+            "    yield unit",
+            all_of(JUDGED, ("key", "User")),
+        ),
+        ("for unit in robot.units.judged:\n    if not unit.get('User'):\n        yield unit", all_of(JUDGED)),
+        (
+            "for unit in robot.units.judged:\n    if unit.type != 'timer' or unit.fragment is None:\n"
+            "        continue\n    yield unit",
+            all_of(JUDGED, ("type", "timer")),
+        ),
+        ("yield from (*robot.jails, *robot.sshd)", any_of(("some", ("jails",)), ("some", ("sshd",)))),
+        ("for each in [robot]:\n    yield each", NOTHING),
+        ("for unit in robot.units.judged:\n    pass\nelse:\n    yield 1", NOTHING),
+        ("if [unit for unit in robot.units.judged if unit.has('A')]:\n    yield 1", all_of(JUDGED, ("key", "A"))),
+        ("found = {}\n" + UNITS + "found.setdefault(1, unit)\nyield from found.values()", all_of(JUDGED)),
+        ("found = []\nfill(found)\nfor each in found:\n    yield each", NOTHING),
+        ("found = []\nother = found\nother.append(1)\nfor each in found:\n    yield each", NOTHING),
+        ("found = list(robot.sshd)\nfound.append(1)\nfor each in found:\n    yield each", NOTHING),
+        ("found = robot.sshd\nfound = [1]\nfor each in found:\n    yield each", NOTHING),
+        ("for each in robot.sshd or [1]:\n    yield each", NOTHING),
+        ("try:\n    first = robot.sshd[0]\nexcept IndexError:\n    yield 1", NOTHING),
+        ("while robot.sshd:\n    yield 1", NOTHING),
+    ],
+)  # fmt: skip
+def test_needs(body: str, expected: Needs) -> None:
+    assert needs(body) == expected
+
+
+def test_own_functions_are_followed() -> None:
+    body = "for each in _named(robot.units):\n    yield each"
+    function = (
+        "def _named(units):\n    for unit in units.judged:\n        if unit.has('User'):\n            yield unit\n"
+    )
+    assert needs(body, function) == all_of(JUDGED, ("key", "User"))
+
+
+def test_a_list_that_another_function_returns_may_be_filled() -> None:
+    body = "found = _all(robot)\nfound.append(1)\nfor each in found:\n    yield each"
+    assert needs(body, "def _all(robot):\n    return robot.sshd\n") == NOTHING
+
+
+def silent(robot: Robot) -> Iterator[tuple[str, Path]]:
+    """The rules whose needs a robot does not meet."""
+    registry = Registry.of()
+    for rule_id in registry.ids_for(robot):
+        path = registry.paths[rule_id]
+        if not is_met(needs_of(path.read_text("utf-8")), robot):
+            yield rule_id, path
+
+
+def check(top: Path, root: bool) -> None:
+    robot = Robot(discover(["/"], root=str(top)) if root else discover([str(top)]))
+    for rule_id, path in silent(robot):
+        assert list(load(path, rule_id).check(robot)) == [], rule_id
+
+
+@pytest.mark.parametrize("root", [False, True])
+@pytest.mark.parametrize("top", sorted((PROJECT / "fixtures/robots").glob("*/tree")), ids=lambda top: top.parent.name)
+def test_no_rule_that_is_left_out_finds_anything(top: Path, root: bool) -> None:
+    check(top, root)
+
+
+@pytest.mark.parametrize("path", KINDS, ids=".".join)
+def test_a_list_is_empty_without_the_kinds_of_its_files(path: tuple[str, str]) -> None:
+    for top in sorted((PROJECT / "fixtures/robots").glob("*/tree")):
+        tree = discover([str(top)])
+        robot = Robot(tree.without({source.name for source in tree.sources if source.kind in KINDS[path]}))
+        layer, name = path
+        assert list(getattr(getattr(robot, layer), name)) == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("family", sorted((PROJECT / "rules").glob("[a-z]*")), ids=lambda family: family.name)
+def test_no_rule_that_is_left_out_finds_anything_in_fixtures(family: Path) -> None:
+    for top in sorted((PROJECT / "fixtures" / family.name).glob("*/*/")):
+        check(top, root=(top / "etc").is_dir())
