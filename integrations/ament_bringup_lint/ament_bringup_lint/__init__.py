@@ -1,0 +1,1 @@
+"""bringup-lint as a linter of ament, for `colcon test`."""

@@ -1,0 +1,5 @@
+find_package(ament_cmake_test QUIET REQUIRED)
+
+include("${ament_cmake_bringup_lint_DIR}/ament_bringup_lint.cmake")
+
+ament_register_extension("ament_lint_auto" "ament_cmake_bringup_lint" "ament_cmake_bringup_lint_lint_hook.cmake")
