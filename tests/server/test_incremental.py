@@ -32,7 +32,7 @@ def answer(folder: Folder, documents: dict[str, Document]) -> list[str]:
     return [repr((each.shown.rule, each.shown.message, analysis.range(each.finding.span))) for each in analysis.found]
 
 
-@pytest.mark.parametrize("seed", [1, 2])
+@pytest.mark.parametrize("seed", [1, pytest.param(2, marks=pytest.mark.slow)])
 def test_edits_answer_as_from_nothing(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(GUIDE)
     chance = random.Random(seed)

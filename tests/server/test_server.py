@@ -36,6 +36,7 @@ def test_unsaved_text_is_judged(robot: Path) -> None:
     run(test())
 
 
+@pytest.mark.slow
 def test_an_edit_changes_what_is_found_in_another_file(robot: Path) -> None:
     async def test() -> None:
         async with editing(robot) as editor:
@@ -50,6 +51,7 @@ def test_an_edit_changes_what_is_found_in_another_file(robot: Path) -> None:
     run(test())
 
 
+@pytest.mark.slow
 def test_diagnostics_are_pushed_to_an_editor_that_does_not_ask(robot: Path) -> None:
     async def test() -> None:
         async with editing(robot, pull=False) as editor:
@@ -61,6 +63,7 @@ def test_diagnostics_are_pushed_to_an_editor_that_does_not_ask(robot: Path) -> N
     run(test())
 
 
+@pytest.mark.slow
 def test_a_diagnostic_says_all_that_a_finding_says(robot: Path) -> None:
     async def test() -> None:
         async with editing(robot) as editor:
@@ -82,7 +85,10 @@ EMOJI_LAUNCH = """\
 """
 
 
-@pytest.mark.parametrize("encoding", ["utf-16", "utf-8", "utf-32"])
+@pytest.mark.parametrize(
+    "encoding",
+    ["utf-16", pytest.param("utf-8", marks=pytest.mark.slow), pytest.param("utf-32", marks=pytest.mark.slow)],
+)
 def test_a_quick_fix_changes_the_place_that_is_meant(robot: Path, encoding: str) -> None:
     path = robot / "launch/robot.launch.xml"
     path.parent.mkdir()
@@ -100,6 +106,7 @@ def test_a_quick_fix_changes_the_place_that_is_meant(robot: Path, encoding: str)
     run(test())
 
 
+@pytest.mark.slow
 def test_all_safe_fixes_at_once(robot: Path) -> None:
     crlf = UNIT.replace("RestartSec=2", "RestartSec=2\nStandardOutput=syslog\nStandardError=syslog").replace(
         "\n", "\r\n"
@@ -144,6 +151,7 @@ def test_hover_shows_the_rule_and_the_graph(robot: Path) -> None:
     run(test())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("file", "word", "target"),
     [
@@ -168,6 +176,7 @@ def test_a_word_leads_to_its_definition(robot: Path, file: str, word: str, targe
     run(test())
 
 
+@pytest.mark.slow
 def test_words_that_name_files_are_links(robot: Path) -> None:
     async def test() -> None:
         async with editing(robot) as editor:
