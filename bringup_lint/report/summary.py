@@ -18,9 +18,21 @@ RULES = 12
 """Rules that the list at the end of a long report names."""
 
 
+def ending(report: Report, width: int, paint: Paint) -> str:
+    """The summary, after a table of the rules where that is asked for or there is much to read."""
+    return "\n".join((*_table(report), summary(report, width, paint)))
+
+
+def _table(report: Report) -> Iterator[str]:
+    shown = list(report.shown)
+    if shown and report.part is Part.STATISTICS:
+        yield from by_rule(shown)
+    elif len(shown) > LONG:
+        yield from by_rule(shown, RULES)
+
+
 def summary(report: Report, width: int, paint: Paint) -> str:
-    """What was found in how many files, and on further lines what is not shown or can be fixed; before it, of a long
-    report, the rules that found most."""
+    """What was found in how many files, and on further lines what is not shown or can be fixed."""
     shown = list(report.shown)
     counts = Counter(finding.severity for finding in shown)
     said = [paint(str(severity), _count(number, severity)) for severity, number in sorted(counts.items())]
@@ -33,17 +45,7 @@ def summary(report: Report, width: int, paint: Paint) -> str:
         head = f"{paint('good', 'Clear for bring-up')}: {files} checked, nothing to report"
     else:
         head = "Nothing to check: no file of a known kind was found"
-    return "\n".join(
-        (*_table(report, shown), head, *(paint("faint", line) for line in _filled(_asides(report), width)))
-    )
-
-
-def _table(report: Report, shown: list[Finding]) -> Iterator[str]:
-    """The rules, where they are asked for or there is much to read."""
-    if shown and report.part is Part.STATISTICS:
-        yield from by_rule(shown)
-    elif len(shown) > LONG:
-        yield from by_rule(shown, RULES)
+    return "\n".join((head, *(paint("faint", line) for line in _filled(_asides(report), width))))
 
 
 def _affected(shown: list[Finding], files: int) -> str:

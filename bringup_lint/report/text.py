@@ -17,7 +17,7 @@ from bringup_lint.report.order import LONG
 from bringup_lint.report.order import by_cause
 from bringup_lint.report.paint import Paint
 from bringup_lint.report.paint import painter
-from bringup_lint.report.summary import summary
+from bringup_lint.report.summary import ending
 from bringup_lint.report.wrap import wrap
 
 NARROW = 40
@@ -29,7 +29,7 @@ def render(report: Report) -> str:
     paint = painter(report.colour)
     width = max(report.width, NARROW)
     blocks = () if report.part is Part.STATISTICS else ("\n".join(lines) for lines in _blocks(report, width, paint))
-    last = () if report.part is Part.FINDINGS else (summary(report, min(width, WIDE), paint),)
+    last = () if report.part is Part.FINDINGS else (ending(report, min(width, WIDE), paint),)
     return "".join(f"{text}\n" for text in ["\n\n".join([*blocks, *last])] if text)
 
 

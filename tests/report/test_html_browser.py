@@ -7,7 +7,11 @@ from pathlib import Path
 
 import pytest
 
+from bringup_lint.finding import Finding
+from bringup_lint.finding import Related
+from bringup_lint.report import Report
 from bringup_lint.report.html import page
+from bringup_lint.source import Source
 from tests.conftest import PROJECT
 from tests.lint import lint
 from tests.report.html_picture import crowd
@@ -36,6 +40,12 @@ def scale(tab) -> float:
 
 def opacity(tab, selector: str) -> float:
     return float(tab.eval_on_selector(selector, "one => getComputedStyle(one).opacity"))
+
+
+def unfolded(tab):
+    """The tab with every node in view, however small."""
+    tab.evaluate("() => { state.byHand = true; state.folded.clear(); redraw(); }")
+    return tab
 
 
 def choose(tab, label: str) -> None:
@@ -162,7 +172,7 @@ def test_keyboard_walks_from_node_to_node(opened) -> None:
 
 
 def test_zoom_and_pan(opened) -> None:
-    tab = opened(page(crowd(100)))
+    tab = unfolded(opened(page(crowd(100))))
     whole = scale(tab)
     tab.focus("#canvas")
     tab.keyboard.press("+")
@@ -186,7 +196,7 @@ def test_zoom_and_pan(opened) -> None:
 
 
 def test_small_labels_are_left_out(opened) -> None:
-    tab = opened(page(crowd(100)))
+    tab = unfolded(opened(page(crowd(100))))
     tab.focus("#canvas")
     for _ in range(8):
         tab.keyboard.press("-")
@@ -244,7 +254,7 @@ def test_light_and_dark(opened, scheme: str) -> None:
 
 
 def test_four_hundred_nodes(opened) -> None:
-    tab = opened(page(crowd(400)))
+    tab = unfolded(opened(page(crowd(400))))
     assert tab.locator(".node").count() == 400
     found = boxes(tab)
     room = tab.locator("#canvas").bounding_box()
@@ -263,12 +273,12 @@ def test_four_hundred_nodes(opened) -> None:
 
 
 def test_drawing_takes_time_as_the_nodes_do(opened) -> None:
-    few, many = (min(tab.evaluate(DRAWING)) for tab in (opened(page(crowd(count))) for count in (100, 800)))
+    few, many = (min(tab.evaluate(DRAWING)) for tab in (unfolded(opened(page(crowd(count)))) for count in (100, 800)))
     assert many / 8 <= 3 * max(few, 1)
 
 
 def test_units_stand_in_the_order_of_the_boot(opened) -> None:
-    tab = opened(page(crowd(150)))
+    tab = unfolded(opened(page(crowd(150))))
     columns = tab.evaluate(
         """() => {
             const linked = new Set(drawn.links.flatMap(({from, to}) => [from, to]));
@@ -286,7 +296,7 @@ def test_units_stand_in_the_order_of_the_boot(opened) -> None:
 
 
 def test_no_line_runs_through_a_box(opened) -> None:
-    tab = opened(page(crowd(80)))
+    tab = unfolded(opened(page(crowd(80))))
     through = tab.evaluate(
         """() => drawn.lines.flatMap((line, index) => {
             const path = line.querySelector(".line");
@@ -326,11 +336,121 @@ def test_on_a_phone(opened) -> None:
     tab = opened(page(mower(), sample()), {"width": 390, "height": 844})
     assert tab.is_visible("#finding-0")
     assert tab.evaluate("document.documentElement.scrollWidth") <= 390
+    assert cut_off(tab, "#findings") == []
     tab.click("[data-show=picture]")
     assert tab.is_hidden("#finding-0")
+    assert "3 in Boot" in nodes(tab)
+    assert cut_off(tab, "#canvas .node") == []
+    assert smallest_name(tab) >= LEGIBLE
+    tab.click("#in")
     assert len(nodes(tab)) == 10
-    choose(tab, "/drive")
+    assert smallest_name(tab) >= LEGIBLE
+    tab.click("#fit")
+    choose(tab, "3 in Boot")
     tab.click("#details .close")
+
+
+LEGIBLE = 9
+"""Pixels."""
+
+
+def smallest_name(tab) -> float:
+    return 12 * scale(tab)
+
+
+def cut_off(tab, selector: str) -> list[str]:
+    """What the window cuts off at its sides."""
+    return tab.eval_on_selector_all(
+        f"{selector}, {selector} *",
+        """found => found.filter(one => {
+            const {left, right, width} = one.getBoundingClientRect();
+            return width && (left < -1 || right > innerWidth + 1);
+        }).map(one => `${one.tagName} ${one.textContent.slice(0, 40)}`)""",
+    )
+
+
+@pytest.fixture(scope="module")
+def robot(tmp_path_factory: pytest.TempPathFactory) -> str:
+    """The page of a whole robot."""
+    file = tmp_path_factory.mktemp("robot") / "guide.html"
+    options = ("--root", ".", "--output-format", "html", "--output-file", file)
+    assert lint(*options, cwd=PROJECT / "fixtures/robots/guide/tree").code == 1
+    return file.read_text("utf-8")
+
+
+@pytest.mark.parametrize("size", [(390, 844), (1400, 900), (2560, 1440)], ids=str)
+def test_names_can_be_read_from_the_first_view(opened, robot: str, size: tuple[int, int]) -> None:
+    tab = opened(robot, {"width": size[0], "height": size[1]})
+    assert cut_off(tab, "#findings") == []
+    tab.click("[data-show=picture]")
+    assert smallest_name(tab) >= LEGIBLE
+    assert cut_off(tab, "#canvas .node") == []
+    layers = nodes(tab)
+    assert ("27 in Boot order" in layers) == (size[0] < 2000), "a large screen shows every name"
+    tab.click("#in")
+    assert smallest_name(tab) >= LEGIBLE
+    assert "heron-stack.service" in nodes(tab)
+    tab.click("#fit")
+    assert nodes(tab) == layers
+
+
+def test_a_layer_is_unfolded_where_the_wheel_turns(opened, robot: str) -> None:
+    tab = opened(robot)
+    box = tab.locator(".node", has_text="in Devices").bounding_box()
+    tab.mouse.move(box["x"] + 10, box["y"] + 10)
+    tab.mouse.wheel(0, -100)
+    room = tab.locator("#canvas").bounding_box()
+    place = tab.locator(".node", has_text="/dev/heron/imu").first.bounding_box()
+    assert room["x"] <= place["x"] <= room["x"] + room["width"]
+
+
+def test_findings_and_search_unfold_what_they_need(opened, robot: str) -> None:
+    tab = opened(robot)
+    tab.click(".finding[data-rule='device/unstable-path'][data-file$='gnss.yaml'] .locate")
+    assert {"gnss.yaml", "/dev/ttyUSB0"} <= set(nodes(tab))
+    again = opened(robot)
+    again.fill("#search", "ttyUSB0")
+    again.press("#search", "Enter")
+    assert nodes(again, ".chosen") == ["/dev/ttyUSB0"]
+
+
+@pytest.mark.parametrize("leave", ["List", "Escape", "Picture"])
+def test_the_list_can_be_left(opened, leave: str) -> None:
+    tab = opened(page(mower(), sample()))
+    tab.click("#words")
+    assert tab.is_visible("#outline")
+    assert tab.is_hidden("#in")
+    if leave == "Escape":
+        tab.keyboard.press("Escape")
+    else:
+        tab.click("#words" if leave == "List" else "[data-show=picture]")
+    assert tab.is_hidden("#outline")
+    choose(tab, "mower.service")
+    assert tab.is_visible("#details")
+
+
+LONG_LINE = "ExecStart=/usr/bin/rover " + "--option " * 30 + "--last\n"
+
+
+@pytest.mark.parametrize(("width", "wrapped"), [(390, True), (1400, False)])
+def test_a_note_is_next_to_its_mark(opened, width: int, wrapped: bool) -> None:
+    short = Source("a.service", "Restart=always\nExecStart=/usr/bin/rover --first --second --third --fourth\n")
+    long = Source("b.service", LONG_LINE)
+    at = LONG_LINE.index("--last")
+    notes = (
+        Related(short.span(short.text.index("--fourth"), len(short.text) - 1), "said of the short line"),
+        Related(long.span(at, at + 6), "said of the long line"),
+    )
+    found = Finding("A message", short.span(0, 7), "systemd/a", related=notes)
+    tab = opened(page({}, Report((found,))), {"width": width, "height": 900})
+    assert tab.evaluate("document.documentElement.scrollWidth") <= width
+    assert tab.is_visible(".said:has-text('short line')") == wrapped
+    assert tab.is_visible(".note:has-text('short line')") != wrapped
+    assert tab.is_visible(".said:has-text('long line')")
+    note = tab.locator(".said:has-text('long line')").bounding_box()
+    mark = tab.locator("mark", has_text="--last").bounding_box()
+    assert 0 <= note["y"] - mark["y"] < 40
+    assert note["height"] < 30
 
 
 def test_on_paper(opened) -> None:

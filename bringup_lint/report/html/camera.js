@@ -25,11 +25,11 @@ function roomFor() {
   return { width: Math.max(320, width - 32), height: Math.max(240, height - 82) };
 }
 
-function fit(area = { x: 0, y: 0, width: drawn.plan.width, height: drawn.plan.height }, most = 1.25) {
+function fit(area = { x: 0, y: 0, width: drawn.plan.width, height: drawn.plan.height }, most = 1.25, least = 0.05) {
   const { width, height, top } = room();
   if (!width || !height || !drawn.nodes.length) return;
   const scale = Math.min(most, (width - 32) / Math.max(area.width, 1), (height - top - 48) / Math.max(area.height, 1));
-  camera.scale = Math.max(0.05, scale);
+  camera.scale = Math.max(least, scale);
   camera.x = (width - area.width * camera.scale) / 2 - area.x * camera.scale;
   camera.y = top + (height - top - area.height * camera.scale) / 2 - area.y * camera.scale;
   place();
@@ -38,6 +38,10 @@ function fit(area = { x: 0, y: 0, width: drawn.plan.width, height: drawn.plan.he
 function zoom(factor, at) {
   const { width, height } = room();
   const { x, y } = at ?? { x: width / 2, y: height / 2 };
+  if (factor > 1 && grouped() && !state.byHand) {
+    enter({ x, y });
+    return;
+  }
   const scale = Math.min(4, Math.max(0.05, camera.scale * factor));
   camera.x = x - ((x - camera.x) * scale) / camera.scale;
   camera.y = y - ((y - camera.y) * scale) / camera.scale;
@@ -51,16 +55,22 @@ function pan(x, y) {
   place();
 }
 
-/* Brings boxes into view, near enough to read them; what is in view already stays where it is. */
-function bring(indices) {
-  const boxes = indices.map((index) => drawn.plan.boxes[index]).filter(Boolean);
-  if (!boxes.length) return;
+/* The area around boxes. */
+function around(indices) {
+  const boxes = indices.map((index) => drawn.plan.boxes[index]);
   const [left, top] = [Math.min(...boxes.map((box) => box.x)), Math.min(...boxes.map((box) => box.y))];
-  const area = {
+  return {
     x: left - 40, y: top - 40,
     width: Math.max(...boxes.map((box) => box.x + box.width)) - left + 80,
     height: Math.max(...boxes.map((box) => box.y + box.height)) - top + 80,
   };
+}
+
+/* Brings boxes into view, near enough to read them; what is in view already stays where it is. */
+function bring(indices) {
+  const shown = indices.filter((index) => drawn.plan.boxes[index]);
+  if (!shown.length) return;
+  const area = around(shown);
   const { width, height, top: edge } = room();
   const [x, y] = [area.x * camera.scale + camera.x, area.y * camera.scale + camera.y];
   const seen = x >= 0 && y >= edge && x + area.width * camera.scale <= width && y + area.height * camera.scale <= height;
@@ -141,7 +151,7 @@ pane.addEventListener("keydown", (event) => {
   const index = node ? Number(node.dataset.index) : null;
   const arrow = ARROWS[event.key];
   const acts = {
-    "+": () => zoom(1.25), "=": () => zoom(1.25), "-": () => zoom(0.8), 0: () => fit(),
+    "+": () => zoom(1.25), "=": () => zoom(1.25), "-": () => zoom(0.8), 0: () => overview(),
     ...(node && { Enter: () => node.dispatchEvent(new MouseEvent("click", { bubbles: true })), f: () => isolate(drawn.nodes[index].members[0]) }),
     ...(node && { " ": () => node.dispatchEvent(new MouseEvent("click", { bubbles: true })) }),
   };
@@ -157,7 +167,8 @@ document.addEventListener("keydown", (event) => {
     event.preventDefault();
     byId("search").focus();
   } else if (event.key === "Escape") {
-    if (state.query.length) search("");
+    if (pane.classList.contains("listed")) list(false);
+    else if (state.query.length) search("");
     else if (state.chosen) choose(null);
     else if (state.only !== null) unfocus();
     if (typing) canvas.focus();

@@ -14,8 +14,8 @@ from bringup_lint.report.rows import Underline
 LONG = 400
 """Of a longer line, this many characters are shown around its first mark."""
 BEFORE = 80
-DEEP = 56
-"""Notes are indented by this many characters at most."""
+WIDE = 96
+"""A longer line is wrapped, and a note about it follows its mark; so is every line where there is less room."""
 
 
 def figure(frame: Frame) -> str:
@@ -28,7 +28,7 @@ def figure(frame: Frame) -> str:
 def _lines(frame: Frame) -> Iterator[str]:
     for mark in frame.marks:
         if is_whole_file(mark.span) and mark.label:
-            yield _note("", mark.label, f"{mark.style} whole")
+            yield _note("", mark.label, f"{mark.style} under")
     previous = frame.lines[0] if frame.lines else 0
     for number in frame.lines:
         if number > previous + 1:
@@ -41,12 +41,13 @@ def _line(frame: Frame, number: int) -> Iterator[str]:
     line, marks = _cut(frame.source.line_text(number), sorted(frame.underlines.get(number, [])))
     bar = next((bar for bar in frame.bars if bar.first <= number <= bar.last), None)
     side = f" bar {bar.style}" if bar else ""
+    side += " long" * (len(line) > WIDE)
     yield f'<div class="line{side}"><b>{number}</b><code>{"".join(_pieces(line, marks))}</code></div>'
     for mark in marks:
-        if mark.label:
-            yield _note(line[: min(mark.start, DEEP)], mark.label, mark.style)
+        if mark.label and len(line) <= WIDE:
+            yield _note(line[: mark.start], mark.label, mark.style)
     if bar and bar.last == number and bar.label:
-        yield _note("", bar.label, bar.style)
+        yield _note("", bar.label, f"{bar.style} under")
 
 
 def _note(before: str, label: str, style: str) -> str:
@@ -79,6 +80,13 @@ def _pieces(line: str, marks: list[Underline]) -> Iterator[str]:
         else:
             yield piece
         yield from (_point(mark) for mark in marks if mark.start == mark.end == end)
+        yield from (_said(mark) for mark in marks if mark.end == end)
+
+
+def _said(mark: Underline) -> str:
+    """The note right after its mark, for a line that is wrapped."""
+    label = text(" ".join(mark.label.split()))
+    return f'<span class="said {mark.style}">{label}</span>' if label else ""
 
 
 def _point(mark: Underline) -> str:

@@ -55,6 +55,7 @@ function toArticle(finding) {
 }
 
 function isolate(node) {
+  if (!state.byHand) state.folded.clear();
   state.only = node;
   draw();
   choose({ node }, false);
@@ -62,6 +63,7 @@ function isolate(node) {
 }
 
 function fold(layer) {
+  state.byHand = true;
   if (!state.folded.delete(layer)) state.folded.add(layer);
   if (state.chosen?.box !== undefined || state.chosen?.link !== undefined) choose(null);
   draw();
@@ -151,7 +153,6 @@ function ends(title, edges, end) {
 
 function unfocus() {
   state.only = null;
-  draw();
+  overview();
   describe();
-  fit();
 }

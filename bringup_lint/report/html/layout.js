@@ -305,6 +305,21 @@ function widthOf(node) {
   return Math.min(SIZE.wide, node.label.length * SIZE.letter + SIZE.padding + extra);
 }
 
+/* A narrow room: boxes one below the other, and lines at their left. */
+function stacked(nodes, links) {
+  const width = Math.max(SIZE.narrow, ...nodes.map(widthOf));
+  const column = { x: 2 * SIZE.bow, width, number: 0 };
+  const items = nodes.map((node, index) => ({ column, y: index * (SIZE.high + 2 * SIZE.gap) + SIZE.high / 2 }));
+  return {
+    high: SIZE.high,
+    bands: [],
+    width: column.x + width + SIZE.bow,
+    height: nodes.length * (SIZE.high + 2 * SIZE.gap),
+    boxes: items.map((item) => ({ x: column.x, y: item.y - SIZE.high / 2, width, height: SIZE.high })),
+    routes: links.map(({ from, to }) => route([items[from], items[to]])),
+  };
+}
+
 /* Lines */
 
 function route(path) {

@@ -5,12 +5,14 @@ const data = JSON.parse(document.getElementById("data").textContent);
 const SEVERITIES = ["info", "warning", "error"];
 const FAR = 0.5;
 const FEW = 24;
+const LEGIBLE = 0.75;
+const UPRIGHT = 700;
 const SVG = "http://www.w3.org/2000/svg";
 const byId = (id) => document.getElementById(id);
 const [body, canvas, scene, panel] = [document.body, byId("canvas"), byId("scene"), byId("details")];
 const pane = byId("picture");
 
-const state = { chosen: null, only: null, folded: new Set(), hidden: new Set(), query: [], at: -1, pressed: null };
+const state = { byHand: false, chosen: null, only: null, folded: new Set(), hidden: new Set(), query: [], at: -1, pressed: null };
 const camera = { scale: 1, x: 0, y: 0 };
 let drawn = null;
 
@@ -111,7 +113,8 @@ function short(label) {
 
 function draw() {
   const { nodes, links, boxOf } = graph();
-  const plan = arrange(nodes, links, data.layers.map((layer) => layer.id), roomFor());
+  const upright = grouped() && roomFor().width < UPRIGHT;
+  const plan = upright ? stacked(nodes, links) : arrange(nodes, links, data.layers.map((layer) => layer.id), roomFor());
   drawn = { nodes, links, boxOf, plan };
   const lines = make("g", { class: "edges" });
   drawn.lines = links.map((link, index) => lines.appendChild(lineOf(link, plan.routes[index], index)));
@@ -125,6 +128,38 @@ function draw() {
   byId("whole").hidden = state.only === null;
   roam(state.at >= 0 && state.at < nodes.length ? state.at : 0, false);
   light();
+}
+
+/* Layers of several nodes, and whether all of them are folded: then each box is a layer. */
+const layersOfMany = () => data.layers.map(({ id }) => id).filter((id) => data.nodes.filter(({ layer }) => layer === id).length > 1);
+const grouped = () => state.only === null && state.folded.size > 0 && layersOfMany().every((id) => state.folded.has(id));
+
+/* Everything, in the room that there is: the nodes, or where their names would be too small to read, the layers. */
+function overview() {
+  if (state.byHand || state.chosen || state.only !== null) {
+    draw();
+    fit();
+    return;
+  }
+  state.folded.clear();
+  draw();
+  fit();
+  if (camera.scale >= LEGIBLE) return;
+  layersOfMany().forEach((id) => state.folded.add(id));
+  draw();
+  fit();
+}
+
+/* From the layers to the nodes of the nearest one, near enough to read them. */
+function enter(at) {
+  const apart = ({ x, y, width, height }) =>
+    Math.hypot((x + width / 2) * camera.scale + camera.x - at.x, (y + height / 2) * camera.scale + camera.y - at.y);
+  const nearest = drawn.plan.boxes.reduce((best, box, index, all) => (apart(box) < apart(all[best]) ? index : best), 0);
+  const { layer } = drawn.nodes[nearest];
+  state.folded.clear();
+  if (state.chosen?.box !== undefined || state.chosen?.link !== undefined) choose(null);
+  draw();
+  fit(around(drawn.nodes.flatMap((node, index) => (node.layer === layer ? [index] : []))), 1, LEGIBLE + 0.1);
 }
 
 function lineOf(link, { d, arrow }, index) {
@@ -154,7 +189,7 @@ function boxFor(node, { x, y, width, height }, index) {
     make("title", {}, about.join("\n")),
     make("rect", { class: "box", width, height, rx: 4 }),
     make("rect", { class: "hue", width: 4, height, rx: 2 }),
-    low ? null : make("text", { "aria-hidden": true, class: "kind", x: start, y: 14 }, node.kind === "folded" ? "folded" : node.kind),
+    low ? null : make("text", { "aria-hidden": true, class: "kind", x: start, y: 14 }, node.kind === "folded" ? (node.findings.length ? counted(node.findings.length, "finding") : "folded") : node.kind),
     ranked ? make("text", { "aria-hidden": true, class: "rank", x: 10, y: low ? 16 : 29 }, String(node.rank)) : null,
     label,
     node.worst ? make("g", { transform: `translate(${num(width - 12)} 12)` },

@@ -6,6 +6,7 @@ const narrow = window.matchMedia("(max-width: 900px)");
 function show(view) {
   const wanted = view === "both" && narrow.matches ? (panes().picture ? "findings" : "picture") : view;
   body.dataset.view = wanted;
+  list(false);
   document.querySelectorAll(".views button").forEach((one) => one.setAttribute("aria-pressed", String(one.dataset.show === wanted)));
   redraw();
 }
@@ -13,8 +14,14 @@ function show(view) {
 /* Lays the drawing out for the room that there is now. */
 function redraw() {
   if (!pane.offsetWidth) return;
-  draw();
-  fit();
+  overview();
+}
+
+/* The picture in words, in its place. */
+function list(listed) {
+  pane.classList.toggle("listed", listed);
+  byId("outline").open = listed;
+  byId("words").setAttribute("aria-pressed", String(listed));
 }
 
 function setUpLegend() {
@@ -38,13 +45,9 @@ function setUpLegend() {
 
 byId("in").addEventListener("click", () => zoom(1.25));
 byId("out").addEventListener("click", () => zoom(0.8));
-byId("fit").addEventListener("click", () => fit());
+byId("fit").addEventListener("click", () => overview());
 byId("whole").addEventListener("click", () => unfocus());
-byId("words").addEventListener("click", (event) => {
-  const listed = pane.classList.toggle("listed");
-  byId("outline").open = listed;
-  event.target.setAttribute("aria-pressed", String(listed));
-});
+byId("words").addEventListener("click", () => list(!pane.classList.contains("listed")));
 byId("theme").addEventListener("click", () => {
   const dark = getComputedStyle(document.documentElement).colorScheme;
   const now = dark === "light dark" ? (window.matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light") : dark;

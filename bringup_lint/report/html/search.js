@@ -2,9 +2,10 @@
 /* Search */
 
 const holds = (text) => state.query.every((part) => text.toLowerCase().includes(part));
+const wordsOf = (member) => ["label", "kind", "path"].map((key) => data.nodes[member][key] ?? "").join(" ");
 function matches() {
   return new Set(drawn.nodes.flatMap((node, index) =>
-    node.members.some((member) => holds(["label", "kind", "path"].map((key) => data.nodes[member][key] ?? "").join(" "))) ? [index] : []));
+    node.members.some((member) => holds(wordsOf(member))) ? [index] : []));
 }
 
 function search(text) {
@@ -20,7 +21,8 @@ function nextMatch() {
   if (!found.length || !panes().picture) return;
   const next = found.find((index) => index > state.at && drawn.nodes[index].members[0] !== state.chosen?.node) ?? found[0];
   roam(next, false);
-  choose(drawn.nodes[next].kind === "folded" ? { box: next } : { node: drawn.nodes[next].members[0] });
+  const { members } = drawn.nodes[next];
+  choose({ node: members.find((member) => holds(wordsOf(member))) ?? members[0] });
 }
 
 byId("search").addEventListener("input", (event) => search(event.target.value));
