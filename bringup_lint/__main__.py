@@ -1,4 +1,5 @@
-"""The entry point: answers ``--version`` at once, and loads the command line for everything else."""
+"""The entry point: answers ``--version`` at once, and what the cache knows; loads the command line for everything
+else."""
 
 from __future__ import annotations
 
@@ -15,10 +16,17 @@ def main() -> None:
 
         print(f"bringup-lint {__version__}")
         return
+    from bringup_lint.cli.answering import asked
+    from bringup_lint.cli.answering import replayed
+
+    question = asked(sys.argv[1:])
+    answer = question and question.answer()
+    if answer:
+        sys.exit(replayed(answer))
     from bringup_lint.cli import dispatch
 
     _collect_seldom()
-    dispatch(sys.argv[1:])
+    dispatch(sys.argv[1:], question=question)
 
 
 def _collect_seldom() -> None:

@@ -5,7 +5,6 @@
 
 from __future__ import annotations
 
-import os
 import re
 from collections.abc import Iterator
 from dataclasses import field
@@ -15,6 +14,7 @@ from typing import Any
 from typing import NamedTuple
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.discover import disk
 from bringup_lint.discover.gitignore import PatternError
 from bringup_lint.discover.gitignore import pattern_of
 from bringup_lint.discover.reading import Unreadable
@@ -116,12 +116,12 @@ def find(start: Path) -> Path | None:
     """The nearest configuration at or above ``start``; the search ends at the top of a repository."""
     for folder in (start, *start.parents):
         own = folder / FILE_NAME
-        if os.path.lexists(own):
+        if disk.lexists(own):
             return own
         pyproject = folder / "pyproject.toml"
-        if os.path.lexists(pyproject) and _TABLE.search(_text_of(pyproject, named=False)):
+        if disk.lexists(pyproject) and _TABLE.search(_text_of(pyproject, named=False)):
             return pyproject
-        if os.path.lexists(folder / ".git"):
+        if disk.lexists(folder / ".git"):
             return None
     return None
 
@@ -167,10 +167,10 @@ def _text_of(path: Path, named: bool) -> str:
 
 def _is_inside(path: Path, folder: Path) -> bool:
     """Whether a path leads to a place in the repository around a folder, or else in the folder."""
-    tops = (each for each in (folder, *folder.parents) if os.path.lexists(each / ".git"))
-    top = os.path.realpath(next(tops, folder))
+    tops = (each for each in (folder, *folder.parents) if disk.lexists(each / ".git"))
+    top = disk.realpath(next(tops, folder))
     try:
-        real = os.path.realpath(path)
+        real = disk.realpath(path)
     except ValueError:
         return False
     return real == top or real.startswith(top.rstrip("/") + "/")
@@ -201,7 +201,7 @@ def _without_effect(config: Config, named: bool) -> Iterator[tuple[str, str]]:
         yield str(version), f"target-systemd must be {OLDEST_SYSTEMD} to {NEWEST_SYSTEMD}, not {version}"
     for key, table in (("deploy", config.deploy), ("purpose", config.purpose)):
         for path in table:
-            if "\0" in path or not os.path.lexists(config.folder / path):
+            if "\0" in path or not disk.lexists(config.folder / path):
                 yield path, f"{key}: there is no '{path}' beside the configuration"
     for pattern in config.exclude:
         try:

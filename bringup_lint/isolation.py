@@ -23,6 +23,7 @@ from bringup_lint import budget
 from bringup_lint.budget import OutOfTime
 from bringup_lint.budget import limited
 from bringup_lint.dataclass import dataclass
+from bringup_lint.discover import disk
 from bringup_lint.finding import Finding
 from bringup_lint.finding import Severity
 from bringup_lint.finding.origin import at_origin
@@ -130,7 +131,8 @@ def _attempt(rules: Iterable[Rule], robot: Robot, purposes: Purposes, findings: 
 
 
 def too_slow(source: Source, what: str, seconds: float) -> Finding:
-    """A finding for what was stopped because it took too long."""
+    """A finding for what was stopped because it took too long, which it may not do another time."""
+    disk.depends_on_more()
     return Finding(
         f"{what} takes more than {seconds:.0f} seconds of CPU time",
         source.whole,

@@ -23,6 +23,7 @@ from bringup_lint.api import Check
 from bringup_lint.api import Metadata
 from bringup_lint.api import rule
 from bringup_lint.dataclass import dataclass
+from bringup_lint.discover import disk
 from bringup_lint.discover.starters import STARTING
 from bringup_lint.finding import Severity
 from bringup_lint.graph.purpose import Purpose
@@ -240,6 +241,9 @@ class Registry:
     @classmethod
     def of(cls, extra: Iterable[Path] = ()) -> Registry:
         """The built-in rules, which a process reads once, and those of a user's folders."""
+        extra = list(extra)
+        if extra:
+            disk.depends_on_more()
         own = families(extra)
         return cls([*_builtin().families, *own], _builtin().index) if own else _builtin()
 

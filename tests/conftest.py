@@ -16,6 +16,7 @@ pytest_plugins = ["tests.browser"]
 
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 sys.dont_write_bytecode = False  # the tests start many interpreters, which need not compile the same files again
+os.environ["BRINGUP_LINT_NO_CACHE"] = "1"  # tests run the program, and do not read what an earlier test was told
 
 settings.register_profile("dev", max_examples=25, deadline=None)
 settings.register_profile("ci", max_examples=200, deadline=None)

@@ -7,6 +7,10 @@ import importlib
 import os
 import sys
 from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from bringup_lint.cache.answers import Question
 
 TRACEBACK = "BRINGUP_LINT_TRACEBACK"
 """The variable that asks for the traceback of what failed inside."""
@@ -24,8 +28,9 @@ COMMANDS = {
 }
 
 
-def dispatch(arguments: list[str], prog: str = "bringup-lint") -> None:
-    """Run the command that the arguments name; exits with the command's code."""
+def dispatch(arguments: list[str], prog: str = "bringup-lint", question: Question | None = None) -> None:
+    """Run the command that the arguments name; exits with the command's code. The answer to the question may be
+    kept."""
     name = "check"
     at = _first_word(arguments)
     if at is not None and arguments[at] in COMMANDS:
@@ -36,7 +41,7 @@ def dispatch(arguments: list[str], prog: str = "bringup-lint") -> None:
     elif at == 0 and not os.path.lexists(arguments[0]):
         _hint(arguments[0])
     module = importlib.import_module(f"bringup_lint.cli.{name.replace('-', '_')}")
-    sys.exit(_code(lambda: module.command.main(arguments, prog_name=prog, standalone_mode=False)))
+    sys.exit(_code(lambda: module.command.main(arguments, prog_name=prog, standalone_mode=False, obj=question)))
 
 
 def _code(command: Callable[[], object]) -> int:

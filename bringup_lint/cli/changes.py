@@ -10,6 +10,7 @@ from typing import Any
 
 from bringup_lint.cli.streams import complain
 from bringup_lint.config import ConfigError
+from bringup_lint.discover import disk
 from bringup_lint.finding.reach import reached
 
 if TYPE_CHECKING:
@@ -49,7 +50,7 @@ def _since(revision: str) -> Limit:
 
 def _files(paths: tuple[str, ...]) -> Limit:
     named = {os.path.abspath(path) for path in paths}
-    gone = {os.path.basename(path) for path in named if not os.path.lexists(path)}
+    gone = {os.path.basename(path) for path in named if not disk.lexists(path)}
     return lambda outcome: _only(outcome, lambda name: os.path.abspath(name) in named, frozenset(gone))
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import dataclasses
 import os
 import sys
@@ -17,7 +18,9 @@ import click
 
 from bringup_lint import __version__
 from bringup_lint.cli import COMMANDS
+from bringup_lint.cli.answering import keep
 from bringup_lint.cli.options import baseline_options
+from bringup_lint.cli.options import cache_options
 from bringup_lint.cli.options import changes_options
 from bringup_lint.cli.options import colour_option
 from bringup_lint.cli.options import configuration_options
@@ -37,6 +40,8 @@ from bringup_lint.config import Config
 from bringup_lint.config import ConfigError
 from bringup_lint.config import find
 from bringup_lint.config import read
+from bringup_lint.discover import disk
+from bringup_lint.discover.disk import recorded
 
 if TYPE_CHECKING:
     from bringup_lint.engine import Outcome
@@ -74,6 +79,7 @@ EPILOG = "\n\n".join(
 @click.option("--unsafe-fixes", is_flag=True, help="With --fix or --diff: the unsafe fixes too.")
 @click.option("--diff", is_flag=True, help="Show what --fix would change, and change nothing.")
 @click.option("--add-ignores", metavar="REASON", help="Suppress all that is found by comments that give this reason.")
+@cache_options
 @colour_option
 @click.version_option(__version__, prog_name="bringup-lint", message="%(prog)s %(version)s")
 @click.pass_context
@@ -91,7 +97,10 @@ def command(ctx: click.Context, paths: tuple[str, ...], **options) -> None:
     if options["changed"]:
         options["changed_files"], paths = paths, (".",)
     try:
-        code = _check(ctx.meta["outputs"], paths or ("/" if options["root"] else ".",), options)
+        with recorded() if ctx.obj else contextlib.nullcontext() as record:
+            code = _check(ctx.meta["outputs"], paths or ("/" if options["root"] else ".",), options)
+        if record:
+            keep(ctx.obj, ctx, record, code)
     except (ConfigError, RuleError) as error:
         complain(error)
         code = 2
@@ -159,7 +168,7 @@ def deliver(
     """Write the reports, and the baseline when one is asked for; returns the exit code. What cannot be written is said,
     and what was not written before (``unwritten``); the rest is."""
     from bringup_lint.cli.reporting import report_of
-    from bringup_lint.cli.reporting import wants_colour
+    from bringup_lint.cli.terminal import wants_colour
     from bringup_lint.finish import rendered
     from bringup_lint.report import DRAWN
     from bringup_lint.report import Part
@@ -226,6 +235,7 @@ def _standard_input() -> bytes:
     """Raises ConfigError when it is closed, or holds more than is read of any file."""
     from bringup_lint.discover.reading import SIZE_LIMIT
 
+    disk.depends_on_more()
     try:
         data = sys.stdin.buffer.read(SIZE_LIMIT + 1)
     except (AttributeError, OSError, ValueError) as error:
@@ -316,7 +326,7 @@ def configuration(paths: tuple[str, ...], options: dict[str, Any]) -> tuple[Conf
 def _start(paths: tuple[str, ...], root: str | None) -> Path:
     """Where the search for a configuration begins: at the first path, which lies in the root when there is one."""
     first = (Path(root, paths[0].lstrip("/")) if root else Path(paths[0])).absolute()
-    return first if first.is_dir() else first.parent
+    return first if disk.isdir(first) else first.parent
 
 
 def _folders(paths: Iterable[str], root: str | None) -> list[str]:
@@ -324,7 +334,7 @@ def _folders(paths: Iterable[str], root: str | None) -> list[str]:
     from bringup_lint.discover.walk import inside
 
     places = [os.path.abspath(path) if root is None else inside(Path(root).absolute(), path) for path in paths]
-    return [f"{place.rstrip('/')}/" for place in places if os.path.isdir(place)]
+    return [f"{place.rstrip('/')}/" for place in places if disk.isdir(place)]
 
 
 def read_robot(paths: tuple[str, ...], config: Config, options: dict[str, Any]) -> Robot:

@@ -10,9 +10,9 @@ import click
 
 from bringup_lint.cli.options import colour_option
 from bringup_lint.cli.options import rules_option
-from bringup_lint.cli.reporting import terminal_width
-from bringup_lint.cli.reporting import wants_colour
 from bringup_lint.cli.streams import complain
+from bringup_lint.cli.terminal import terminal_width
+from bringup_lint.cli.terminal import wants_colour
 from bringup_lint.finish import doc_of
 from bringup_lint.log_lines import Answer
 from bringup_lint.log_lines import OtherCause

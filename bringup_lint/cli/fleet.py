@@ -27,9 +27,9 @@ from bringup_lint.cli.outputs import Output
 from bringup_lint.cli.outputs import PairedOptions
 from bringup_lint.cli.outputs import file_option
 from bringup_lint.cli.outputs import write
-from bringup_lint.cli.reporting import terminal_width
-from bringup_lint.cli.reporting import wants_colour
 from bringup_lint.cli.streams import complain
+from bringup_lint.cli.terminal import terminal_width
+from bringup_lint.cli.terminal import wants_colour
 from bringup_lint.config import ConfigError
 from bringup_lint.report.fleet import FORMATS
 from bringup_lint.report.fleet import FleetReport

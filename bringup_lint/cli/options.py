@@ -91,4 +91,13 @@ shown_options = _together(
     click.option("--show-files", is_flag=True, help="List the files that would be checked, with their kinds."),
     click.option("--show-settings", is_flag=True, help="Print each setting, and what says so."),
 )
+cache_options = _together(
+    click.option("--no-cache", is_flag=True, help="Look at everything again, and keep nothing."),
+    click.option(
+        "--cache-by",
+        type=click.Choice(("times", "content")),
+        default="times",
+        help="How an unchanged file is known. [default: times]",
+    ),
+)
 colour_option = click.option("--colour/--no-colour", "--color/--no-color", default=None, help="Force or forbid colour.")

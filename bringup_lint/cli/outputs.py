@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
-import os
-import sys
 from pathlib import Path
 from typing import Any
 from typing import NamedTuple
@@ -55,30 +52,13 @@ def pair(options: list[tuple[str, Any]]) -> list[Output]:
 
 def write(text: str, file: Path | None) -> None:
     """Write a report whole, or not at all. Raises NotWritten."""
-    from bringup_lint.writing import NotWritten
+    from bringup_lint.cli.streams import put
     from bringup_lint.writing import replace
 
     if file is None:
-        if sys.stdout is None:
-            raise NotWritten(Path("standard output"), "it is closed")
-        try:
-            sys.stdout.write(text)
-            sys.stdout.flush()
-        except BrokenPipeError:
-            _let_go()
-        except OSError as error:
-            _let_go()
-            raise NotWritten(Path("standard output"), error) from error
+        put(text)
         return
     replace(file, text.encode("utf-8", "replace"))
-
-
-def _let_go() -> None:
-    """Nobody reads on: what is left in the buffer must not fail once more at the end."""
-    with contextlib.suppress(OSError, ValueError):
-        nothing = os.open(os.devnull, os.O_WRONLY)
-        os.dup2(nothing, sys.stdout.fileno())
-        os.close(nothing)
 
 
 format_option = click.option(

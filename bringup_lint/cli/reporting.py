@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from bringup_lint.cli.streams import say
+from bringup_lint.cli.terminal import terminal_width
 from bringup_lint.config import ConfigError
 from bringup_lint.finding import Severity
 
@@ -101,25 +102,3 @@ def prune_baseline(report: Report, config: Config) -> Report:
 
 def counted(things: Collection[object], name: str) -> str:
     return f"{len(things)} {name}{'s' * (len(things) != 1)}"
-
-
-def terminal_width() -> int:
-    """Columns to set text in: COLUMNS, else the terminal's, at most 100; 80 where there is no terminal."""
-    given = os.environ.get("COLUMNS", "")
-    if given.isdecimal() and int(given[:4]):
-        return min(int(given[:4]), 100)
-    try:
-        return min(os.get_terminal_size(sys.__stdout__.fileno() if sys.__stdout__ else -1).columns or 80, 100)
-    except (OSError, ValueError, AttributeError):
-        return 80
-
-
-def wants_colour(forced: bool | None) -> bool:
-    """Whether standard output gets colour: the option, else FORCE_COLOR, NO_COLOR, and whether it is a terminal."""
-    if forced is not None:
-        return forced
-    if os.environ.get("NO_COLOR"):
-        return False
-    return bool(os.environ.get("FORCE_COLOR")) or (
-        sys.stdout is not None and sys.stdout.isatty() and os.environ.get("TERM") != "dumb"
-    )

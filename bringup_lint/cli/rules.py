@@ -10,8 +10,8 @@ import click
 
 from bringup_lint.cli.options import colour_option
 from bringup_lint.cli.options import rules_option
-from bringup_lint.cli.reporting import wants_colour
 from bringup_lint.cli.streams import complain
+from bringup_lint.cli.terminal import wants_colour
 from bringup_lint.registry import Registry
 from bringup_lint.registry import Rule
 from bringup_lint.report.paint import painter

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import codecs
+import contextlib
+import os
 import sys
-
-import click
 
 _PLAIN = str.maketrans(
     {
@@ -37,6 +37,12 @@ def prepare() -> None:
         sys.stdout.reconfigure(errors=_HANDLER)
 
 
+said: list[str] = []
+"""The lines on standard error so far."""
+written: list[str] = []
+"""The reports on standard output so far."""
+
+
 def complain(message: object) -> None:
     """A line on standard error that names the program."""
     say(f"bringup-lint: {message}")
@@ -44,7 +50,48 @@ def complain(message: object) -> None:
 
 def say(message: object) -> None:
     """A line on standard error, without control characters of the tree."""
-    click.echo(plain(str(message)), err=True)
+    line = plain(str(message)) + "\n"
+    said.append(line)
+    repeat(line)
+
+
+def repeat(lines: str) -> None:
+    """What was said before, once more on standard error."""
+    if sys.stderr is not None:
+        with contextlib.suppress(OSError, ValueError):
+            sys.stderr.write(lines)
+            sys.stderr.flush()
+
+
+def put(text: str) -> None:
+    """Write a report to standard output. Raises NotWritten."""
+    written.append(text)
+    if sys.stdout is None:
+        raise _not_written("it is closed")
+    try:
+        sys.stdout.write(text)
+        sys.stdout.flush()
+    except BrokenPipeError:
+        _let_go()
+    except OSError as error:
+        _let_go()
+        raise _not_written(error) from error
+
+
+def _not_written(why: str | Exception) -> Exception:
+    from pathlib import Path
+
+    from bringup_lint.writing import NotWritten
+
+    return NotWritten(Path("standard output"), why)
+
+
+def _let_go() -> None:
+    """Nobody reads on: what is left in the buffer must not fail once more at the end."""
+    with contextlib.suppress(OSError, ValueError):
+        nothing = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(nothing, sys.stdout.fileno())
+        os.close(nothing)
 
 
 def overwrite(line: str) -> None:

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 from typing import Any
 from typing import cast
 
+from bringup_lint.discover import disk
 from bringup_lint.discover.git_index import index_of
 from bringup_lint.discover.reading import Unreadable
 from bringup_lint.discover.reading import read_bytes
@@ -37,6 +38,7 @@ class Changes:
 
     def __init__(self, folder: str, revision: str) -> None:
         """Raises UnknownRevision."""
+        disk.depends_on_more()
         self.top = _top(folder)
         self.note = ""
         """What a reader must know of the comparison; empty when it is exact."""

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 from collections.abc import Callable
 from collections.abc import Iterator
 
+from bringup_lint.discover import disk
 from bringup_lint.discover.reading import Unreadable
 from bringup_lint.discover.reading import read_bytes
 from bringup_lint.discover.reading import read_head
+from bringup_lint.discover.record import TRACKED
 
 SIZE_LIMIT = 64 * 1024 * 1024
 """Bytes; about 600,000 files."""
@@ -33,7 +36,7 @@ class UnknownFormat(Exception):
 def index_of(folder: str) -> str | None:
     """The index of the repository whose top a folder is; None when it is not the top of one."""
     git = os.path.join(folder, ".git")
-    if os.path.isdir(git):
+    if disk.isdir(git):
         return os.path.join(git, "index")
     line = read_head(git, _LONGEST).strip()
     if not line.startswith("gitdir:"):
@@ -48,7 +51,7 @@ def _belongs(place: str, folder: str) -> bool:
     if "\0" in place:
         return False
     back = read_head(os.path.join(place, "gitdir"), _LONGEST).strip()
-    if back and os.path.realpath(os.path.join(place, back)) == os.path.realpath(os.path.join(folder, ".git")):
+    if back and disk.realpath(os.path.join(place, back)) == disk.realpath(os.path.join(folder, ".git")):
         return True
     above = (os.path.join(parent, ".git") + os.sep for parent in _parents(folder))
     return any(place.startswith(each) for each in above)
@@ -62,11 +65,21 @@ def _parents(folder: str) -> Iterator[str]:
 
 def read_index(path: str) -> frozenset[bytes]:
     """The tracked paths, from the top of the repository. Raises UnknownFormat."""
+    with contextlib.suppress(Unreadable, UnknownFormat):
+        with disk.unrecorded():
+            data, status = read_bytes(path, SIZE_LIMIT)
+            found = frozenset(tracked_paths(data))
+        disk.opened(TRACKED, path, status, content_of(found))
+        return found
     try:
-        data, _ = read_bytes(path, SIZE_LIMIT)
+        return frozenset(tracked_paths(read_bytes(path, SIZE_LIMIT)[0]))
     except Unreadable as error:
         raise UnknownFormat(str(error)) from error
-    return frozenset(tracked_paths(data))
+
+
+def content_of(tracked: frozenset[bytes]) -> bytes:
+    """What an index says, without the times of the files, which git renews whenever it looks at them."""
+    return b"\0".join(sorted(tracked))
 
 
 def tracked_only(folder: str) -> Callable[[str], bool]:
@@ -77,7 +90,7 @@ def tracked_only(folder: str) -> Callable[[str], bool]:
         index = index_of(top)
         if index is not None:
             index = os.environ.get("GIT_INDEX_FILE") or index
-            known = read_index(index) if os.path.lexists(index) else frozenset[bytes]()
+            known = read_index(index) if disk.lexists(index) else frozenset[bytes]()
             return lambda path: not path.endswith("/") and not _is_tracked(os.path.relpath(path, top), known)
     raise UnknownFormat(f"{folder} lies in no git repository")
 

@@ -6,6 +6,7 @@ import os
 from collections.abc import Iterator
 from pathlib import Path
 
+from bringup_lint.discover import disk
 from bringup_lint.discover.gitignore import Patterns
 from bringup_lint.discover.reading import read_head
 
@@ -22,7 +23,7 @@ def _folders(path: str) -> Iterator[str]:
     """The folders above a path, up to the top of the repository."""
     for folder in Path(os.path.abspath(path)).parents:
         yield str(folder)
-        if os.path.lexists(folder / ".git"):
+        if disk.lexists(folder / ".git"):
             return
 
 

@@ -15,6 +15,7 @@ from dataclasses import field
 from functools import cached_property
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.discover import disk
 from bringup_lint.discover.kinds import HEAD_SIZE
 from bringup_lint.discover.kinds import kind_of
 from bringup_lint.discover.reading import SIZE_LIMIT
@@ -116,7 +117,7 @@ def top_of(layer: str) -> str:
     """The absolute folder that a layer stands for; of an archive its name without what says how it is packed, because
     ``gz`` in a path says simulation."""
     top = os.path.abspath(layer)
-    return top if os.path.isdir(top) else _PACKED.sub(".tar", top)
+    return top if disk.isdir(top) else _PACKED.sub(".tar", top)
 
 
 def _inner(name: str) -> str | None:
@@ -134,7 +135,7 @@ def folder_entries(folder: str, excluded: Callable[[str], bool]) -> dict[str, En
     top = os.path.abspath(folder)
     found = {}
     for path in walk(top, excluded):
-        link = os.readlink(path) if os.path.islink(path) else None
+        link = disk.readlink(path) if disk.islink(path) else None
         found[os.path.relpath(path, top)] = Entry(path, link=link, on_disk=True)
     return found
 
@@ -250,7 +251,7 @@ def layered(layers: Iterable[str], tops: Iterable[str], excluded: Callable[[str]
     layers = list(layers)
     places: dict[str, Entry] = {}
     for layer in layers:
-        found = folder_entries(layer, excluded) if os.path.isdir(layer) else archive_entries(layer)
+        found = folder_entries(layer, excluded) if disk.isdir(layer) else archive_entries(layer)
         places.update(found)
     layers = [top_of(layer) for layer in layers]
     present = {place.partition("/")[0] for place in places}

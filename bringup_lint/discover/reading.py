@@ -9,6 +9,12 @@ from collections.abc import Iterator
 from collections.abc import Mapping
 from itertools import pairwise
 
+from bringup_lint.discover.disk import opened
+from bringup_lint.discover.record import FLAGS
+from bringup_lint.discover.record import FOLLOWED
+from bringup_lint.discover.record import HEAD
+from bringup_lint.discover.record import WHOLE
+
 SIZE_LIMIT = 8 * 1024 * 1024
 """Bytes. No configuration file of a robot comes near; a larger one is reported and not read."""
 
@@ -26,10 +32,6 @@ class Unreadable(Exception):
         """Whether another user could read it."""
 
 
-FLAGS = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_CLOEXEC", 0)
-"""Never through a link, and without waiting for the other end of a FIFO."""
-
-
 _PROPOSED: dict[str, bytes] = {}
 
 
@@ -45,16 +47,24 @@ def proposed(texts: Mapping[str, bytes]) -> Iterator[None]:
 
 def read_head(path: str, size: int) -> str:
     """The first bytes of a regular file as text; empty when there is nothing to read."""
+    question = f"{HEAD}{size}"
     try:
         descriptor = os.open(path, FLAGS)
-    except (OSError, ValueError):
+    except ValueError:
+        return ""
+    except OSError as error:
+        opened(question, path, error)
         return ""
     try:
-        if not stat.S_ISREG(os.fstat(descriptor).st_mode):
+        status = os.fstat(descriptor)
+        if not stat.S_ISREG(status.st_mode):
+            opened(question, path, status)
             return ""
         data = _PROPOSED[path][:size] if path in _PROPOSED else os.read(descriptor, size)
+        opened(question, path, status, data)
         return data.decode("utf-8", errors="replace")
-    except OSError:
+    except OSError as error:
+        opened(question, path, error)
         return ""
     finally:
         os.close(descriptor)
@@ -65,14 +75,18 @@ def read_bytes(path: str, limit: int = SIZE_LIMIT, *, follow: bool = False) -> t
 
     ``follow`` takes a link for the file that it leads to: right for what the user names, not for what a tree holds.
     """
+    question = f"{FOLLOWED if follow else WHOLE}{limit}"
     try:
         descriptor = os.open(path, FLAGS & ~getattr(os, "O_NOFOLLOW", 0) if follow else FLAGS)
     except ValueError as error:
         raise Unreadable(str(error)) from error
     except OSError as error:
+        opened(question, path, error)
         raise Unreadable(error) from error
     try:
         status = os.fstat(descriptor)
+        if not stat.S_ISREG(status.st_mode) or status.st_size > limit:
+            opened(question, path, status)
         if not stat.S_ISREG(status.st_mode):
             raise Unreadable(f"not a regular file but {describe(status.st_mode)}")
         if status.st_size > limit:
@@ -80,8 +94,11 @@ def read_bytes(path: str, limit: int = SIZE_LIMIT, *, follow: bool = False) -> t
                 f"{status.st_size / 1024 / 1024:.0f} MiB is more than the {limit // 1024 // 1024} MiB limit"
             )
         with os.fdopen(descriptor, "rb", closefd=False) as file:
-            return _PROPOSED[path] if path in _PROPOSED else file.read(limit), status
+            data = _PROPOSED[path] if path in _PROPOSED else file.read(limit)
+        opened(question, path, status, data)
+        return data, status
     except OSError as error:
+        opened(question, path, error)
         raise Unreadable(error) from error
     finally:
         os.close(descriptor)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
+from bringup_lint.discover import disk
 from bringup_lint.pattern import regex
 
 VENDOR_FOLDERS = (
@@ -40,10 +41,10 @@ _OVERLAY = regex(r"(?:^|/)((?:etc|usr/lib|usr/local|lib/systemd|lib/udev|run/sys
 def is_root(folder: Path) -> bool:
     """Whether the folder is a root file system: it names its release and its users, and has a /usr."""
     release = (folder / "etc/os-release", folder / "usr/lib/os-release")
-    if not any(map(os.path.lexists, release)):
+    if not any(map(disk.lexists, release)):
         return False
     users, programs = resolve_inside(folder, "/etc/passwd"), resolve_inside(folder, "/usr")
-    return users is not None and users.is_file() and programs is not None and programs.is_dir()
+    return users is not None and disk.isfile(users) and programs is not None and disk.isdir(programs)
 
 
 def root_of(path: Path) -> Path | None:
@@ -69,7 +70,7 @@ def overlay_path(path: str) -> tuple[str, str] | None:
 
 def resolve_inside(root: Path, path: str, hops: int = 40) -> Path | None:
     """Follow a path as the system booted from ``root`` would; None when it leaves the root, loops or dangles."""
-    base = os.path.realpath(root)
+    base = disk.realpath(root)
     pending = [part for part in path.split("/") if part not in ("", ".")][::-1]
     done: list[str] = []
     while pending:
@@ -79,7 +80,7 @@ def resolve_inside(root: Path, path: str, hops: int = 40) -> Path | None:
             continue
         here = os.path.join(base, *done, part)
         try:
-            target = os.readlink(here)
+            target = disk.readlink(here)
         except OSError:
             done.append(part)
             continue
@@ -90,4 +91,4 @@ def resolve_inside(root: Path, path: str, hops: int = 40) -> Path | None:
             done = []
         pending += [step for step in target.split("/") if step not in ("", ".")][::-1]
     resolved = os.path.join(base, *done)
-    return Path(resolved) if os.path.exists(resolved) else None
+    return Path(resolved) if disk.exists(resolved) else None

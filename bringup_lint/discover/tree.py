@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import glob
 import os
 import re
 import stat
@@ -15,6 +14,7 @@ from functools import cached_property
 from pathlib import Path
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.discover import disk
 from bringup_lint.discover.git_index import UnknownFormat
 from bringup_lint.discover.git_index import index_of
 from bringup_lint.discover.git_index import read_index
@@ -95,8 +95,8 @@ class Tree:
         """Whether a path lies in the tree, and no link on the way leads out of it."""
         folder = os.path.dirname(os.path.abspath(path))
         if folder not in self._held:
-            real = tuple(map(os.path.realpath, self.tops))
-            self._held[folder] = is_below(folder, self.tops) and is_below(os.path.realpath(folder), real)
+            real = tuple(map(disk.realpath, self.tops))
+            self._held[folder] = is_below(folder, self.tops) and is_below(disk.realpath(folder), real)
         return self._held[folder]
 
     def read(self, path: str, kind: str = "", judged: bool | None = None) -> Source | None:
@@ -124,14 +124,14 @@ class Tree:
 
     def _text(self, path: str, source: Source) -> tuple[str, str]:
         """The text of a file, and what was wrong with its encoding."""
-        if os.path.islink(path):
-            source.link = os.readlink(path)
+        if disk.islink(path):
+            source.link = disk.readlink(path)
             target = self._link_target(path)
             if target is None:
                 return "", ""
             path = str(target)
         shown = None if self.held is None else self.held.texts.get(path)
-        if shown is not None and not os.path.lexists(path):
+        if shown is not None and not disk.lexists(path):
             return shown, ""
         data, status = read_bytes(path)
         if self.root is not None and not (self._is_checkout and self.tracked(path)):
@@ -144,7 +144,7 @@ class Tree:
         """The file behind a link, if it lies inside the tree."""
         if self.root is not None:
             return resolve_inside(self.root, "/" + os.path.relpath(path, self.root))
-        target = os.path.realpath(path)
+        target = disk.realpath(path)
         return Path(target) if target in self._paths.get(os.path.basename(target), ()) else None
 
     def robot_path(self, path: str) -> str | None:
@@ -173,7 +173,7 @@ class Tree:
             return None
         if self.root is not None:
             path = resolve_inside(self.root, robot_path)
-            return self._referred(str(path)) if path and path.is_file() else None
+            return self._referred(str(path)) if path and disk.isfile(path) else None
         walked = self._by_suffix(robot_path)
         return None if walked is None else self._referred(walked)
 
@@ -211,31 +211,31 @@ class Tree:
     def real_path(self, path: str) -> str:
         """The absolute path without links; links that lead nowhere, or out of the tree, stay as they are."""
         path = os.path.abspath(path)
-        return os.path.realpath(path) if self.holds(path) and self.holds(os.path.realpath(path)) else path
+        return disk.realpath(path) if self.holds(path) and self.holds(disk.realpath(path)) else path
 
     def exists(self, path: str) -> bool:
         """Whether there is a file, folder or link at a path of the tree, walked or not. Nobody looks for what lies
         outside: it is taken to be there."""
-        return not self.holds(path) or os.path.lexists(path)
+        return not self.holds(path) or disk.lexists(path)
 
     def matches(self, pattern: str) -> bool:
         """Whether a path of the tree, walked or not, matches a shell pattern. What may lie outside is taken to be
         there."""
         certain = re.split(r"[*?[]", pattern, maxsplit=1)[0]
         inner = pattern[len(certain) :].split("/")
-        return not self.holds(certain) or ".." in inner or next(glob.iglob(pattern), None) is not None
+        return not self.holds(certain) or ".." in inner or disk.matches(pattern)
 
     def is_file(self, path: str) -> bool:
         """Whether there is a file, or a link to one of the tree."""
-        return self.holds(path) and self.holds(os.path.realpath(path)) and os.path.isfile(path)
+        return self.holds(path) and self.holds(disk.realpath(path)) and disk.isfile(path)
 
     def is_link(self, path: str) -> bool:
-        return self.holds(path) and os.path.islink(path)
+        return self.holds(path) and disk.islink(path)
 
     def is_executable(self, path: str) -> bool:
         """Whether the mode of a file lets somebody execute it."""
         try:
-            return not self.is_file(path) or bool(os.stat(path).st_mode & 0o111)
+            return not self.is_file(path) or bool(disk.stat(path).st_mode & 0o111)
         except OSError:
             return True
 
@@ -249,11 +249,11 @@ class Tree:
         """Whether a link leads nowhere; what an absolute one leads to is known on the robot only, and nobody looks for
         what lies outside of the tree."""
         try:
-            if not self.holds(path) or os.path.isabs(os.readlink(path)):
+            if not self.holds(path) or os.path.isabs(disk.readlink(path)):
                 return False
         except OSError:
             return False
-        return self.holds(os.path.realpath(path)) and not os.path.exists(path)
+        return self.holds(disk.realpath(path)) and not disk.exists(path)
 
     @cached_property
     def submodules(self) -> list[str]:
@@ -280,7 +280,7 @@ class Tree:
     def names_below(folder: str, depth: int) -> Iterator[str]:
         """The names of the files below a folder, walked or not, down to so many folders; of very many the first."""
         seen = 0
-        for here, folders, names in os.walk(folder):
+        for here, folders, names in disk.walk(folder):
             yield from names
             seen += len(names) + len(folders)
             if here.count("/") - folder.count("/") > depth or seen > _MOST_NAMES:
@@ -321,7 +321,7 @@ class Tree:
         if self.root is not None and self.complete:
             folder, _, name = robot_path.rstrip("/").rpartition("/")
             inside = resolve_inside(self.root, folder)
-            return inside is not None and os.path.lexists(inside / name)
+            return inside is not None and disk.lexists(inside / name)
         return True if self.find(robot_path) is not None else None
 
     @property
@@ -340,7 +340,7 @@ class Tree:
             return None
         path = resolve_inside(self.root, folder)
         try:
-            return sorted(os.listdir(path)) if path else []
+            return disk.listdir(path) if path else []
         except OSError:
             return None
 

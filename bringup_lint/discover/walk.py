@@ -10,6 +10,7 @@ from collections.abc import Iterable
 from collections.abc import Iterator
 from pathlib import Path
 
+from bringup_lint.discover import disk
 from bringup_lint.discover.held import Held
 from bringup_lint.discover.kinds import HEAD_SIZE
 from bringup_lint.discover.kinds import kind_of
@@ -89,7 +90,7 @@ def discover(
         if leads_out(tree, path):
             _leave_out(tree, path, _LEADS_OUT)
             continue
-        if not os.path.isdir(path):
+        if not disk.isdir(path):
             _read_named(tree, path, walked)
             continue
         for file in walk(path, excluded, lambda folder, error: _unreadable(tree, folder, error), ignored=ignored):
@@ -97,7 +98,7 @@ def discover(
     if tree.root is not None:
         _read_context(tree, walked, _context_folders(tree.root))
     else:
-        files = [path for path in paths if not os.path.isdir(path) and not leads_out(tree, path)]
+        files = [path for path in paths if not disk.isdir(path) and not leads_out(tree, path)]
         _read_context(tree, walked, sorted({top for path in files if (top := repository_of(path))}), excluded)
     tree.sources.sort(key=lambda source: source.name)
     return tree
@@ -105,11 +106,9 @@ def discover(
 
 def _context_folders(root: Path) -> list[str]:
     """/etc and the vendor's folders; what lies behind a link (``/lib`` on a merged /usr) has another name there."""
-    base = os.path.realpath(root)
+    base = disk.realpath(root)
     plain = [
-        folder
-        for folder in VENDOR_FOLDERS
-        if os.path.realpath(os.path.join(root, folder)) == os.path.join(base, folder)
+        folder for folder in VENDOR_FOLDERS if disk.realpath(os.path.join(root, folder)) == os.path.join(base, folder)
     ]
     return [os.path.join(root, folder) for folder in ("etc", *plain)]
 
@@ -141,17 +140,17 @@ def inside_resolved(root: Path, path: str) -> str:
     configuration itself stays one."""
     place = inside(root, path)
     relative = os.path.relpath(place, root)
-    if relative.startswith("..") or not os.path.islink(place) or kind_of_link(place):
+    if relative.startswith("..") or not disk.islink(place) or kind_of_link(place):
         return place
     found = resolve_inside(root, relative)
-    return place if found is None else os.path.join(root, os.path.relpath(found, os.path.realpath(root)))
+    return place if found is None else os.path.join(root, os.path.relpath(found, disk.realpath(root)))
 
 
 def missing(paths: Iterable[str], root: str | None) -> str:
     """What to say of the first path that does not exist; empty when all do."""
     for path in paths:
         place = os.path.abspath(path) if root is None else inside(Path(root).absolute(), path)
-        if not os.path.lexists(place):
+        if not disk.lexists(place):
             near = meant(os.path.basename(place), _names_in(os.path.dirname(place)))
             there = os.path.join(os.path.dirname(path.rstrip("/")), near) if near else ""
             return f"there is no '{path}'" + (f"; did you mean '{there}'?" if there else "")
@@ -160,7 +159,7 @@ def missing(paths: Iterable[str], root: str | None) -> str:
 
 def _names_in(folder: str) -> list[str]:
     try:
-        return sorted(os.listdir(folder))
+        return disk.listdir(folder)
     except OSError:
         return []
 
@@ -176,8 +175,7 @@ def walk(
     told of folders that cannot be, and ``ignored`` of those in which colcon builds nothing."""
     ignored = set() if ignored is None else ignored
     try:
-        with os.scandir(top) as iterator:
-            entries = sorted(iterator, key=lambda entry: entry.name)
+        entries = disk.scandir(top)
     except OSError as error:
         failed(top, error)
         return
@@ -211,7 +209,7 @@ def _read_walked(tree: Tree, path: str, walked: set[str], ignored: Collection[st
     kind = kind_of(display_name(path), lambda: tree.start(path, HEAD_SIZE))
     if not kind or (kind in _OF_PACKAGES and is_below(path, ignored)):
         return
-    if os.path.islink(path) and not _is_meant(tree, path, kind):
+    if disk.islink(path) and not _is_meant(tree, path, kind):
         return
     source = tree.read(path, kind, judged)
     if source is not None:
@@ -222,7 +220,7 @@ def _is_meant(tree: Tree, path: str, kind: str) -> bool:
     """Whether a link says something of its own: links between units do, links to /dev/null mask udev rules, and in a
     root file system udev reads the file behind a link. Elsewhere a link only shows a file twice."""
     if kind == "udev-rules":
-        return tree.root is not None or os.readlink(path) == "/dev/null"
+        return tree.root is not None or disk.readlink(path) == "/dev/null"
     return kind.startswith("systemd")
 
 
@@ -241,7 +239,7 @@ def _top_of(path: str) -> str:
     """The folder that holds the tree of a path on the command line: the repository around it, else the working folder
     when it lies below that, else the path itself, or the folder of a file."""
     here = os.getcwd()
-    near = here if is_below(path, (here,)) else path if os.path.isdir(path) else os.path.dirname(path)
+    near = here if is_below(path, (here,)) else path if disk.isdir(path) else os.path.dirname(path)
     return repository_of(os.path.join(path, "inside")) or near
 
 
@@ -250,12 +248,12 @@ def leads_out(tree: Tree, path: str) -> bool:
     if path in tree.tops:
         return False
     if tree.root is not None:
-        return os.path.islink(path) and _leaves(path, str(tree.root))
+        return disk.islink(path) and _leaves(path, str(tree.root))
     return any(is_below(path, (top,)) and _leaves(path, top) for top in tree.tops)
 
 
 def _leaves(path: str, top: str) -> bool:
-    return not is_below(os.path.realpath(path), (os.path.realpath(top),))
+    return not is_below(disk.realpath(path), (disk.realpath(top),))
 
 
 def _read_named(tree: Tree, path: str, walked: set[str]) -> None:
@@ -265,13 +263,13 @@ def _read_named(tree: Tree, path: str, walked: set[str]) -> None:
     walked.add(path)
     tree.remember(path)
     try:
-        mode = os.stat(path).st_mode
+        mode = disk.stat(path).st_mode
         if not stat.S_ISREG(mode):
             raise OSError(f"not a regular file but {describe(mode)}")
     except OSError as error:
         _unreadable(tree, path, error)
         return
-    path = path if kind_of_link(path) else os.path.realpath(path)
+    path = path if kind_of_link(path) else disk.realpath(path)
     kind = kind_of(display_name(path), lambda: tree.start(path, HEAD_SIZE))
     source = tree.read(path, kind, judged=True)
     if source is not None and kind:
@@ -282,7 +280,7 @@ def _read_named(tree: Tree, path: str, walked: set[str]) -> None:
 
 def kind_of_link(path: str) -> bool:
     """Whether a link is itself the configuration, as the links in ``.wants`` are."""
-    return os.path.islink(path) and kind_of(display_name(path), lambda: "").startswith("systemd")
+    return disk.islink(path) and kind_of(display_name(path), lambda: "").startswith("systemd")
 
 
 def _is_vendor(tree: Tree, file: str, named: str) -> bool:
@@ -295,7 +293,7 @@ def _is_vendor(tree: Tree, file: str, named: str) -> bool:
 
 def repository_of(path: str) -> str | None:
     """The top of the git repository that a file lies in: the rest of it tells what the file alone cannot."""
-    return next((str(folder) for folder in Path(path).parents if os.path.lexists(folder / ".git")), None)
+    return next((str(folder) for folder in Path(path).parents if disk.lexists(folder / ".git")), None)
 
 
 def _read_context(

@@ -14,6 +14,7 @@ from tests.conftest import PROJECT
 
 ALLOWED = {
     "discover": "reads the tree",
+    "cache": "keeps answers in a folder of the user, and looks whether the program is the same",
     "cli": "reads what the command line names, and writes reports",
     "live": "starts the process that looks at the running graph",
     "fleet": "reads the inventory, and asks whether there is what it names",

@@ -26,7 +26,7 @@ LAYERS = (
     {"isolation"},
     {"fix", "baseline", "suppress", "config", "registry"},
     {"rule_index"},
-    {"report", "live", "writing"},
+    {"cache", "report", "live", "writing"},
     {"api"},
     {"robot", "fleet.fleet"},
     {"graph.edges", "graph.observed", "graph.secrets"},

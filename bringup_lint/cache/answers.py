@@ -1,0 +1,140 @@
+"""The answer to a command line: found again, or kept.
+
+An entry holds what the run said, which is masked as every report is, and everything that it looked at. It is data that
+is read strictly, and sealed with a key that only this folder has: what is damaged, or comes from elsewhere, is no
+answer.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable
+from collections.abc import Iterator
+from collections.abc import Sequence
+from hashlib import blake2b
+from typing import Any
+from typing import NamedTuple
+
+from bringup_lint.cache.folder import Folder
+from bringup_lint.cache.folder import opened
+from bringup_lint.cache.program import program
+from bringup_lint.discover.again import fact_now
+from bringup_lint.discover.record import Record
+from bringup_lint.discover.record import Seen
+from bringup_lint.discover.record import stamp_of
+
+_FORMAT = b"bringup-lint answer 1\n"
+_SEAL = 32
+
+
+class Answer(NamedTuple):
+    """What a run said, and how it ended."""
+
+    text: str
+    """On standard output."""
+    said: str
+    """On standard error, with its line ends."""
+    code: int
+
+
+class Question:
+    """A command line, with all of its surroundings that no file tells."""
+
+    def __init__(self, words: Iterable[str], *, by_content: bool = False):
+        """``words`` are everything that decides over the answer and does not lie on the disk."""
+        self.by_content = by_content
+        asked = json.dumps([by_content, *words]).encode()
+        self._name = blake2b(asked, digest_size=16).hexdigest()
+        self._program = ""
+
+    def answer(self) -> Answer | None:
+        """The answer of an earlier run, if that would be the answer now."""
+        with opened(create=False) as folder:
+            return self._found(folder) if folder else None
+
+    def _found(self, folder: Folder) -> Answer | None:
+        data, key = folder.read(self._name), folder.key()
+        entry = data and key and _unsealed(data, key)
+        if not entry or entry["name"] != self._name or entry["program"] != self.started():
+            return None
+        seen = [Seen(*look) for look in entry["seen"]]
+        now = list(self._as_before(seen))
+        if len(now) < len(seen):
+            return None
+        if now != seen and key:
+            folder.write(self._name, _sealed({**entry, "seen": now}, key))
+        return Answer(entry["text"], entry["said"], entry["code"])
+
+    def keep(self, answer: Answer, record: Record) -> None:
+        """Keep the answer of this run, which looked at what is recorded."""
+        if not record.is_whole or not _is_text(answer) or program(by_content=self.by_content) != self.started():
+            return
+        with opened(create=True) as folder:
+            if folder and (key := folder.key()):
+                entry = {"name": self._name, "program": self._program, "seen": list(record), **answer._asdict()}
+                folder.write(self._name, _sealed(entry, key))
+                folder.tidy()
+
+    def started(self) -> str:
+        """The program that answers, as it is when that is first asked: before it loads the rules."""
+        self._program = self._program or program(by_content=self.by_content)
+        return self._program
+
+    def _as_before(self, seen: Iterable[Seen]) -> Iterator[Seen]:
+        """The looks with their stamps of now, up to the first that would show something else."""
+        for look in seen:
+            stamp = "" if self.by_content else stamp_of(look.question, look.path)
+            if not stamp or stamp != look.stamp:
+                if fact_now(look.question, look.path) != look.fact:
+                    return
+                look = look._replace(stamp=stamp or look.stamp)
+            yield look
+
+
+def _is_text(answer: Answer) -> bool:
+    """Whether it can be written as it is: names of files may hold bytes that no encoding has."""
+    try:
+        (answer.text + answer.said).encode("utf-8")
+    except UnicodeEncodeError:
+        return False
+    return True
+
+
+def _sealed(entry: dict[str, Any], key: bytes) -> bytes:
+    body = json.dumps(entry).encode()
+    return _FORMAT + blake2b(body, key=key, digest_size=_SEAL).digest() + body
+
+
+def _unsealed(data: bytes, key: bytes) -> dict[str, Any] | None:
+    """The entry; None for anything that this program did not write here."""
+    start = len(_FORMAT) + _SEAL
+    body = data[start:]
+    if not data.startswith(_FORMAT) or blake2b(body, key=key, digest_size=_SEAL).digest() != data[len(_FORMAT) : start]:
+        return None
+    try:
+        entry = json.loads(body)
+    except (ValueError, RecursionError):
+        return None
+    return entry if _is_entry(entry) else None
+
+
+_TEXTS = ("name", "program", "text", "said")
+
+
+def _is_entry(entry: object) -> bool:
+    return (
+        isinstance(entry, dict)
+        and entry.keys() == {*_TEXTS, "code", "seen"}
+        and all(isinstance(entry[name], str) for name in _TEXTS)
+        and entry["code"] in (0, 1)
+        and isinstance(entry["seen"], list)
+        and all(map(_is_look, entry["seen"]))
+    )
+
+
+def _is_look(look: Any) -> bool:
+    return isinstance(look, list) and len(look) == len(Seen._fields) and _are_texts(look)
+
+
+def _are_texts(values: Sequence[object]) -> bool:
+    return all(isinstance(value, str) for value in values)
