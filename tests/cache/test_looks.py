@@ -172,7 +172,7 @@ def close(path: Path, content: str) -> None:
 
 
 def move(path: Path, content: str) -> None:
-    if path.parent.is_dir():
+    if path.parent.is_dir() and path.parent.name:
         path.parent.rename(path.parent.with_name("elsewhere" if path.parent.name != "elsewhere" else "back"))
 
 
