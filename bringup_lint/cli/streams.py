@@ -56,7 +56,7 @@ def say(message: object) -> None:
 
 
 def repeat(lines: str) -> None:
-    """What was said before, once more on standard error."""
+    """Text as it is, on standard error: what was said before."""
     if sys.stderr is not None:
         with contextlib.suppress(OSError, ValueError):
             sys.stderr.write(lines)
@@ -96,7 +96,7 @@ def _let_go() -> None:
 
 def overwrite(line: str) -> None:
     """A line on the terminal in place of the one before it; an empty one takes that away."""
-    click.echo(f"\r{plain(line)}\x1b[K", nl=False, err=True)
+    repeat(f"\r{plain(line)}\x1b[K")
 
 
 def plain(message: str) -> str:
