@@ -22,6 +22,7 @@ from bringup_lint.graph.dds.cyclonedds_names import renamed
 from bringup_lint.graph.dds.cyclonedds_names import taken_by
 from bringup_lint.graph.dds.fastdds_names import first_named
 from bringup_lint.graph.dds.fastdds_names import initial_peers
+from bringup_lint.graph.dds.fastdds_names import is_beside
 from bringup_lint.graph.dds.fastdds_names import meant_name
 from bringup_lint.graph.dds.fastdds_names import multicast_peers
 from bringup_lint.graph.dds.fastdds_names import number
@@ -66,6 +67,7 @@ __all__ = [
     "interface_of_device",
     "interface_with",
     "interfaces_instead",
+    "is_beside",
     "is_routed",
     "least_buffers",
     "may_exist",

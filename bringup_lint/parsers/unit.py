@@ -25,17 +25,23 @@ _LINE = regex(r"([^\r\n]*)(?:\r\n|[\r\n]|\Z)")
 _BLANK = " \t\n\r"
 LONGEST = 1024 * 1024
 """Bytes of a line (LONG_LINE_MAX)."""
+TOO_LONG = "line-too-long"
+_SHOWN = 20
+"""Characters of such a line."""
 _TEMPLATE_LINE = regex(r"\{%.*%\}|\{#.*#\}|@\[.*\]|(?:m4_)?(?:ifdef|ifelse|dnl|divert)\b|<%|#(?:if|else|endif)\b")
 
 
 def parse(source: Source) -> UnitFile:
     """Read a unit file or drop-in. Never raises; what systemd would drop is in ``problems``: ``bad-section-header``,
-    ``line-outside-section``, ``missing-equals``, ``continuation-at-end``, ``backslash-blank``.
+    ``line-outside-section``, ``missing-equals``, ``continuation-at-end``, ``backslash-blank``; and ``line-too-long``,
+    for which it drops the whole file.
 
     In a template, a line without ``=`` is a macro that may open another section: what follows it belongs to none."""
     unit = UnitFile(source, *unit_name(source))
     unit.uncertain = bool(source.template) and has_control_flow(source.text)
-    if len(source.text) > LONGEST and _has_endless_line(source):
+    endless = _endless_line(source) if len(source.text) > LONGEST else None
+    if endless is not None:
+        unit.problems.append(Problem(TOO_LONG, endless))
         unit.uncertain = True
         return unit
     section: Section | None = None
@@ -58,9 +64,10 @@ def parse(source: Source) -> UnitFile:
     return unit
 
 
-def _has_endless_line(source: Source) -> bool:
-    """Whether a line is so long that systemd does not load the file."""
-    return any(len(line.encode("utf-8", "replace")) > LONGEST for line in logical_lines(source, []))
+def _endless_line(source: Source) -> Located | None:
+    """The start of the first line that is so long that systemd does not load the file."""
+    lines = (line for line in logical_lines(source, []) if len(line.encode("utf-8", "replace")) > LONGEST)
+    return next((line.part(0, _SHOWN) for line in lines), None)
 
 
 def logical_lines(source: Source, problems: list[Problem]) -> Iterator[Located]:

@@ -2,7 +2,8 @@
 
 ## What it finds
 A file or folder that cannot be read: no permission, a FIFO or device instead of a file, a file above the size
-limit, or a file that disappeared during the run.
+limit, or a file that disappeared during the run. Also a unit with a line of more than 1 MiB, continuations included:
+systemd does not load it either.
 
 ## Why it matters on a robot
 A file that is not read is not checked: a mistake in it stays hidden.
@@ -37,3 +38,5 @@ def unreadable(robot: Robot) -> Iterator[Finding]:
     for problem in robot.problems:
         if problem.code == "unreadable":
             yield finding(problem.where, f"Not checked: {problem.detail}")
+    for line in robot.units.endless_lines:
+        yield finding(line, "Not checked: this line is longer than 1 MiB, and systemd refuses the whole file")

@@ -104,6 +104,16 @@ def test_large_file_is_reported_not_read(tree: Path) -> None:
     assert "large.service:1:1: error[lint/unreadable]" in run.stdout
 
 
+@pytest.mark.parametrize("line", ["A=" + "x" * (1 << 20) + "\n", "A=x \\\n" + ("x" * 1000 + " \\\n") * 1100 + "y\n"])
+def test_a_line_for_which_systemd_refuses_a_unit_is_reported(tree: Path, line: str) -> None:
+    (tree / "long.service").write_text(f"[Service]\nExecStart=/bin/true\nEnvironment={line}")
+    run = concise(cwd=tree)
+    assert got_through(run)
+    assert "long.service:3:1: error[lint/unreadable] Not checked: this line is longer than 1 MiB" in run.stdout
+    (tree / "long.service").write_text(f"[Service]\nExecStart=/bin/true\nEnvironment={line[-900_000:]}")
+    assert "lint/unreadable" not in "".join(each for each in concise(cwd=tree).stdout.splitlines() if "long" in each)
+
+
 def test_million_lines(tree: Path) -> None:
     (tree / "long.service").write_text("[Service]\n" + "A=1\n" * 1_000_000)
     assert got_through(concise(cwd=tree))

@@ -11,7 +11,7 @@ import pytest
 from bringup_lint.registry import Registry
 from tests.conftest import PROJECT
 from tests.lint import lint
-from tests.oracles.judges import judge_of
+from tests.oracles.judges import judges_of
 from tests.rules.test_fixes import FIXES
 from tests.rules.test_fixes import source
 from tests.rules.test_fixes import texts
@@ -42,8 +42,8 @@ def judges(tmp_path: Path) -> dict[str, set[str]]:
         old = texts(folder)
         lint("--fix", "--unsafe-fixes", "--select", rule_id, *arguments(folder), cwd=folder)
         for name, data in texts(folder).items():
-            if data != old.get(name) and (found := judge_of(source(name, data).kind)):
-                tools[rule_id].add(found[0])
+            if data != old.get(name):
+                tools[rule_id] |= {tool for tool, _ in judges_of(source(name, data).kind)}
     return tools
 
 

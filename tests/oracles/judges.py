@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import ast
+import importlib.util
 import re
 import shutil
 import subprocess
+import tempfile
 from collections import Counter
 from collections.abc import Callable
+from collections.abc import Iterator
 from pathlib import Path
 
 import yaml
@@ -15,6 +18,9 @@ import yaml
 from bringup_lint.suppress.forms import PYTHON_KINDS
 from bringup_lint.suppress.forms import XML_KINDS
 from bringup_lint.suppress.forms import YAML_KINDS
+from tests.oracles import sshd_server
+from tests.oracles import test_netplan
+from tests.oracles import test_params
 from tests.oracles import udevadm
 from tests.oracles import verify
 
@@ -74,19 +80,58 @@ def libxml2(path: Path) -> Counter[str]:
     return Counter()
 
 
-def judge_of(kind: str) -> tuple[str, Judge] | None:
-    """The tool that reads files of a kind, and how to ask it; None where there is none for the tests."""
-    if kind in ("systemd-unit", "systemd-dropin"):
-        return "systemd-analyze verify", systemd
-    if kind == "logrotate":
-        return "logrotate -d", logrotate
-    if kind == "udev-rules":
-        return "udevadm verify", udev
+def netplan(path: Path) -> Counter[str]:
+    with tempfile.TemporaryDirectory() as folder:
+        verdict = test_netplan.real(path.read_text("utf-8-sig"), Path(folder, "root"))
+    return Counter() if verdict.accepted else Counter([re.sub(r"\d+", "0", verdict.message)])
+
+
+def sshd(path: Path) -> Counter[str]:
+    with sshd_server.sshd_folder() as folder:
+        run = sshd_server.sshd(folder, path.read_text("utf-8"), "-t")
+    lines = run.stderr.replace(str(folder), "").splitlines()
+    return Counter(re.sub(r"\d+", "0", line) for line in lines)
+
+
+def rcl(path: Path) -> Counter[str]:
+    (table,) = test_params.ask([{"text": path.read_text("utf-8")}])
+    return Counter(["refused"] if table is None else [])
+
+
+def findmnt(path: Path) -> Counter[str]:
+    """What it says of the words; whether a device is there depends on the host."""
+    run = subprocess.run(["findmnt", "--verify", "--tab-file", str(path)], capture_output=True, text=True, check=False)
+    lines = (line.strip() for line in (run.stdout + run.stderr).splitlines())
+    return Counter(re.sub(r"\d+", "0", line) for line in lines if re.search(r"parse error|wrong|undefined", line))
+
+
+READERS: dict[str, tuple[str, Judge]] = {
+    "systemd-unit": ("systemd-analyze verify", systemd),
+    "systemd-dropin": ("systemd-analyze verify", systemd),
+    "logrotate": ("logrotate -d", logrotate),
+    "udev-rules": ("udevadm verify", udev),
+    "netplan": ("netplan generate", netplan),
+    "sshd-config": ("sshd -t", sshd),
+    "params": ("rcl", rcl),
+    "fstab": ("findmnt --verify", findmnt),
+}
+"""Kind -> the program that reads it on a robot, and how to ask it."""
+
+
+STOPS = frozenset(["netplan generate"])
+"""Tools that say nothing after the first mistake: without it, they come to the next one."""
+
+
+def judges_of(kind: str) -> Iterator[tuple[str, Judge]]:
+    """The tools that read files of a kind, and how to ask them."""
+    if kind in READERS:
+        yield READERS[kind]
     if kind in PYTHON_KINDS:
-        return "Python's ast", python
+        yield "Python's ast", python
     if kind in YAML_KINDS:
-        return "libyaml", libyaml
-    return ("libxml2", libxml2) if kind in XML_KINDS else None
+        yield "libyaml", libyaml
+    if kind in XML_KINDS:
+        yield "libxml2", libxml2
 
 
 def is_installed(tool: str) -> bool:
@@ -94,4 +139,11 @@ def is_installed(tool: str) -> bool:
         return udevadm.udevadm() is not None
     if tool == "systemd-analyze verify":
         return verify.systemd_version() >= 250
-    return not tool.startswith("logrotate") or shutil.which("logrotate") is not None
+    if tool == "netplan generate":
+        return test_netplan.generator() is not None
+    if tool == "sshd -t":
+        return sshd_server.SSHD is not None and shutil.which("ssh-keygen") is not None
+    if tool == "rcl":
+        return importlib.util.find_spec("rclpy") is not None
+    program = tool.partition(" ")[0]
+    return program not in ("logrotate", "findmnt") or shutil.which(program) is not None

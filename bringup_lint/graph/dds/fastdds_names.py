@@ -18,6 +18,7 @@ from bringup_lint.model.xml import Element
 from bringup_lint.parsers.fastdds import locators
 from bringup_lint.parsers.fastdds_schema import elsewhere
 from bringup_lint.parsers.fastdds_schema import schema
+from bringup_lint.parsers.xml import parse
 from bringup_lint.pattern import regex
 from bringup_lint.schema.names import find
 from bringup_lint.schema.names import suggestions
@@ -40,6 +41,13 @@ def meant_name(profiles: Profiles, remark: Remark) -> str | None:
     known = {} if item is None else item.children if remark.code == Code.UNKNOWN else item.attributes
     found = suggestions(known, remark.detail)
     return found[0] if len(found) == 1 else None
+
+
+def is_beside(unknown: Located, name: str) -> bool:
+    """Whether an element of a name is beside the one whose name is unknown."""
+    element = next((each for each in parse(unknown.span.source).elements if each.name.span == unknown.span), None)
+    parent = element.parent if element else None
+    return parent is not None and any(each.local == name for each in parent.children)
 
 
 def versions_with(profiles: Profiles, remark: Remark) -> list[str]:

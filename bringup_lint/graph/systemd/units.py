@@ -43,8 +43,11 @@ from bringup_lint.graph.systemd.user_database import UserDatabase
 from bringup_lint.graph.systemd.waits import Wait
 from bringup_lint.graph.systemd.waits import longest_wait
 from bringup_lint.model.unit import UnitFile
+from bringup_lint.parsers.unit import LONGEST
+from bringup_lint.parsers.unit import TOO_LONG
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
+from bringup_lint.source import Span
 
 _DDS_VARIABLE = regex(r"(?:ROS|RMW|CYCLONEDDS|FASTRTPS|FASTDDS|ZENOH)_(?!VERSION$|PYTHON_VERSION$)")
 
@@ -84,6 +87,13 @@ class Units(NamedUnits):
         """All unit files and drop-ins that systemd reads, as written, judged ones only."""
         found = [*(file for unit in self.all for file in unit.files), *self.loose]
         return list(dict.fromkeys(file for file in found if file.source.judged))
+
+    @property
+    def endless_lines(self) -> Iterator[Located | Span]:
+        """The starts of lines for whose length systemd refuses their files."""
+        if any(len(source.text) > LONGEST for source in self.files.sources):
+            problems = (problem for file in self.unit_files for problem in file.problems)
+            yield from (problem.where for problem in problems if problem.code == TOO_LONG)
 
     @cached_property
     def keys(self) -> frozenset[str]:
