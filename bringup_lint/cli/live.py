@@ -145,6 +145,7 @@ def seen(robot: Robot, options: dict[str, Any]) -> Source:
     from bringup_lint.live.run import AT_MOST
     from bringup_lint.live.run import look
     from bringup_lint.live.run import merged
+    from bringup_lint.live.systemd import units as running_units
     from bringup_lint.live.text import graph_text
     from bringup_lint.parsers.observed import parse
     from bringup_lint.source import Source
@@ -160,14 +161,15 @@ def seen(robot: Robot, options: dict[str, Any]) -> Source:
         _ = robot.expected
         (graph,) = looking.result()
     secured = os.environ.get("ROS_SECURITY_ENABLE") == "true"
-    text = graph_text(graph, [], told, secured)
+    units = running_units(unit.name for unit in robot.units.judged if unit.manager == "system" and not unit.is_template)
+    text = graph_text(graph, [], told, secured, units)
     observed = robot.compared(parse(Source("", text)))
     if observed.wants or (observed.configured and observed.configured.number != domain):
         others = [each for each in mentioned(robot.ros) if each != domain][:AT_MOST]
         also = f", and at {', '.join(map(str, others))}" if others else ""
         say(f"Looking longer, for what is not there{also} ...")
         again, *elsewhere = look([domain, *others], AGAIN * options["wait"], **how)
-        text = graph_text(merged(graph, again), elsewhere, told, secured)
+        text = graph_text(merged(graph, again), elsewhere, told, secured, units)
     if options["save"]:
         write(text, options["save"])
         return Source(str(options["save"]), text, KIND)
@@ -200,6 +202,10 @@ def _tell(robot: Robot, observed: Observed) -> None:
     """What the files leave open, so that a rule stays silent; on standard error."""
     expected, nodes = robot.expected, len(observed.nodes)
     say(f"Domain {observed.graph.domain} shows {nodes} node{'s' * (nodes != 1)}, tools left out.")
+    for domain, others in observed.elsewhere.items():
+        if others and not nodes:
+            shown = ", ".join(str(node.name) for node in others[:3]) + ", ..." * (len(others) > 3)
+            say(f"Domain {domain} shows {len(others)}: {shown}. Look there with --domain-id {domain}.")
     if expected.ambiguous:
         said = "Several launch files, and nothing says which one runs: name it with --launch to hear of missing nodes."
         say(said)

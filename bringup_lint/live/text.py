@@ -14,9 +14,22 @@ _SHORT = {"liveliness": "automatic"}
 """Policies that are left out where they are like this."""
 
 
-def graph_text(seen: dict[str, Any], elsewhere: Iterable[dict[str, Any]], domain_from: str, secured: bool) -> str:
-    """``seen`` and each of ``elsewhere`` is what ``observe`` prints about a domain."""
-    return "\n".join(_lines(seen, elsewhere, domain_from, secured)) + "\n"
+def graph_text(
+    seen: dict[str, Any],
+    elsewhere: Iterable[dict[str, Any]],
+    domain_from: str,
+    secured: bool,
+    units: Iterable[dict[str, str]] = (),
+) -> str:
+    """``seen`` and each of ``elsewhere`` is what ``observe`` prints about a domain, ``units`` what systemd says."""
+    return "\n".join([*_lines(seen, elsewhere, domain_from, secured), *_units(units)]) + "\n"
+
+
+def _units(units: Iterable[dict[str, str]]) -> Iterator[str]:
+    for number, unit in enumerate(units):
+        if not number:
+            yield "units:"
+        yield f"- {_flow(unit)}"
 
 
 def _lines(seen: dict[str, Any], elsewhere: Iterable[dict[str, Any]], domain_from: str, secured: bool) -> Iterator[str]:

@@ -33,6 +33,22 @@ class Endpoint(NamedTuple):
     qos: Qos
 
 
+class RunningUnit(NamedTuple):
+    """What systemd says of a unit, in the words of ``systemctl show``."""
+
+    name: Located
+    load: Located | None
+    """``loaded``, ``masked``, ``bad-setting``, ``error``."""
+    active: Located | None
+    """``active``, ``inactive``, ``failed``, ..."""
+    result: Located | None
+    """Why it failed: ``exit-code``, ``timeout``, ``start-limit-hit``, ..."""
+    reload: Located | None
+    """There when a file of the unit has changed since systemd has read it."""
+    fragment: Located | None
+    """The unit file that is loaded."""
+
+
 @dataclass(frozen=True, eq=False)
 class ObservedGraph:
     source: Source
@@ -47,3 +63,5 @@ class ObservedGraph:
     elsewhere: tuple[tuple[int, tuple[RunningNode, ...]], ...] = ()
     """Other domains that were looked at, with the nodes there."""
     problems: tuple[Problem, ...] = ()
+    units: tuple[RunningUnit, ...] = ()
+    """The units of the tree that systemd knows where somebody looked."""

@@ -9,6 +9,7 @@ from bringup_lint.model.node_source import Qos
 from bringup_lint.model.observed import Endpoint
 from bringup_lint.model.observed import ObservedGraph
 from bringup_lint.model.observed import RunningNode
+from bringup_lint.model.observed import RunningUnit
 from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.model.yaml_node import Scalar
 from bringup_lint.parsers import yaml_nodes
@@ -37,7 +38,16 @@ def parse(source: Source) -> ObservedGraph:
         tuple(_endpoints(root)),
         tuple(_elsewhere(root)),
         tuple(file.problems),
+        tuple(_units(root)),
     )
+
+
+def _units(root: Mapping) -> Iterator[RunningUnit]:
+    for item in _items(root, "units"):
+        values = _values(item)
+        if "unit" in values:
+            told = (values.get(key) for key in ("load", "active", "result", "reload", "fragment"))
+            yield RunningUnit(values["unit"], *told)
 
 
 def _text(mapping: Mapping, key: str) -> Located | None:

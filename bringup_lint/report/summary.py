@@ -20,15 +20,15 @@ RULES = 12
 
 def ending(report: Report, width: int, paint: Paint) -> str:
     """The summary, after a table of the rules where that is asked for or there is much to read."""
-    return "\n".join((*_table(report), summary(report, width, paint)))
+    return "\n".join((*_table(report, paint), summary(report, width, paint)))
 
 
-def _table(report: Report) -> Iterator[str]:
+def _table(report: Report, paint: Paint) -> Iterator[str]:
     shown = list(report.shown)
     if shown and report.part is Part.STATISTICS:
-        yield from by_rule(shown)
+        yield from by_rule(shown, paint)
     elif len(shown) > LONG:
-        yield from by_rule(shown, RULES)
+        yield from by_rule(shown, paint, RULES)
 
 
 def summary(report: Report, width: int, paint: Paint) -> str:
@@ -54,7 +54,7 @@ def _affected(shown: list[Finding], files: int) -> str:
     return f"{affected} of " if affected < files else ""
 
 
-def by_rule(shown: list[Finding], limit: int | None = None) -> Iterator[str]:
+def by_rule(shown: list[Finding], paint: Paint, limit: int | None = None) -> Iterator[str]:
     """A table of the rules, errors before warnings, and of these the one with the most findings first."""
     found: dict[str, list[Finding]] = defaultdict(list)
     for finding in shown:
@@ -65,7 +65,7 @@ def by_rule(shown: list[Finding], limit: int | None = None) -> Iterator[str]:
     left = sum(count for _, count, _, _ in rows[len(cells) :])
     if left:
         cells.append((str(left), "", "", f"of {counted(len(rows) - len(cells), 'more rule')}"))
-    yield from _columns([("findings", "severity", "fixable", "rule"), *cells])
+    yield from _columns([("findings", "severity", "fixable", "rule"), *cells], paint)
     yield ""
 
 
@@ -75,10 +75,14 @@ def _fixable(group: list[Finding]) -> str:
     return ", ".join(f"{count} {kind}" for kind, count in sorted(fixes.items()))
 
 
-def _columns(rows: list[tuple[str, str, str, str]]) -> Iterator[str]:
+def _columns(rows: list[tuple[str, str, str, str]], paint: Paint) -> Iterator[str]:
+    """Rows below a head, with the severities in their colours."""
     widths = [max(map(len, column)) for column in zip(*rows)]
-    for count, severity, fixable, rule in rows:
-        yield f"{count:>{widths[0]}}  {severity:<{widths[1]}}  {fixable:<{widths[2]}}  {rule}"
+    for number, (count, severity, fixable, rule) in enumerate(rows):
+        style = severity if number and severity else "faint"
+        worst = paint(style, f"{severity:<{widths[1]}}")
+        row = f"{count:>{widths[0]}}  {worst}  {fixable:<{widths[2]}}  {rule}"
+        yield row if number else paint("faint", f"{count}  {severity:<{widths[1]}}  {fixable:<{widths[2]}}  {rule}")
 
 
 def _asides(report: Report) -> Iterator[str]:

@@ -33,6 +33,7 @@ When the node is stopped on purpose, or runs only in some missions.
 - ROS 2 documentation, "Understanding nodes"
 """
 
+from collections.abc import Iterable
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -51,10 +52,12 @@ def node_missing(robot: Robot) -> Iterator[Finding]:
     count = len({node.name for nodes in observed.missing.values() for node in nodes})
     if count > 1 and not observed.names & observed.expected.must:
         entry, nodes = next(iter(observed.missing.items()))
+        seen = {other: len(there) for other, there in observed.elsewhere.items() if there}
+        also = "".join(f"; domain {other} shows {number} other nodes" for other, number in seen.items())
         yield finding(
             entry.where,
-            f"None of the {count} nodes that the files start runs on domain {domain}",
-            advice="check whether anything was started at all, and in which domain",
+            f"None of the {count} nodes that the files start runs on domain {domain}{also}",
+            advice=look_at(seen) if seen else "check whether anything was started at all, and in which domain",
             related=[note(node.where, f"{node.name} is started here") for node in nodes[:5]],
         )
         return
@@ -67,3 +70,8 @@ def node_missing(robot: Robot) -> Iterator[Finding]:
                 advice="use the same name and namespace on both sides" if other else CRASHED,
                 related=[*node.chain, *([note(other.name, "this one runs")] if other else [])],
             )
+
+
+def look_at(domains: Iterable[int]) -> str:
+    asked = " or ".join(f"--domain-id {domain}" for domain in domains)
+    return f"look there with {asked}; what runs on another domain did not get the variable"

@@ -13,11 +13,13 @@ from bringup_lint.report import Part
 from bringup_lint.report import Report
 from bringup_lint.report import render
 from bringup_lint.report.order import by_cause
+from bringup_lint.report.paint import painter
 from bringup_lint.report.summary import by_rule
 from bringup_lint.source import Source
 
 UNIT = Source("etc/systemd/system/a.service", "[Service]\nUser=root\n" * 20, "systemd-unit")
 RULES = Source("etc/udev/rules.d/a.rules", "A\n" * 20, "udev-rules")
+PLAIN = painter(False)
 KINDS = {"systemd-unit": 2, "udev-rules": 1}
 
 
@@ -36,7 +38,7 @@ MANY = [
 
 
 def test_table_begins_with_the_worst() -> None:
-    assert list(by_rule(MANY)) == [
+    assert list(by_rule(MANY, PLAIN)) == [
         "findings  severity  fixable           rule",
         "      12  error                       udev/b",
         "       2  error     1 safe, 1 unsafe  systemd/a",
@@ -45,9 +47,15 @@ def test_table_begins_with_the_worst() -> None:
     ]
 
 
+def test_table_has_the_colours_of_the_severities() -> None:
+    head, first, *_ = by_rule(MANY, painter(True))
+    assert head.startswith("\x1b[2mfindings") and head.endswith("rule\x1b[0m")
+    assert "\x1b[1;91merror   \x1b[0m" in first
+
+
 def test_table_counts_what_it_leaves_out() -> None:
-    assert list(by_rule(MANY, 1))[2:] == ["      11                     of 2 more rules", ""]
-    assert list(by_rule(MANY, 2))[3:] == ["       9                              of 1 more rule", ""]
+    assert list(by_rule(MANY, PLAIN, 1))[2:] == ["      11                     of 2 more rules", ""]
+    assert list(by_rule(MANY, PLAIN, 2))[3:] == ["       9                              of 1 more rule", ""]
 
 
 def test_a_short_report_has_no_table() -> None:

@@ -31,6 +31,7 @@ from bringup_lint.graph.topics.resolved.endpoint_use import Use
 from bringup_lint.model.observed import Endpoint
 from bringup_lint.model.observed import ObservedGraph
 from bringup_lint.model.observed import RunningNode
+from bringup_lint.model.observed import RunningUnit
 from bringup_lint.source import Located
 from bringup_lint.source import Span
 
@@ -39,6 +40,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.environment.ros import KnownSetting
     from bringup_lint.graph.environment.ros import RosEnvironment
     from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.systemd.unit import Unit
     from bringup_lint.graph.systemd.units import Units
     from bringup_lint.graph.topics.topics import Topics
 
@@ -69,6 +71,14 @@ class Observed:
     @cached_property
     def names(self) -> frozenset[str]:
         return frozenset(str(node.name) for node in self.graph.nodes)
+
+    @cached_property
+    def loaded_units(self) -> list[tuple[Unit, RunningUnit]]:
+        """The system units of the tree, with what systemd says of them; none of which the tree has several."""
+        units = [unit for unit in self.units().judged if unit.manager == "system"]
+        counts = Counter(unit.name for unit in units)
+        told = {str(unit.name): unit for unit in self.graph.units}
+        return [(unit, told[unit.name]) for unit in units if unit.name in told and counts[unit.name] == 1]
 
     @cached_property
     def elsewhere(self) -> dict[int, list[RunningNode]]:
