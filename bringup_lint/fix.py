@@ -142,7 +142,9 @@ def _obstacle(fix: Fix, unsafe: bool) -> str:
 def _taken_up(fix: Fix, changes: dict[str, Changes]) -> str:
     """Take up a fix; why it cannot be, or an empty text."""
     if fix.codemod:
-        return "" if _rewrite(fix.codemod, changes) else "the file would not be valid, or another fix changes it"
+        if fix.codemod.source.name in changes:
+            return TOUCHES
+        return "" if _rewrite(fix.codemod, changes) else "the file would not be valid"
     return "" if _edit(fix.edits, changes) else TOUCHES
 
 
@@ -165,10 +167,8 @@ def _edit(edits: tuple[Edit, ...], changes: dict[str, Changes]) -> bool:
 
 
 def _rewrite(codemod: Codemod, changes: dict[str, Changes]) -> bool:
-    """Take up a codemod, alone in its file; False when it changes nothing, or makes no valid file."""
+    """Take up a codemod, alone in its file; False when it changes nothing, or makes a file that is not valid."""
     source = codemod.source
-    if source.name in changes:
-        return False
     text = codemod.change(source.text)
     if text == source.text:
         return False

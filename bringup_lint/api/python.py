@@ -2,8 +2,32 @@
 
 from __future__ import annotations
 
+from bringup_lint.codemods.calls import all_of
+from bringup_lint.codemods.calls import in_call
+from bringup_lint.codemods.calls import in_list
+from bringup_lint.codemods.calls import renamed_keyword
+from bringup_lint.codemods.calls import with_item
+from bringup_lint.codemods.calls import with_items
+from bringup_lint.codemods.calls import with_keyword
+from bringup_lint.codemods.calls import without_keyword
 from bringup_lint.codemods.lists import move_after
 from bringup_lint.codemods.lists import move_before
 from bringup_lint.codemods.lists import remove
+from bringup_lint.codemods.module import Import
+from bringup_lint.codemods.statements import wait_in_loop
 
-__all__ = ["move_after", "move_before", "remove"]
+__all__ = [
+    "Import",
+    "all_of",
+    "in_call",
+    "in_list",
+    "move_after",
+    "move_before",
+    "remove",
+    "renamed_keyword",
+    "wait_in_loop",
+    "with_item",
+    "with_items",
+    "with_keyword",
+    "without_keyword",
+]

@@ -13,6 +13,8 @@ from typing import TYPE_CHECKING
 from typing import NamedTuple
 from typing import TypeVar
 
+from bringup_lint.codemods.module import BOM
+from bringup_lint.codemods.module import read
 from bringup_lint.finding import Codemod
 from bringup_lint.source import Source
 from bringup_lint.source import Span
@@ -20,7 +22,6 @@ from bringup_lint.source import Span
 if TYPE_CHECKING:
     import libcst
 
-_BOM = "\ufeff"
 _Gap = TypeVar("_Gap")
 
 
@@ -66,11 +67,11 @@ def _in_one_list(source: Source, first: int, second: int, *, apart: bool = False
     if not source.name.endswith(".py"):
         return False
     try:
-        tree = ast.parse(source.text.removeprefix(_BOM))
+        tree = ast.parse(source.text.removeprefix(BOM))
     except (SyntaxError, ValueError, RecursionError):
         return False
-    lines = source.text.removeprefix(_BOM).split("\n")
-    starts = [len(source.text) - len(source.text.removeprefix(_BOM))]
+    lines = source.text.removeprefix(BOM).split("\n")
+    starts = [len(source.text) - len(source.text.removeprefix(BOM))]
     for line in lines:
         starts.append(starts[-1] + len(line) + 1)
 
@@ -106,32 +107,25 @@ class _Item(NamedTuple):
 def _rearranged(text: str, at: tuple[int, int], order: Callable[[int, int, int], list[int]]) -> str:
     """The text with the elements of the innermost list that holds both offsets in another order."""
     import libcst
-    from libcst.metadata import ByteSpanPositionProvider
-    from libcst.metadata import MetadataWrapper
 
-    bom = text[: len(text) - len(text.removeprefix(_BOM))]
-    body = text.removeprefix(_BOM)
-    offsets = [len(body[: each - len(bom)].encode()) for each in at]
-    wrapper = MetadataWrapper(libcst.parse_module(body), unsafe_skip_copy=True)
-    places = wrapper.resolve(ByteSpanPositionProvider)
+    module = read(text)
+    offsets = [module.offset(each) for each in at]
     best: tuple[int, libcst.List, list[int]] | None = None
-    for node in places:
+    for node, (start, end) in module.offsets.items():
         if not isinstance(node, libcst.List) or not node.elements:
             continue
-        held_by = [places[each.value] for each in node.elements]
-        spans = [(place.start, place.start + place.length) for place in held_by]
+        spans = [module.offsets[each.value] for each in node.elements]
         held = [_holding(spans, each) for each in offsets]
         indexes = [each for each in held if each is not None]
-        if len(indexes) == 2 and (best is None or places[node].length < best[0]):
-            best = (places[node].length, node, indexes)
+        if len(indexes) == 2 and (best is None or end - start < best[0]):
+            best = (end - start, node, indexes)
     if best is None:
         return text
     _, found, (first, second) = best
     arranged = order(len(found.elements), first, second)
     if arranged == list(range(len(found.elements))):
         return text
-    module = wrapper.module.deep_replace(found, _list_of(found, arranged))
-    return bom + module.code if isinstance(module, libcst.Module) else text
+    return module.replaced(found, _list_of(found, arranged))
 
 
 def _list_of(node: libcst.List, order: list[int]) -> libcst.List:

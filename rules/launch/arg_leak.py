@@ -32,13 +32,18 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
+from bringup_lint.api import Span
 from bringup_lint.api import finding
+from bringup_lint.api import fix
 from bringup_lint.api import launch
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.python import Import
+from bringup_lint.api.python import in_call
 
 
-@rule("warning")
+@rule("warning", fix="unsafe")
 def arg_leak(robot: Robot) -> Iterator[Finding]:
     for expansion in robot.launch.expansions:
         for declared in expansion.declared:
@@ -52,6 +57,9 @@ def arg_leak(robot: Robot) -> Iterator[Finding]:
             leaked = launch.text_of(before.value)
             if own is None or leaked is None or own.lower() == leaked.lower():
                 continue
+            leaking = _include_of(expansion, declared.name, other)
+            title = f"put the include of {other.basename} into a scoped group"
+            scoped = in_call(leaking, Import("launch.actions", "GroupAction")) if leaking is not None else None
             yield finding(
                 declared.chain[0],
                 f"'{declared.name}' of {other.basename} leaks into this include: it gets '{leaked}', never its "
@@ -61,4 +69,11 @@ def arg_leak(robot: Robot) -> Iterator[Finding]:
                     note(before.origin, "bound here first"),
                     note(declared.action.span, "this default is never used"),
                 ],
+                fix=fix(title, codemod=scoped, safe=False) if scoped else None,
             )
+
+
+def _include_of(expansion: launch.Expansion, name: str, source: Source) -> Span | None:
+    """The include of the entry that binds an argument in an included file first."""
+    found = (each for each in expansion.declared if each.name == name and each.file.source is source)
+    return next((each.chain[0] for each in found if len(each.chain) == 1), None)

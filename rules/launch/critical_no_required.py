@@ -34,9 +34,12 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Related
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import fix
 from bringup_lint.api import launch
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.python import Import
+from bringup_lint.api.python import with_keyword
 
 WATCHED_ROLES = ("driver", "hardware")
 ASIDE = ("tool", "state", "teleop", "container")
@@ -44,7 +47,7 @@ BY_HAND = ("joy", "joy_linux", "spacenav")
 """Input devices: without them a robot drives on by itself."""
 
 
-@rule("warning")
+@rule("warning", fix="unsafe")
 def critical_no_required(robot: Robot) -> Iterator[Finding]:
     for expansion in robot.launch.entries:
         entry = expansion.entry
@@ -62,6 +65,7 @@ def critical_no_required(robot: Robot) -> Iterator[Finding]:
                 continue
             if "respawn" in node.options or launch.watched(node, expansion) or not (others or units):
                 continue
+            shutdown = with_keyword(node.span, "on_exit", "Shutdown()", Import("launch.actions", "Shutdown"))
             yield finding(
                 node.span,
                 f"If {node.label()} dies, the launch continues and nothing reacts: a service around it stays active "
@@ -70,6 +74,7 @@ def critical_no_required(robot: Robot) -> Iterator[Finding]:
                 related=starts(robot, entry),
                 severity=None if supervised and not is_option(node) else "info",
                 chain=robot.provenance.chain_to_node(node),
+                fix=fix("shut down when it exits", codemod=shutdown, safe=False) if shutdown else None,
             )
 
 

@@ -31,8 +31,11 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import fix
 from bringup_lint.api import launch
 from bringup_lint.api import rule
+from bringup_lint.api.python import all_of
+from bringup_lint.api.python import with_item
 
 IMAGES = (
     "image_proc",
@@ -45,7 +48,7 @@ IMAGES = (
 )
 
 
-@rule("info")
+@rule("info", fix="unsafe")
 def intra_process_unset(robot: Robot) -> Iterator[Finding]:
     for _, node in robot.launch.actions(launch.Node):
         components = [each for each in node.components if isinstance(each, launch.ComposableNode)]
@@ -58,8 +61,11 @@ def intra_process_unset(robot: Robot) -> Iterator[Finding]:
             for each in launch.walk(value)
         )
         if images and known and len(components) > 1 and not set_:
+            item = "{'use_intra_process_comms': True}"
+            change = all_of(*(with_item(each.span, "extra_arguments", item) for each in components))
             yield finding(
                 node.span,
                 f"{len(components)} components share a process but still copy every image",
                 advice="give them extra_arguments=[{'use_intra_process_comms': True}]",
+                fix=fix("let them share images", codemod=change, safe=False) if change else None,
             )

@@ -34,12 +34,14 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import fix
 from bringup_lint.api import launch
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.python import without_keyword
 
 
-@rule("warning")
+@rule("warning", fix="unsafe")
 def lc_default_shadowed(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         declared = {
@@ -60,11 +62,13 @@ def lc_default_shadowed(robot: Robot) -> Iterator[Finding]:
                 continue
             empty = launch.literal(action.default) == ""
             declaration = "The declared default ''" if empty else "The default of the declaration"
+            drop = without_keyword(read.default.span)
             yield finding(
                 read.default.span,
                 f"{declaration} applies: this default of '{read.name}' is never used",
                 advice="move the default into the declaration",
                 related=[note(action.span, "declared here")],
+                fix=fix("remove the default that is never used", codemod=drop, safe=False) if drop else None,
             )
 
 

@@ -30,7 +30,9 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.python import in_list
 
 WRONG = {
     "not-a-list": ("parameters= is no list", "put it into a list"),
@@ -43,9 +45,15 @@ WRONG = {
 }
 
 
-@rule("error", symptoms=["Expecting list of parameters", "Unexpected type for parameter value"])
+@rule("error", fix="safe", symptoms=["Expecting list of parameters", "Unexpected type for parameter value"])
 def parameters_invalid(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         for problem in file.refused:
             wrong, advice = WRONG[problem.code]
-            yield finding(problem.where, f"{wrong}: launch ends with an exception", advice=advice)
+            listed = in_list(problem.where) if problem.code == "not-a-list" else None
+            yield finding(
+                problem.where,
+                f"{wrong}: launch ends with an exception",
+                advice=advice,
+                fix=fix("put it into a list", codemod=listed) if listed else None,
+            )

@@ -31,13 +31,16 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import fix
 from bringup_lint.api import launch
 from bringup_lint.api import rule
+from bringup_lint.api.python import with_keyword
+from bringup_lint.api.python import without_keyword
 
 WITHOUT = ("foxy", "galactic", "humble", "iron")
 
 
-@rule("info", symptoms=["unexpected keyword argument 'respawn_max_retries'"])
+@rule("info", fix="unsafe", symptoms=["unexpected keyword argument 'respawn_max_retries'"])
 def respawn_unlimited(robot: Robot) -> Iterator[Finding]:
     ros = robot.target.ros
     if ros is None:
@@ -47,15 +50,19 @@ def respawn_unlimited(robot: Robot) -> Iterator[Finding]:
             continue
         limit = node.action.options.get("respawn_max_retries")
         if ros in WITHOUT and limit is not None and node.file.format == "python":
+            drop = without_keyword(limit.span)
             yield finding(
                 limit.span,
                 f"respawn_max_retries does not exist on {ros}: the launch file cannot be loaded",
                 advice="remove it, and limit the restarts of the unit instead",
                 severity="error",
+                fix=fix("remove respawn_max_retries", codemod=drop) if drop else None,
             )
         elif ros not in WITHOUT and limit is None and launch.respawns(node) and not node.action.open:
+            limited = with_keyword(node.action.span, "respawn_max_retries", "5")
             yield finding(
                 node.action.options["respawn"].span,
                 f"{node.label()} is restarted without a limit",
                 advice="set respawn_max_retries",
+                fix=fix("allow 5 restarts", codemod=limited, safe=False) if limited else None,
             )

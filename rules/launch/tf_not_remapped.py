@@ -36,15 +36,17 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import fix
 from bringup_lint.api import launch
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.python import with_items
 
 USES_TF = ("localization", "planning", "control", "mapping", "costmap")
 PUBLISHERS = (("robot_state_publisher", "robot_state_publisher"), ("tf2_ros", "static_transform_publisher"))
 
 
-@rule("warning", symptoms=["Timed out waiting for transform from * to * to become available, tf error:"])
+@rule("warning", fix="unsafe", symptoms=["Timed out waiting for transform from * to * to become available, tf error:"])
 def tf_not_remapped(robot: Robot) -> Iterator[Finding]:
     for expansion in robot.launch.entries:
         remapping: dict[str | None, launch.Started] = {}
@@ -57,12 +59,14 @@ def tf_not_remapped(robot: Robot) -> Iterator[Finding]:
                 continue
             program = (launch.literal_text(node.package), launch.literal_text(node.executable))
             if robot.launch.role(node).role in USES_TF or program in PUBLISHERS:
+                change = with_items(node.span, "remappings", "('/tf', 'tf')", "('/tf_static', 'tf_static')")
                 yield finding(
                     node.span,
                     f"{node.label()} uses the global /tf, but other nodes of {node.namespace} use their own: "
                     "transforms are missing",
                     advice="remap ('/tf', 'tf') and ('/tf_static', 'tf_static') here too",
                     related=[note(other.span, "remaps /tf")],
+                    fix=fix("remap /tf and /tf_static", codemod=change, safe=False) if change else None,
                 )
 
 

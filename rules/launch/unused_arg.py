@@ -38,11 +38,13 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import fix
 from bringup_lint.api import rule
 from bringup_lint.api.launch import LaunchFile
+from bringup_lint.api.python import remove
 
 
-@rule("warning")
+@rule("warning", fix="unsafe")
 def unused_arg(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         expansions = list(robot.launch.leading_to(file))
@@ -57,10 +59,12 @@ def unused_arg(robot: Robot) -> Iterator[Finding]:
             dead = robot.launch.dead_reads(file, name)
             if sum(argument.name == name for argument in file.reads) > dead or mentioned(robot, file, name) > 1 + dead:
                 continue
+            drop = remove(declared.action.span)
             yield finding(
                 declared.action.name.span,
                 f"'{name}' is declared but nothing reads it: setting it has no effect",
                 advice="use the argument, or remove the declaration",
+                fix=fix(f"remove the declaration of '{name}'", codemod=drop, safe=False) if drop else None,
             )
 
 

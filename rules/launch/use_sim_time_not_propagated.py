@@ -31,17 +31,22 @@ When the node must keep the wall clock, for example because it talks to real har
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Fix
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import fix
 from bringup_lint.api import launch
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.python import Import
+from bringup_lint.api.python import with_item
 
 TIMED = ("localization", "mapping", "planning", "control", "costmap", "map", "state")
 
 
 @rule(
     "warning",
+    fix="unsafe",
     symptoms=[
         "the timestamp on the message is earlier than all the data in the transform cache",
         "Lookup would require extrapolation into the",
@@ -72,7 +77,21 @@ def use_sim_time_not_propagated(robot: Robot) -> Iterator[Finding]:
                 f"{node.label()} keeps the wall clock while other nodes of the file follow use_sim_time",
                 advice="set the parameter once for all nodes with SetParameter",
                 related=[note(given[0].span, "this node gets it")],
+                fix=pass_on(node, given[0]),
             )
+
+
+def pass_on(node: launch.Started, given: launch.Started) -> Fix | None:
+    """Give the node the clock by the launch argument that gives it to another one."""
+    sources = getattr(given.action, "parameters", ())
+    values = [source.get("use_sim_time") for source in sources if isinstance(source, launch.DictValue)]
+    inner = (each for value in values if value is not None for each in launch.walk(value))
+    name = next((each.name for each in inner if isinstance(each, launch.Argument)), None)
+    if name is None:
+        return None
+    item = f"{{'use_sim_time': LaunchConfiguration('{name}')}}"
+    change = with_item(node.span, "parameters", item, Import("launch.substitutions", "LaunchConfiguration"))
+    return fix("pass use_sim_time to the node", codemod=change, safe=False) if change else None
 
 
 def is_of_part(robot: Robot, node: launch.Started) -> bool:

@@ -30,19 +30,29 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import fix
 from bringup_lint.api import nodes
 from bringup_lint.api import rule
+from bringup_lint.api.python import renamed_keyword
+from bringup_lint.api.python import with_keyword
 
 
-@rule("error", symptoms=["missing 1 required positional argument: 'qos_profile'", "keyword argument 'queue_size'"])
+@rule(
+    "error",
+    fix="safe",
+    symptoms=["missing 1 required positional argument: 'qos_profile'", "keyword argument 'queue_size'"],
+)
 def qos_missing(robot: Robot) -> Iterator[Finding]:
     for file in robot.nodes.programs:
         for call, wrong in nodes.without_qos(robot.nodes.syntax(file)):
             function = call.func
             name = function.attr if isinstance(function, ast.Attribute) else "the call"
+            span = file.span_of(call)
+            change = renamed_keyword(span, "queue_size", "qos_profile") or with_keyword(span, "qos_profile", "10")
             yield finding(
-                file.span_of(call),
+                span,
                 f"{name}() {wrong}: it raises a TypeError, and the node exits",
                 advice="give it a depth such as 10, or a QoSProfile, as the last argument",
                 severity=nodes.lowered(robot.nodes.purpose(file.source), "error"),
+                fix=fix("give it a quality of service", codemod=change) if change else None,
             )

@@ -33,12 +33,14 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import fix
 from bringup_lint.api import nodes
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.python import wait_in_loop
 
 
-@rule("warning")
+@rule("warning", fix="unsafe")
 def service_wait_no_timeout(robot: Robot) -> Iterator[Finding]:
     for file, node in robot.nodes.with_callbacks:
         for call, service, where, logged in nodes.waits(robot.nodes.ending(file), node):
@@ -47,10 +49,12 @@ def service_wait_no_timeout(robot: Robot) -> Iterator[Finding]:
                 continue
             what = f"'{service}'" if service else "the service"
             silently = "" if logged else " without any message"
+            loop = wait_in_loop(file.span_of(call), f"Waiting for {service or 'the service'}")
             yield finding(
                 file.span_of(call),
                 f"If {what} never appears, the node hangs {'at start' if at_start else f'in {where}()'}{silently}",
                 advice="wait with timeout_sec= in a loop that logs what it waits for",
                 related=[note(service, "declared here")] if isinstance(service, Located) else [],
                 severity=nodes.lowered(robot.nodes.purpose(file.source), "warning"),
+                fix=fix("wait in a loop that logs", codemod=loop, safe=False) if loop else None,
             )
