@@ -14,6 +14,8 @@ from bringup_lint.codemods.module import Import
 from bringup_lint.codemods.module import Module
 from bringup_lint.codemods.module import read
 from bringup_lint.finding import Codemod
+from bringup_lint.finding import span_of
+from bringup_lint.source import Located
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
@@ -69,9 +71,9 @@ def renamed_keyword(call: Span, name: str, new: str) -> Codemod | None:
     return Codemod(call.source, partial(_keyword_renamed, call=call, name=name, new=new))
 
 
-def in_list(value: Span) -> Codemod | None:
+def in_list(value: Located | Span) -> Codemod | None:
     """Put an expression into a list of its own."""
-    return _wrapped(value, "[", "]")
+    return _wrapped(span_of(value), "[", "]")
 
 
 def in_call(value: Span, function: Import) -> Codemod | None:
