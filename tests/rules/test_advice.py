@@ -1,14 +1,62 @@
-"""Advice that a user copies must reach the report as it is written."""
+"""Advice, fixes and related places must reach the report as they are written: the concise output leaves them out."""
 
 from __future__ import annotations
 
 import json
+from typing import Any
 
-from tests.conftest import PROJECT
+import pytest
+
 from tests.lint import lint
+from tests.rules.test_fixtures import arguments
+from tests.rules.test_fixtures import command
+from tests.rules.test_fixtures import folder_of
+
+
+def findings(rule_id: str) -> list[dict[str, Any]]:
+    case = folder_of(rule_id) / "bad"
+    options = ("--isolated",) if not command(rule_id) else command(rule_id)
+    run = lint(*options, "--select", rule_id, "--output-format", "json", *arguments(case), cwd=case)
+    return json.loads(run.stdout)["findings"]
 
 
 def test_the_escape_of_a_space_in_fstab_is_printed() -> None:
-    case = PROJECT / "fixtures" / "fstab" / "field_count" / "bad"
-    run = lint("--isolated", "--select", "fstab/field-count", "--output-format", "json", ".", cwd=case)
-    assert any("\\040" in finding["advice"] for finding in json.loads(run.stdout)["findings"])
+    assert any("\\040" in finding["advice"] for finding in findings("fstab/field-count"))
+
+
+@pytest.mark.parametrize(
+    ("rule_id", "advice"),
+    [
+        ("netplan/bad-top-level", ["rename it to network"]),
+        ("sros2/policy-grants-nothing", ["write /lawn", 'write publish="ALLOW"']),
+        ("systemd/install-bad-target", ["did you mean multi-user.target?", "did you mean multi-user.target?"]),
+        ("systemd/shell-wrapper-no-exec", ["start the command with exec", "start the command with exec"]),
+        ("systemd/syslogidentifier-missing", ["set SyslogIdentifier=base"]),
+    ],
+)
+def test_advice(rule_id: str, advice: list[str]) -> None:
+    assert [finding["advice"] for finding in findings(rule_id)][: len(advice)] == advice
+
+
+@pytest.mark.parametrize(
+    ("rule_id", "related"),
+    [
+        ("device/link-undefined", ["a rule for /dev/robot is here"]),
+        ("live/topic-typo", ["/lidar/driver publishes /scan_filtered", "subscribed", "published"]),
+    ],
+)
+def test_related_places(rule_id: str, related: list[str]) -> None:
+    assert [each["message"] for each in findings(rule_id)[0]["related"]] == related
+
+
+def test_numbers_that_are_not_decimal_have_no_fix() -> None:
+    """``[0x1F, 1.0]``: to write ``0x1F.0`` would make it worse."""
+    found = {finding["message"].split("'")[1]: finding["fix"] for finding in findings("params/mixed-list")}
+    assert found["gains"] is not None
+    assert found["hex"] is None
+
+
+def test_the_fix_of_an_optional_file_takes_the_dash_alone() -> None:
+    (edit,) = findings("systemd/envfile-optional")[0]["fix"]["edits"]
+    place = edit["location"]
+    assert (place["start"]["column"], place["end"]["column"], edit["text"]) == (17, 18, "")
