@@ -358,3 +358,15 @@ def test_columns_count_code_points(before: str, name: str) -> None:
     (found,) = nodes(file)
     assert literal(found.name) == name
     assert literal(found.name).span.text == name
+
+
+def test_third_word_of_an_argument_describes_it() -> None:
+    (argument,) = described("DeclareLaunchArgument('map', 'hall', 'Which map to load')").actions
+    assert isinstance(argument, DeclareArgument)
+    assert argument.description is not None and literal(argument.description) == "Which map to load"
+
+
+def test_an_item_beyond_the_end_of_a_list_is_not_known() -> None:
+    file = described("*nodes", "nodes = [Node(package='a', executable='a')]\nnodes.pop(3)")
+    assert len(list(walk_actions(file.actions))) >= 1
+    assert [node.executable for node in walk_actions(file.actions) if isinstance(node, Node)]

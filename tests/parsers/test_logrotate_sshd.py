@@ -72,3 +72,9 @@ def test_sshd_reads_any_text(text: str) -> None:
 def test_time_grows_with_the_text_only(parse) -> None:
     text = '/var/log/a.log {\n    rotate 7\n}\n"' * 3000 + "Port 22 \\" * 3000
     parse(Source("long", text))
+
+
+@pytest.mark.parametrize("line", ['Include ""', 'Include "" /etc/ssh/robot.conf'])
+def test_an_empty_name_is_no_file_to_include(line: str) -> None:
+    (problem,) = sshd.parse(Source("sshd_config", line + "\n")).problems
+    assert problem.detail == "a file name"

@@ -354,3 +354,36 @@ def test_nothing_makes_the_parser_raise(text: str, with_head: bool) -> None:
 )
 def test_hostile_files_are_read_quickly(text: str) -> None:
     parse(Source("driver.py", HEAD + text))
+
+
+def test_names_that_constructors_are_given() -> None:
+    file = read(
+        """
+        class Second(Node):
+            def __init__(self, rate, name):
+                super().__init__(name)
+
+        class Own(Node):
+            def __init__(self):
+                Node.__init__(self, 'own')
+
+        class Listed(Node):
+            def __init__(self, name='default'):
+                super().__init__(name)
+
+        class Plain(Node):
+            def __init__(self, *, name='plain'):
+                super().__init__(name)
+
+        def main(words):
+            Second(10, 'second'), Listed(*words), Plain()
+        """
+    )
+    names = {each.name: each.node_name for each in file.classes}
+    assert names == {"Second": "second", "Own": "own", "Listed": None, "Plain": "plain"}
+
+
+def test_lists_of_numbers_are_values() -> None:
+    node = in_class("self.declare_parameter('gains', [0.5, 2.0])\nself.declare_parameter('mixed', [0.5, unknown()])")
+    assert node.parameters["gains"].default == [0.5, 2.0]
+    assert not isinstance(node.parameters["mixed"].default, list)

@@ -105,3 +105,9 @@ def test_cfg_that_is_broken_or_empty() -> None:
     assert not parse_cfg(Source("setup.cfg", "no section\n")).executables_known
     empty = parse_cfg(Source("setup.cfg", "[metadata]\nname = base\n"))
     assert empty.executables_known and empty.executables == {}
+
+
+def test_scripts_have_their_own_names() -> None:
+    build = setup("scripts=['bin/drive', 'arm']")
+    assert list(build.executables) == ["drive", "arm"]
+    assert build.executables_known

@@ -123,3 +123,11 @@ def test_attacks_on_a_policy_cost_no_time_and_are_named() -> None:
         found = policy(Source("policy.xml", text))
         assert [remark.code for remark in found.remarks if remark.code == "xml"]
         assert len(found.remarks) < 100
+
+
+def test_domains_of_an_unknown_kind_may_be_any() -> None:
+    text = PERMISSIONS.replace("<domains>", "<domains><tag>7</tag>", 1)
+    (grant,) = sros2.permissions(Source("permissions.xml", text)).grants
+    assert not grant.rules[0].domains.known
+    (grant,) = sros2.permissions(Source("permissions.xml", PERMISSIONS)).grants
+    assert grant.rules[0].domains.known

@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 
 from bringup_lint.model.udev import RulesFile
 from bringup_lint.parsers.udev import parse
+from bringup_lint.parsers.udev_command import read_command
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.source import Span
@@ -153,3 +154,12 @@ def test_every_text_can_be_read_and_every_span_lies_inside(text: str, template: 
     spans += [span_of(problem.where) for problem in file.problems]
     assert all(0 <= span.start <= span.end <= len(text) for span in spans)
     assert set(file.owners) == set(range(len(file.problems)))
+
+
+@pytest.mark.parametrize(
+    ("command", "shell"),
+    [("/bin/sh -c 'a | b'", True), ("sh -c a", True), ("/usr/bin/env bash", True), ("/bin/echo shell", False)],
+)
+def test_commands_that_a_shell_reads(command: str, shell: bool) -> None:
+    (rule,) = read(f'KERNEL=="a", RUN+="{command}"\n').rules
+    assert read_command(rule.tokens[1]).runs_shell == shell
