@@ -387,3 +387,8 @@ def test_lists_of_numbers_are_values() -> None:
     node = in_class("self.declare_parameter('gains', [0.5, 2.0])\nself.declare_parameter('mixed', [0.5, unknown()])")
     assert node.parameters["gains"].default == [0.5, 2.0]
     assert not isinstance(node.parameters["mixed"].default, list)
+
+
+def test_transforms_are_published_in_every_state() -> None:
+    found = only("self.tf = TransformBroadcaster(self)", "from tf2_ros import TransformBroadcaster")
+    assert (found.name, found.lifecycle, found.implied) == ("/tf", False, True)

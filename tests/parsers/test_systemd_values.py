@@ -155,3 +155,15 @@ def test_unknown_capabilities_are_dropped_silently_and_still_reported():
     assert not list(values.check("capabilities", nowhere("~CAP_SYS_ADMIN cap_net_raw 12"), 249))
     (problem,) = values.check("capabilities", nowhere("CAP_NET_RAW CAP_SYS_NICEE"), 249)
     assert (problem.where, problem.suggestion) == ("CAP_SYS_NICEE", "CAP_SYS_NICE")
+
+
+@pytest.mark.parametrize(
+    ("kind", "lowest", "highest"), [("cpu-shares", 2, 262144), ("blockio-weight", 10, 1000), ("weight", 1, 10000)]
+)
+def test_bounds_of_numbers(kind, lowest, highest):
+    fine = [number for number in (lowest - 1, lowest, highest, highest + 1) if accepts(kind, number)]
+    assert fine == [lowest, highest]
+
+
+def accepts(kind, number):
+    return not list(values.check(kind, nowhere(str(number)), 249))

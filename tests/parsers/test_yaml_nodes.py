@@ -163,3 +163,8 @@ def test_types():
     assert [item.boolean for item in items] == [True, None, None, None, None]
     assert [item.is_null for item in items] == [False, False, True, False, False]
     assert [item.integer for item in items] == [None, None, None, 12, None]
+
+
+def test_only_the_document_that_breaks_off_is_incomplete():
+    file = read("a: 1\n---\nb: 2\n---\nc: [\n")
+    assert [document.complete for document in file.documents] == [True, True, False]
