@@ -10,31 +10,32 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable
 from collections.abc import Iterator
-from collections.abc import Sequence
-from hashlib import blake2b
-from typing import Any
-from typing import NamedTuple
 
 from bringup_lint.cache.folder import Folder
 from bringup_lint.cache.folder import opened
 from bringup_lint.cache.program import program
+from bringup_lint.digest import blake2b
 from bringup_lint.discover.again import fact_now
 from bringup_lint.discover.record import Record
-from bringup_lint.discover.record import Seen
 from bringup_lint.discover.record import stamp_of
+
+TYPE_CHECKING = False  # an answer is given before typing is loaded
+if TYPE_CHECKING:
+    from typing import Any
 
 _FORMAT = b"bringup-lint answer 1\n"
 _SEAL = 32
 
 
-class Answer(NamedTuple):
+class Answer:
     """What a run said, and how it ended."""
 
-    text: str
-    """On standard output."""
-    said: str
-    """On standard error, with its line ends."""
-    code: int
+    def __init__(self, text: str, said: str, code: int):
+        self.text = text
+        """On standard output."""
+        self.said = said
+        """On standard error, with its line ends."""
+        self.code = code
 
 
 class Question:
@@ -57,7 +58,7 @@ class Question:
         entry = data and key and _unsealed(data, key)
         if not entry or entry["name"] != self._name or entry["program"] != self.started():
             return None
-        seen = [Seen(*look) for look in entry["seen"]]
+        seen = entry["seen"]
         now = list(self._as_before(seen))
         if len(now) < len(seen):
             return None
@@ -71,7 +72,7 @@ class Question:
             return
         with opened(create=True) as folder:
             if folder and (key := folder.key()):
-                entry = {"name": self._name, "program": self._program, "seen": list(record), **answer._asdict()}
+                entry = {"name": self._name, "program": self._program, "seen": list(record), **vars(answer)}
                 folder.write(self._name, _sealed(entry, key))
                 folder.tidy()
 
@@ -80,14 +81,15 @@ class Question:
         self._program = self._program or program(by_content=self.by_content)
         return self._program
 
-    def _as_before(self, seen: Iterable[Seen]) -> Iterator[Seen]:
+    def _as_before(self, seen: Iterable[list[str]]) -> Iterator[list[str]]:
         """The looks with their stamps of now, up to the first that would show something else."""
         for look in seen:
-            stamp = "" if self.by_content else stamp_of(look.question, look.path)
-            if not stamp or stamp != look.stamp:
-                if fact_now(look.question, look.path) != look.fact:
+            question, path, stamp, fact = look
+            now = "" if self.by_content else stamp_of(question, path)
+            if not now or now != stamp:
+                if fact_now(question, path) != fact:
                     return
-                look = look._replace(stamp=stamp or look.stamp)
+                look = [question, path, now or stamp, fact]
             yield look
 
 
@@ -132,9 +134,5 @@ def _is_entry(entry: object) -> bool:
     )
 
 
-def _is_look(look: Any) -> bool:
-    return isinstance(look, list) and len(look) == len(Seen._fields) and _are_texts(look)
-
-
-def _are_texts(values: Sequence[object]) -> bool:
-    return all(isinstance(value, str) for value in values)
+def _is_look(look: object) -> bool:
+    return isinstance(look, list) and [type(part) for part in look] == [str] * 4

@@ -7,9 +7,9 @@ import os
 import sys
 import time
 from collections.abc import Iterator
-from hashlib import blake2b
 
 from bringup_lint import __version__
+from bringup_lint.digest import blake2b
 
 _PACKAGE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 _MADE_BY_PYTHON = "__pycache__"
@@ -18,10 +18,7 @@ _MADE_BY_PYTHON = "__pycache__"
 def program(*, by_content: bool) -> str:
     """A digest that is another one after any change that could change an answer. By content, it is the same on another
     machine with the same files."""
-    digest = blake2b(digest_size=16)
-    for word in _words(by_content):
-        digest.update(os.fsencode(word) + b"\0")
-    return digest.hexdigest()
+    return blake2b(os.fsencode("\0".join(_words(by_content))), digest_size=16).hexdigest()
 
 
 def _words(by_content: bool) -> Iterator[str]:
@@ -45,9 +42,12 @@ def _files(folder: str, by_content: bool) -> Iterator[str]:
         if entry.is_dir(follow_symlinks=False):
             if entry.name != _MADE_BY_PYTHON:
                 yield from _files(entry.path, by_content)
-        else:
+        elif by_content:
             yield entry.path
-            yield from _content(entry.path) if by_content else _times(entry.path)
+            yield from _content(entry.path)
+        else:
+            status = entry.stat(follow_symlinks=False)
+            yield f"{entry.path} {status.st_ino} {status.st_size} {status.st_mtime_ns} {status.st_ctime_ns}"
 
 
 def _content(path: str) -> Iterator[str]:

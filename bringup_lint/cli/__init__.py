@@ -7,8 +7,8 @@ import importlib
 import os
 import sys
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
+TYPE_CHECKING = False  # an answer is given before typing is loaded
 if TYPE_CHECKING:
     from bringup_lint.cache.answers import Question
 

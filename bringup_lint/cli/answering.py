@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import os
 import sys
-from typing import TYPE_CHECKING
 
 from bringup_lint.cache.answers import Answer
 from bringup_lint.cache.answers import Question
@@ -20,6 +19,7 @@ from bringup_lint.cli.terminal import is_terminal
 from bringup_lint.cli.terminal import terminal_width
 from bringup_lint.cli.terminal import wants_colour
 
+TYPE_CHECKING = False  # an answer is given before typing is loaded
 if TYPE_CHECKING:
     import click
 

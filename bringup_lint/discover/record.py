@@ -13,8 +13,8 @@ import os
 import stat
 import time
 from collections.abc import Iterator
-from hashlib import blake2b
-from typing import NamedTuple
+
+from bringup_lint.digest import blake2b
 
 YOUNG = 2_000_000_000
 """Nanoseconds. No file system counts times in larger steps (FAT: 2 s)."""
@@ -27,15 +27,9 @@ FLAGS = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_NOFOLLOW", 0
 """Never through a link, and without waiting for the other end of a FIFO."""
 
 
-class Seen(NamedTuple):
-    """One look at a path."""
-
-    question: str
-    path: str
-    """Absolute."""
-    stamp: str
-    """Empty when only the fact itself can tell."""
-    fact: str
+Seen = tuple[str, str, str, str]
+"""One look: the question, the absolute path, the stamp (empty when only the fact itself can tell), the fact. A named
+tuple would load ``typing``, which takes longer than to look at all files of a robot."""
 
 
 class Record:
@@ -55,11 +49,11 @@ class Record:
             path = pending.pop()
             while path not in self._nodes:
                 status = _status(path, follow=False)
-                self._nodes[path] = Seen(NODE, path, _stamp(status, NODE), _fact(status))
+                self._nodes[path] = (NODE, path, _stamp(status, NODE), _fact(status))
                 folder = os.path.dirname(path)
                 if isinstance(status, os.stat_result) and stat.S_ISLNK(status.st_mode):
                     target, fact = _link(path, status)
-                    self._nodes[path] = self._nodes[path]._replace(fact=fact)
+                    self._nodes[path] = (*self._nodes[path][:3], fact)
                     pending.append(os.path.join(folder, target))
                 path = folder
 
@@ -69,15 +63,15 @@ class Record:
         folder = _absolute(folder)
         if folder not in self._listings:
             stamp = stamp_of(LISTING, folder)
-            self._listings[folder] = Seen(LISTING, folder, stamp, fact_of(LISTING, folder))
+            self._listings[folder] = (LISTING, folder, stamp, fact_of(LISTING, folder))
 
     def text(self, question: str, path: str, status: os.stat_result | OSError, data: bytes | None = None) -> None:
         """A file was opened: what it was, and what was read of it (None: nothing)."""
         self.node(path)
         path = _absolute(path)
-        seen = Seen(question, path, _stamp(status, question), text_fact(status, data))
+        seen = (question, path, _stamp(status, question), text_fact(status, data))
         before = self._texts.setdefault((question, path), seen)
-        self.is_whole = self.is_whole and before.fact == seen.fact
+        self.is_whole = self.is_whole and before[-1] == seen[-1]
 
     def __iter__(self) -> Iterator[Seen]:
         """Each look, without those that another one implies."""
@@ -85,7 +79,7 @@ class Record:
         yield from self._texts.values()
         implied = {path for _, path in self._texts}.union(self._listings)
         yield from (
-            seen for path, seen in self._nodes.items() if path not in implied or seen.fact.startswith(("l", "!"))
+            seen for path, seen in self._nodes.items() if path not in implied or seen[-1].startswith(("l", "!"))
         )
 
 

@@ -63,7 +63,7 @@ LAYERS = (
     {"schema"},
     {"model", "finding", "facts", "fleet.summary"},
     {"addresses"},
-    {"budget", "source", "spelling", "templates", "toml"},
+    {"budget", "digest", "source", "spelling", "templates", "toml"},
     {"pattern", "dataclass"},
     {""},
 )
