@@ -57,17 +57,17 @@ def lexists(path: Path) -> bool:
 
 
 def exists(path: Path) -> bool:
-    _note(path)
+    _note(path, follow=True)
     return os.path.exists(path)
 
 
 def isdir(path: Path) -> bool:
-    _note(path)
+    _note(path, follow=True)
     return os.path.isdir(path)
 
 
 def isfile(path: Path) -> bool:
-    _note(path)
+    _note(path, follow=True)
     return os.path.isfile(path)
 
 
@@ -83,13 +83,13 @@ def readlink(path: str) -> str:
 
 
 def realpath(path: Path) -> str:
-    _note(path)
+    _note(path, follow=True)
     return os.path.realpath(path)
 
 
 def stat(path: str) -> os.stat_result:
     """Raises OSError."""
-    _note(path)
+    _note(path, follow=True)
     return os.stat(path)
 
 
@@ -136,9 +136,9 @@ def _any(at: str, parts: list[str]) -> bool:
     return any(_any(os.path.join(at, name), others) for name in fnmatch.filter(shown, part))
 
 
-def _note(path: Path) -> None:
+def _note(path: Path, *, follow: bool = False) -> None:
     if _record is not None:
-        _record.node(os.fspath(path))
+        _record.node(os.fspath(path), follow=follow)
 
 
 def _note_listing(folder: Path) -> None:

@@ -37,29 +37,34 @@ class Record:
 
     def __init__(self) -> None:
         self._nodes: dict[str, Seen] = {}
+        self._links: dict[str, str] = {}
+        """Links that were not followed so far, and where they lead."""
         self._listings: dict[str, Seen] = {}
         self._texts: dict[tuple[str, str], Seen] = {}
         self.is_whole = True
         """Whether the run depends on this alone: on one state of the disk, and on nothing that is not a look at it."""
 
-    def node(self, path: str) -> None:
-        """A path was asked for, and with it every folder and every link on the way."""
-        pending = [_absolute(path)]
+    def node(self, path: str, *, follow: bool) -> None:
+        """A path was asked for, and with it every folder and every link on the way; ``follow`` says whether a link at
+        its end counts as the way. Nobody looks where a link leads that is not followed."""
+        pending = [(_absolute(path), follow)]
         while pending:
-            path = pending.pop()
-            while path not in self._nodes:
+            path, follow = pending.pop()
+            folder = os.path.dirname(path)
+            if path not in self._nodes:
                 status = _status(path, follow=False)
                 self._nodes[path] = (NODE, path, _stamp(status, NODE), _fact(status))
-                folder = os.path.dirname(path)
                 if isinstance(status, os.stat_result) and stat.S_ISLNK(status.st_mode):
-                    target, fact = _link(path, status)
+                    self._links[path], fact = _link(path, status)
                     self._nodes[path] = (*self._nodes[path][:3], fact)
-                    pending.append(os.path.join(folder, target))
-                path = folder
+                if folder != path:
+                    pending.append((folder, True))
+            if follow and path in self._links:
+                pending.append((os.path.join(folder, self._links.pop(path)), True))
 
     def listing(self, folder: str) -> None:
         """The names in a folder are about to be asked for."""
-        self.node(folder)
+        self.node(folder, follow=True)
         folder = _absolute(folder)
         if folder not in self._listings:
             stamp = stamp_of(LISTING, folder)
@@ -67,20 +72,20 @@ class Record:
 
     def text(self, question: str, path: str, status: os.stat_result | OSError, data: bytes | None = None) -> None:
         """A file was opened: what it was, and what was read of it (None: nothing)."""
-        self.node(path)
+        self.node(path, follow=question.startswith(FOLLOWED))
         path = _absolute(path)
         seen = (question, path, _stamp(status, question), text_fact(status, data))
         before = self._texts.setdefault((question, path), seen)
         self.is_whole = self.is_whole and before[-1] == seen[-1]
 
     def __iter__(self) -> Iterator[Seen]:
-        """Each look, without those that another one implies."""
+        """Each look: folders and links before what is in them, so that who asks once more in this order and stops at
+        the first change follows no link that was put there since."""
+        opened = {path for _, path in self._texts}
+        nodes = (self._nodes[path] for path in sorted(self._nodes))
+        yield from (seen for seen in nodes if seen[1] not in opened or seen[-1].startswith(("l", "!")))
         yield from self._listings.values()
         yield from self._texts.values()
-        implied = {path for _, path in self._texts}.union(self._listings)
-        yield from (
-            seen for path, seen in self._nodes.items() if path not in implied or seen[-1].startswith(("l", "!"))
-        )
 
 
 def stamp_of(question: str, path: str) -> str:

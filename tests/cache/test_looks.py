@@ -19,6 +19,7 @@ from hypothesis import given
 from hypothesis import settings
 from hypothesis import strategies as st
 
+from bringup_lint.cache import answers
 from bringup_lint.cli import answering
 from bringup_lint.discover import disk
 from bringup_lint.discover import record
@@ -77,6 +78,28 @@ def test_a_run_asks_nothing_that_is_not_recorded(
     below = {path for path in map(os.path.normpath, asked) if path.startswith(top) and path != str(program.base)}
     assert {path for path in below - looks if not path.startswith(f"{program.base}/")} == set()
     assert len(below) > 10
+
+
+@pytest.mark.parametrize("name", ["docker-compose.yml", "notes"])
+def test_no_link_out_of_the_tree_is_followed_by_the_record(program: Program, name: str) -> None:
+    (program.tree / ".git").mkdir()
+    (program.tree / name).symlink_to("../outside/secret")
+    program.run()
+    assert not [look for look in entry(program.entries[0])["seen"] if "outside" in look[1]]
+
+
+def test_a_folder_that_became_a_link_is_not_entered(program: Program, monkeypatch: pytest.MonkeyPatch) -> None:
+    (program.tree / "etc/systemd/system").mkdir(parents=True)
+    (program.tree / "etc/systemd/system/rover.service").write_text(UNITS[1])
+    program.run()
+    (program.tree / "etc").rename(program.tree.parent / "outside")
+    (program.tree / "etc").symlink_to("../outside")
+    (path,) = program.entries
+    seen = entry(path)["seen"]
+    with monkeypatch.context() as patch:
+        asked = asked_of(patch)
+        assert len(list(answers.Question([])._as_before(seen))) < len(seen)
+    assert not [path for path in asked if "/etc/" in path.partition(str(program.tree))[2]]
 
 
 def test_discovery_asks_the_disk_in_one_place() -> None:
