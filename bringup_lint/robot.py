@@ -513,6 +513,7 @@ class Robot:
                 params=lambda: self.params,
                 topics=lambda: self.topics,
                 netplan=lambda: self.netplan,
+                networkmanager=lambda: self.networkmanager,
                 dds=lambda: self.dds,
                 sros2=lambda: self.sros2,
                 udev=lambda: self.udev,

@@ -37,6 +37,7 @@ _OF_NODE = {
     "governance-file": "security",
     "interface": "network",
     "netplan-file": "network",
+    "networkmanager-profile": "network",
     "device": "devices",
     "udev-rule": "devices",
     "topic": "topics",

@@ -294,6 +294,34 @@ network:
     assert ("other/dds.xml", "binds", "eth0 (dds.xml)") in edges
 
 
+def test_interfaces_of_dds_files_are_those_of_the_profiles_of_networkmanager(tmp_path: Path) -> None:
+    dds = (
+        "<CycloneDDS><Domain><General><Interfaces><NetworkInterface name='{}'/></Interfaces></General></Domain>"
+        "</CycloneDDS>\n"
+    )
+    profile = "[connection]\nid={0}\nuuid={0}-0\ntype={1}\ninterface-name={0}\n{2}\n"
+    folder = "etc/NetworkManager/system-connections"
+    files = {
+        f"{folder}/bridge.nmconnection": profile.format("br0", "bridge", "[ipv4]\nmethod=manual\naddress1=10.0.0.2/24"),
+        f"{folder}/port.nmconnection": profile.format("eth0", "ethernet", "controller=br0-0\nport-type=bridge"),
+        f"{folder}/cameras.nmconnection": profile.format("vlan5", "vlan", "[vlan]\nid=5\nparent=eth0"),
+        f"{folder}/wifi.nmconnection": "[connection]\nid=hall\ntype=wifi\n",
+        "etc/rover/dds.xml": dds.format("10.0.0.2"),
+        "other/dds.xml": dds.format("eth0"),
+    }
+    edges = said(drawn(tree(tmp_path, files)))
+    assert {
+        ("rover/dds.xml", "binds", "br0"),
+        ("br0", "built-on", "eth0"),
+        ("vlan5", "built-on", "eth0"),
+        ("br0", "configured-by", "bridge.nmconnection"),
+        ("eth0", "configured-by", "port.nmconnection"),
+        ("vlan5", "configured-by", "cameras.nmconnection"),
+        ("other/dds.xml", "binds", "eth0 (dds.xml)"),
+    } <= edges
+    assert not any(target == "wifi.nmconnection" for _, _, target in edges)
+
+
 def test_devices_in_parameter_files_belong_to_the_nodes_that_load_them(tmp_path: Path) -> None:
     files = {
         "p/package.xml": "<package format='3'><name>p</name></package>",

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.graph.dds import network
 from bringup_lint.graph.dds.cyclonedds_discovery import is_loopback_interface
 from bringup_lint.graph.edges.netplan import interface_node
+from bringup_lint.graph.edges.networkmanager import profile_interface
 from bringup_lint.graph.file_nodes import file_node
 from bringup_lint.graph.file_nodes import file_place
 from bringup_lint.graph.file_nodes import is_plain
@@ -26,8 +27,10 @@ if TYPE_CHECKING:
     from bringup_lint.graph.dds.dds import Dds
     from bringup_lint.graph.environment.ros import RosEnvironment
     from bringup_lint.graph.files import Files
+    from bringup_lint.graph.networkmanager.profiles import NetworkManager
     from bringup_lint.graph.places import Places
     from bringup_lint.model.netplan import Netplan
+    from bringup_lint.model.netplan import Plan
 
 URI = "CYCLONEDDS_URI"
 PROFILES = ("FASTDDS_DEFAULT_PROFILES_FILE", "FASTRTPS_DEFAULT_PROFILES_FILE")
@@ -66,17 +69,27 @@ def _selects(places: Places, value: Located, target: Node, why: str) -> Iterator
         yield Edge("selects", holder, target, value.span, why)
 
 
-def binding_edges(dds: Dds, netplan: Callable[[], Netplan], places: Places) -> Iterator[Edge]:
+def binding_edges(
+    dds: Dds, netplan: Callable[[], Netplan], networkmanager: Callable[[], NetworkManager], places: Places
+) -> Iterator[Edge]:
     """``binds``, from a DDS configuration to the interfaces that it names."""
+
+    def interface(file: Configuration | Profiles, name: str) -> Node:
+        plan = dds.plan_of(file)
+        if plan is not None:
+            return _of_plan(plan, netplan(), name)
+        own = _of_profiles(networkmanager(), file, name) if dds.in_use(file) else None
+        return own or Node("interface", name, file.source.name)
+
     for configuration, domain in dds.domains:
         for setting in network.named_interfaces(domain):
-            target = _interface(dds, netplan, configuration, str(setting.effective))
+            target = interface(configuration, str(setting.effective))
             for holder in _holders(places, configuration.source, setting.value.span):
                 yield Edge("binds", holder, target, setting.value.span, str(setting.name))
     for profiles in dds.profile_files:
         for element in profiles.document.elements:
             if element.parent is not None and element.parent.name == "interfaceWhiteList" and _is_shown(element.text):
-                target = _interface(dds, netplan, profiles, str(element.text))
+                target = interface(profiles, str(element.text))
                 where = element.text.span
                 yield Edge("binds", file_node("dds-file", profiles.source), target, where, "interfaceWhiteList")
 
@@ -89,13 +102,25 @@ def _holders(places: Places, source: Source, where: Span) -> list[Node]:
     return [file_node("dds-file", source)] if source.kind == "cyclonedds" else places.of(where)
 
 
-def _interface(dds: Dds, netplan: Callable[[], Netplan], file: Configuration | Profiles, name: str) -> Node:
-    """The interface of the netplan that goes with the file, by its name or static address; else the bare name."""
-    plan = dds.plan_of(file)
-    if plan is None:
-        return Node("interface", name, file.source.name)
+def _of_plan(plan: Plan, netplan: Netplan, name: str) -> Node:
+    """The interface of a netplan by its name or static address; else the bare name."""
     for interface in plan.interfaces.values():
         addresses = [str(each.ip.ip) for each in interface.addresses if each.ip is not None]
         if name == interface.device or name in addresses:
-            return interface_node(interface, plan, netplan())
+            return interface_node(interface, plan, netplan)
     return Node("interface", name)
+
+
+def _of_profiles(manager: NetworkManager, file: Configuration | Profiles, name: str) -> Node | None:
+    """The interface of the only folder of profiles, below the same root, by its name or static address."""
+    from bringup_lint.model.netplan import root_of
+
+    if file.source.robot_path is None or len(manager.folders) != 1:
+        return None
+    for profile in manager.folders[0]:
+        addresses = [str(each.ip.ip) for each in profile.addresses]
+        if profile.interface is None or root_of(profile.source) != root_of(file.source):
+            continue
+        if name == profile.interface or name in addresses:
+            return profile_interface(manager, profile, str(profile.interface))
+    return None

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
     from bringup_lint.graph.host.devices import Devices
     from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.networkmanager.profiles import NetworkManager
     from bringup_lint.graph.params.params import Params
     from bringup_lint.graph.runners.runners import Runners
     from bringup_lint.graph.sros2.sros2 import Sros2
@@ -42,6 +43,7 @@ class Layers:
     params: Callable[[], Params]
     topics: Callable[[], Topics]
     netplan: Callable[[], Netplan]
+    networkmanager: Callable[[], NetworkManager]
     dds: Callable[[], Dds]
     sros2: Callable[[], Sros2]
     udev: Callable[[], Udev]
@@ -149,13 +151,18 @@ def _add_files(graph: Graph, layers: Layers) -> None:
 
 
 def _add_network(graph: Graph, layers: Layers, places: Places) -> None:
-    if not layers.files.of_kind("netplan"):
-        return
-    from bringup_lint.graph.edges.netplan import network_edges
-    from bringup_lint.graph.edges.netplan import network_places
+    if layers.files.of_kind("netplan"):
+        from bringup_lint.graph.edges.netplan import network_edges
+        from bringup_lint.graph.edges.netplan import network_places
 
-    graph.add(network_edges(layers.netplan()))
-    graph.define(network_places(layers.netplan()))
+        graph.add(network_edges(layers.netplan()))
+        graph.define(network_places(layers.netplan()))
+    if layers.files.of_kind("networkmanager"):
+        from bringup_lint.graph.edges.networkmanager import profile_edges
+        from bringup_lint.graph.edges.networkmanager import profile_places
+
+        graph.add(profile_edges(layers.networkmanager()))
+        graph.define(profile_places(layers.networkmanager()))
 
 
 def _add_dds(graph: Graph, layers: Layers, places: Places) -> None:
@@ -165,7 +172,7 @@ def _add_dds(graph: Graph, layers: Layers, places: Places) -> None:
 
     graph.define(dds_places(layers.files))
     graph.add(selection_edges(layers.files.tree, layers.dds(), layers.ros(), places))
-    graph.add(binding_edges(layers.dds(), layers.netplan, places))
+    graph.add(binding_edges(layers.dds(), layers.netplan, layers.networkmanager, places))
 
 
 def _add_security(graph: Graph, layers: Layers, places: Places) -> None:
