@@ -34,17 +34,20 @@ If the two services do not exchange topics with each other.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
+from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.dds import user_of
+from bringup_lint.api.systemd import Unit
 
 
 @rule("error", confidence="medium", symptoms=["Failed init_port fastrtps_port", "open_and_lock_file failed"])
 def shm_across_users(robot: Robot) -> Iterator[Finding]:
     for units in robot.units.running_together:
-        domains: dict[str | None, dict[str, tuple]] = {}
+        domains: dict[str | None, dict[str, tuple[Unit, Located | Span]]] = {}
         for process in robot.dds.sharing_memory:
             if process.unit in units:
                 user, where = user_of(process.unit)

@@ -30,6 +30,7 @@ When something outside of the tree runs the script after every boot, and the dev
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import Source
 from bringup_lint.api import finding
@@ -43,12 +44,12 @@ PSEUDO = ("/dev/shm", "/dev/null", "/dev/std", "/dev/pts", "/dev/mqueue", "/dev/
 
 @rule("warning", symptoms=["Permission denied: '/dev/", "could not open port /dev/"])
 def device_mode_lost(robot: Robot) -> Iterator[Finding]:
-    changed: dict[int, list] = {}
+    changed: dict[Source, list[Located]] = {}
     for source, run in robot.scripts.run("chmod"):
         for word in run.words[2:]:
             path = run.text(word)
             if path.startswith("/dev/") and not path.startswith(PSEUDO):
-                changed.setdefault(id(source), []).append(word)
+                changed.setdefault(source, []).append(word)
     for first, *others in changed.values():
         if robot.scripts.starts_by_itself(first.span.source) or _goes_on(robot, first.span.source):
             continue

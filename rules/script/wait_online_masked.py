@@ -35,6 +35,7 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -73,7 +74,7 @@ def _other_waits(robot: Robot, word: str) -> bool:
     return robot.mentions(re.compile(r"renderer:\s*NetworkManager|\bnmcli\b|NetworkManager-wait-online"))
 
 
-def _waiting(robot: Robot) -> list:
+def _waiting(robot: Robot) -> list[tuple[str, Located]]:
     """The units that start ROS and need the network, each with a place."""
     units = robot.units
     ordered = [(unit.name, word) for unit in units.dds for word in unit.words("After") if word == ONLINE]

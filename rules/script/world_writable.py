@@ -32,6 +32,7 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import regex
@@ -60,7 +61,7 @@ def world_writable(robot: Robot) -> Iterator[Finding]:
                 )
 
 
-def _opened(run: Run) -> tuple[str, list]:
+def _opened(run: Run) -> tuple[str, list[tuple[str, Located]]]:
     """The mode that a command gives to everybody, and the paths with their words; no paths for other modes."""
     words = [(run.text(word), word) for word in run.words[1:]]
     plain = [each for each in words if not re.match(r"-[A-Za-z-]", each[0])]
