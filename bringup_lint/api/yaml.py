@@ -7,11 +7,13 @@ from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.model.yaml_node import Node
 from bringup_lint.model.yaml_node import Scalar
 from bringup_lint.model.yaml_node import Sequence
+from bringup_lint.model.yaml_node import YamlCode
 
 __all__ = [
     "Mapping",
     "Node",
     "Scalar",
     "Sequence",
+    "YamlCode",
     "first_key",
 ]

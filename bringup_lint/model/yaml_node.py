@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import field
+from enum import Enum
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.pattern import regex
@@ -11,6 +12,20 @@ from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
 from bringup_lint.source import Span
+
+
+class YamlCode(str, Enum):
+    """What a reader of YAML cannot read, or leaves out."""
+
+    SYNTAX = "syntax"
+    TAB = "tab"
+    CONTROL_CHARACTER = "control-character"
+    UNDEFINED_ALIAS = "undefined-alias"
+    RECURSIVE_ALIAS = "recursive-alias"
+    ALIAS_BOMB = "alias-bomb"
+    """Aliases expand to too many nodes."""
+    TOO_DEEP = "too-deep"
+
 
 YAML11_BOOLEANS = {
     **dict.fromkeys(("yes", "Yes", "YES", "true", "True", "TRUE", "on", "On", "ON"), True),

@@ -18,6 +18,7 @@ from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.model.yaml_node import Node
 from bringup_lint.model.yaml_node import Scalar
 from bringup_lint.model.yaml_node import Sequence
+from bringup_lint.model.yaml_node import YamlCode
 from bringup_lint.parsers import yaml_nodes
 from bringup_lint.parsers.param_scalar import scalar
 from bringup_lint.parsers.param_state import HEADER
@@ -30,7 +31,6 @@ from bringup_lint.source import Problem
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 
-LIMITS = ("too-deep",)
 MISSPELT = regex(r"ros?_{1,4}para?m[a-z]{0,8}\Z", re.I)
 """A node key that can only mean ``ros__parameters``."""
 _STAR = regex(r"[ \t]*(\*[^\s:]*)[ \t]*:(?:[ \t\r\n]|\Z)")
@@ -40,7 +40,7 @@ _VERSION = regex(r"^%YAML[ \t]+(?!1\.1[ \t]*(?:#|$))[^\r\n]*", re.M)
 def parse(source: Source) -> ParameterFile:
     """Read a parameter file. Every problem stops the process that loads the file; the detail is in the words of rcl.
 
-    Problems: those of YAML (``syntax``, ``tab``, ``control-character``, ``yaml-version``), ``unquoted-star``,
+    Problems: those of ``YamlCode``, ``yaml-version``, ``unquoted-star``,
     ``no-key``, ``list-at-root``, ``no-node-name``, ``node-key``, ``misspelt-header``, ``value-before-parameters``,
     ``empty-block``, ``after-empty-map``, ``no-value``, ``alias``, ``mixed-list``, ``nested-list``, ``list-of-maps``,
     ``list-as-key``, ``list-before-parameters``, ``internal``.
@@ -57,9 +57,9 @@ class _Reader:
 
     def read(self) -> ParameterFile:
         tree = yaml_nodes.parse(self.source, follow_aliases=False)
-        self.file.uncertain = any(problem.code in LIMITS for problem in tree.problems)
+        self.file.uncertain = any(problem.code == YamlCode.TOO_DEEP for problem in tree.problems)
         for problem in tree.problems:
-            if problem.code not in LIMITS:
+            if problem.code != YamlCode.TOO_DEEP:
                 found = self.starred(problem)
                 self.problem(found.code, found.where, found.detail)
         version = _VERSION.search(self.source.text) if "%YAML" in self.source.text else None
@@ -76,7 +76,7 @@ class _Reader:
     def starred(self, problem: Problem) -> Problem:
         """A node key such as ``*:`` without quotes looks to YAML like a broken alias."""
         line = self.source.line_text(problem.where.line)
-        match = _STAR.match(line) if problem.code == "syntax" else None
+        match = _STAR.match(line) if problem.code == YamlCode.SYNTAX else None
         if match is None:
             return problem
         start = self.source.line_starts[problem.where.line - 1] + match.start(1)

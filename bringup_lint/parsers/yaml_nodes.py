@@ -13,6 +13,7 @@ from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.model.yaml_node import Node
 from bringup_lint.model.yaml_node import Scalar
 from bringup_lint.model.yaml_node import Sequence
+from bringup_lint.model.yaml_node import YamlCode
 from bringup_lint.model.yaml_node import YamlFile
 from bringup_lint.parsers.yaml_text import content
 from bringup_lint.pattern import regex
@@ -22,19 +23,18 @@ from bringup_lint.source import Source
 from bringup_lint.source import Span
 
 DEEPEST = 100
-"""Levels of nesting that are kept; what lies deeper is left out with the problem ``too-deep``."""
+"""Levels of nesting that are kept; what lies deeper is left out with a problem."""
 HOPELESS = 10 * DEEPEST
 """Levels of nesting at which reading ends: the time that libyaml takes for a token grows with them."""
 LARGEST = 100_000
-"""Nodes that aliases may add, counted as if each were copied; then an alias stays empty (``alias-bomb``)."""
+"""Nodes that aliases may add, counted as if each were copied; then an alias stays empty."""
 FORBIDDEN = regex("[^\t\n\r\x20-\x7e\x85\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 LOADER = getattr(yaml, "CLoader", yaml.Loader)
 
 
 def parse(source: Source, *, follow_aliases: bool = True) -> YamlFile:
-    """Read all documents. Problems: ``syntax``, ``tab``, ``control-character``, ``undefined-alias``,
-    ``recursive-alias``, ``alias-bomb``, ``too-deep``; the detail is in the words of libyaml.
+    """Read all documents. The codes of the problems are those of ``YamlCode``; the detail is in the words of libyaml.
 
     Aliases stand for their targets, or stay ``Alias`` nodes when they are not followed.
     """
@@ -59,7 +59,7 @@ class _Builder:
         text = source.text
         self.shift = 1 if text.startswith("\ufeff") else 0
         for match in FORBIDDEN.finditer(text):
-            self.problem("control-character", match.start(), match.end(), f"U+{ord(match[0]):04X}")
+            self.problem(YamlCode.CONTROL_CHARACTER, match.start(), match.end(), f"U+{ord(match[0]):04X}")
             break
         self.text = FORBIDDEN.sub("\ufffd", text[self.shift :])
         self.open: list[Sequence | Mapping] = []
@@ -105,7 +105,7 @@ class _Builder:
     def start(self, event: yaml.CollectionStartEvent) -> None:
         if self.skipping or len(self.open) >= DEEPEST:
             if not self.skipping:
-                self.problem("too-deep", *self.range(event), f"nested deeper than {DEEPEST} levels")
+                self.problem(YamlCode.TOO_DEEP, *self.range(event), f"nested deeper than {DEEPEST} levels")
                 self.add(self.nothing(event))
             self.skipping += 1
             if self.skipping > HOPELESS:
@@ -160,11 +160,11 @@ class _Builder:
             return Alias(self.span(*self.range(event)))
         target = self.anchors.get(event.anchor)
         if target is None:
-            self.problem("undefined-alias", *self.range(event), f"*{event.anchor} has no anchor before it")
+            self.problem(YamlCode.UNDEFINED_ALIAS, *self.range(event), f"*{event.anchor} has no anchor before it")
         elif any(target is node for node in self.open):
-            self.problem("recursive-alias", *self.range(event), f"*{event.anchor} contains itself")
+            self.problem(YamlCode.RECURSIVE_ALIAS, *self.range(event), f"*{event.anchor} contains itself")
         elif self.expanded + target.size > LARGEST:
-            self.problem("alias-bomb", *self.range(event), f"aliases expand to more than {LARGEST} nodes")
+            self.problem(YamlCode.ALIAS_BOMB, *self.range(event), f"aliases expand to more than {LARGEST} nodes")
         else:
             self.expanded += target.size
             return target
@@ -186,10 +186,10 @@ class _Builder:
         mark = getattr(error, "problem_mark", None)
         at = min((mark.index if mark else 0) + self.shift, len(self.file.source.text))
         detail = getattr(error, "problem", None) or getattr(error, "reason", None) or "not valid YAML"
-        code = "tab" if self.file.source.text[at : at + 1] == "\t" else "syntax"
+        code = YamlCode.TAB if self.file.source.text[at : at + 1] == "\t" else YamlCode.SYNTAX
         self.problem(code, at, min(at + 1, len(self.file.source.text)), str(detail))
 
-    def problem(self, code: str, start: int, end: int, detail: str) -> None:
+    def problem(self, code: YamlCode, start: int, end: int, detail: str) -> None:
         if len(self.file.problems) < 100:
             self.file.problems.append(Problem(code, self.span(start, end), detail))
 

@@ -38,6 +38,7 @@ from bringup_lint.api import Problem
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.yaml import YamlCode
 
 CONSEQUENCE = "docker compose starts nothing"
 
@@ -53,8 +54,8 @@ def syntax(robot: Robot) -> Iterator[Finding]:
 
 def _explain(problem: Problem) -> tuple[str, str]:
     """What is wrong, and what to do about it."""
-    if problem.code == "tab":
-        return "A tab is no indentation in YAML", "write blanks"
+    if problem.code == YamlCode.TAB:
+        return "YAML does not allow tabs in the indentation", "write blanks"
     if problem.code == "duplicate":
         if str(problem.where) == "<<":
             return f"A second merge key, the first is in line {problem.detail}", "write <<: [*one, *other]"

@@ -36,12 +36,13 @@ from bringup_lint.api import Problem
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.yaml import YamlCode
 
 IGNORED = {
     "doctype",
     "no-launch-root",
     "too-large",
-    "alias-bomb",
+    YamlCode.ALIAS_BOMB,
 }
 
 OLD = ("foxy", "galactic", "humble", "iron")

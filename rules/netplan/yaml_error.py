@@ -41,6 +41,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.yaml import YamlCode
 
 
 @rule(
@@ -52,7 +53,7 @@ def yaml_error(robot: Robot) -> Iterator[Finding]:
         if file.source.template:
             continue
         for problem in file.yaml.problems[:1]:
-            if problem.code == "tab":
+            if problem.code == YamlCode.TAB:
                 message = "Tabs are not allowed in YAML: netplan generates nothing"
                 advice = "indent with spaces"
             else:

@@ -37,15 +37,16 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
 from bringup_lint.api.params import ParameterFile
+from bringup_lint.api.yaml import YamlCode
 
-_WHAT = {
-    "tab": "YAML does not allow tabs in the indentation",
+_WHAT: dict[str, str] = {
+    YamlCode.TAB: "YAML does not allow tabs in the indentation",
     "no-key": "There is no node name",
     "list-at-root": "The file is a list, not a mapping of node names",
     "yaml-version": "libyaml before 0.2.5, as in the pip packages of ROS, accepts only %YAML 1.1",
 }
-_ADVICE = {
-    "tab": "indent with spaces",
+_ADVICE: dict[str, str] = {
+    YamlCode.TAB: "indent with spaces",
     "no-key": "remove the file, or write node name, ros__parameters and values",
     "list-at-root": "put a node name and ros__parameters above the values",
     "yaml-version": "remove the %YAML line",
@@ -55,7 +56,7 @@ _ADVICE = {
 @rule("error", fix="safe", symptoms=["Error parsing a event near line", "Couldn't parse params file"])
 def not_wellformed(robot: Robot) -> Iterator[Finding]:
     for file, problem in robot.params.problems(
-        "syntax", "tab", "control-character", "yaml-version", "no-key", "list-at-root"
+        YamlCode.SYNTAX, YamlCode.TAB, YamlCode.CONTROL_CHARACTER, "yaml-version", "no-key", "list-at-root"
     ):
         if problem.code == "yaml-version" and robot.params.reader(file) == "pyyaml":
             continue
@@ -64,7 +65,7 @@ def not_wellformed(robot: Robot) -> Iterator[Finding]:
             problem.where,
             f"{what}: the process that loads the file exits at start",
             advice=_ADVICE.get(problem.code, "correct the YAML; quote values that start with a special character"),
-            fix=_spaces(robot, file) if problem.code == "tab" else None,
+            fix=_spaces(robot, file) if problem.code == YamlCode.TAB else None,
             severity="warning" if problem.code == "yaml-version" else None,
         )
 
