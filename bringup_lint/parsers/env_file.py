@@ -1,8 +1,7 @@
 """Environment files as systemd reads them: the state machine of ``src/basic/env-file.c``, systemd.exec(5).
 
 A comment is a line that starts with ``#`` or ``;``; there are no trailing comments and nothing is expanded.
-Quotes count only
-where a value (or a part of it behind another quoted one) starts; a quoted value may span lines.
+Quotes count only where a value (or a part of it after another quoted one) starts; a quoted value may span lines.
 """
 
 from __future__ import annotations
@@ -27,8 +26,7 @@ _ESCAPED_IN_QUOTES = '"\\`$'
 
 def parse(source: Source) -> EnvFile:
     """Read an environment file. Never raises; what systemd drops is in ``problems``: ``missing-equals``,
-    ``bad-name``,
-    ``export-prefix``, ``unterminated-quote``."""
+    ``bad-name``, ``export-prefix``, ``unterminated-quote``."""
     file = EnvFile(source)
     text = source.text
     at = 1 if text.startswith("\ufeff") else 0
@@ -67,58 +65,87 @@ def _entry(file: EnvFile, start: int, equals: int) -> int:
 
 
 def _value(source: Source, at: int) -> tuple[Located, bool, int, int | None]:
-    """The value, whether it is quoted, the offset of the line end behind it, and the quote that is never
-    closed."""
-    text, size = source.text, len(source.text)
-    out: list[str] = []
-    pieces: list[tuple[int, int]] = []
-    first = at
-    quote, quoted_from, quoted = "", 0, False
-    started = False
-    kept = 0
-    """How much of ``out`` stays when trailing blanks are stripped: they go only behind unquoted text."""
+    """The value, whether it is quoted, the offset of the line end after it, and the quote that is never closed."""
+    reader = _ValueReader(source, at)
+    end = reader.read()
+    return reader.located(), reader.is_quoted, end, reader.quoted_from if reader.quote else None
 
-    def push(char: str, offset: int) -> None:
-        if not pieces or pieces[-1][1] + len(out) - pieces[-1][0] != offset:
-            pieces.append((len(out), offset))
-        out.append(char)
 
-    while at < size:
-        char = text[at]
-        if quote:
-            if char == quote:
-                quote, started = "", False
-                kept = len(out)
-            elif quote == '"' and char == "\\" and at + 1 < size:
-                at += 1
-                if text[at] not in _ESCAPED_IN_QUOTES and text[at] != "\n":
-                    push("\\", at - 1)
-                if text[at] != "\n":
-                    push(text[at], at)
+class _ValueReader:
+    """The states of a value: before it starts, in it without quotes, and between quotes."""
+
+    def __init__(self, source: Source, at: int) -> None:
+        self.source = source
+        self.first = self.at = at
+        self.out: list[str] = []
+        self.pieces: list[tuple[int, int]] = []
+        """Offsets in ``out`` and in the file, where they do not go on together."""
+        self.kept = 0
+        """How much of ``out`` stays when trailing blanks are stripped: they go only after unquoted text."""
+        self.started = False
+        self.quote = ""
+        self.quoted_from = 0
+        self.is_quoted = False
+
+    def read(self) -> int:
+        """Read to the end of the line, or of the file where a quote is not closed; returns where that is."""
+        text, size = self.source.text, len(self.source.text)
+        while self.at < size:
+            char = text[self.at]
+            if self.quote:
+                self.between_quotes(char)
+            elif char in "\r\n":
+                break
             else:
-                push(char, at)
-        elif char in "\r\n":
-            break
-        elif char == "\\":
-            at += 1
-            started = True
-            if at < size and text[at] not in "\r\n":
-                push(text[at], at)
-            kept = len(out)
-        elif not started and char in "'\"":
-            quote, quoted_from, quoted = char, at, True
-        elif started or char not in " \t":
-            started = True
-            push(char, at)
+                self.without_quotes(char)
+            self.at += 1
+        if not self.quote:
+            del self.out[self.kept :]
+        return min(self.at, size)
+
+    def push(self, char: str, offset: int) -> None:
+        if not self.pieces or self.pieces[-1][1] + len(self.out) - self.pieces[-1][0] != offset:
+            self.pieces.append((len(self.out), offset))
+        self.out.append(char)
+
+    def between_quotes(self, char: str) -> None:
+        text = self.source.text
+        if char == self.quote:
+            self.quote, self.started, self.kept = "", False, len(self.out)
+        elif self.quote == '"' and char == "\\" and self.at + 1 < len(text):
+            self.at += 1
+            escaped = text[self.at]
+            if escaped not in _ESCAPED_IN_QUOTES and escaped != "\n":
+                self.push("\\", self.at - 1)
+            if escaped != "\n":
+                self.push(escaped, self.at)
+        else:
+            self.push(char, self.at)
+
+    def without_quotes(self, char: str) -> None:
+        if char == "\\":
+            self.escaped()
+        elif not self.started and char in "'\"":
+            self.quote, self.quoted_from, self.is_quoted = char, self.at, True
+        elif self.started or char not in " \t":
+            self.started = True
+            self.push(char, self.at)
             if char not in " \t":
-                kept = len(out)
-        at += 1
-    end = min(at, size)
-    open_quote = quoted_from if quote else None
-    if open_quote is None:
-        del out[kept:]
-    begin = pieces[0][1] if pieces else first
-    plain = quoted or any(outer - begin != inner for inner, outer in pieces)
-    stop = pieces[-1][1] + len(out) - pieces[-1][0] if pieces else begin
-    span = source.span(begin, max(stop, begin))
-    return Located("".join(out), span, tuple(pieces) if plain and pieces else None), quoted, end, open_quote
+                self.kept = len(self.out)
+
+    def escaped(self) -> None:
+        """A backslash without quotes: it makes the next character literal, and joins the next line."""
+        text = self.source.text
+        self.at += 1
+        self.started = True
+        if self.at < len(text) and text[self.at] not in "\r\n":
+            self.push(text[self.at], self.at)
+        self.kept = len(self.out)
+
+    def located(self) -> Located:
+        pieces, length = self.pieces, len(self.out)
+        begin = pieces[0][1] if pieces else self.first
+        plain = self.is_quoted or any(outer - begin != inner for inner, outer in pieces)
+        stop = pieces[-1][1] + length - pieces[-1][0] if pieces else begin
+        span = self.source.span(begin, max(stop, begin))
+        return Located("".join(self.out), span, tuple(pieces) if plain and pieces else None)

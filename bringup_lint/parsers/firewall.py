@@ -117,23 +117,34 @@ def _iptables(firewall: Firewall, words: list[Located], variables: Variables) ->
 
 
 def _ufw(firewall: Firewall, words: list[Located], variables: Variables) -> None:
-    if words[:1] == ["default"] and "allow" in words and ("incoming" in words or "routed" not in words):
-        firewall.opens_all = firewall.opens_all or "outgoing" not in words
-    if words[:1] == ["default"] and ({"deny", "reject"} & set(words)) and "outgoing" not in words:
-        firewall.drops = True
     if words[:1] == ["enable"] or words[:2] == ["--force", "enable"]:
         firewall.drops = True
-    if not {"allow", "limit"} & set(words) or "out" in words or words[0] == "default":
+    elif words[:1] == ["default"]:
+        _ufw_default(firewall, words)
+    elif {"allow", "limit"} & set(words) and "out" not in words:
+        at = next(index for index, word in enumerate(words) if word in ("allow", "limit"))
+        firewall.first_input = firewall.first_input or words[at]
+        _ufw_rule(firewall, words[at + 1 :], variables)
+
+
+def _ufw_default(firewall: Firewall, words: list[Located]) -> None:
+    """``ufw default allow incoming``; without a direction it is that of incoming packets."""
+    if "outgoing" in words:
         return
-    at = next(index for index, word in enumerate(words) if word in ("allow", "limit"))
-    firewall.first_input = firewall.first_input or words[at]
-    rest = words[at + 1 :]
-    protocol = str(_option(rest, "proto") or "")
-    port = _option(rest, "port")
-    if port is None and len(rest) == 1 and (plain := _UFW_PORTS.match(rest[0])):
-        port, protocol = rest[0].part(0, len(plain["ports"])), plain["protocol"] or ""
-        if plain["ports"].isalpha():
+    if "allow" in words and ("incoming" in words or "routed" not in words):
+        firewall.opens_all = True
+    if {"deny", "reject"} & set(words):
+        firewall.drops = True
+
+
+def _ufw_rule(firewall: Firewall, words: list[Located], variables: Variables) -> None:
+    """What follows ``allow`` or ``limit``: ``7400/udp``, or ``proto udp from any to any port 7400:7500``."""
+    protocol, port = str(_option(words, "proto") or ""), _option(words, "port")
+    simple = _UFW_PORTS.match(words[0]) if port is None and len(words) == 1 else None
+    if simple is not None:
+        if simple["ports"].isalpha():
             return
+        port, protocol = words[0].part(0, len(simple["ports"])), simple["protocol"] or ""
     if port is None:
         firewall.opens_all = True
         return

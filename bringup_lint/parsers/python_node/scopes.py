@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import ast
+from collections.abc import Callable
 from collections.abc import Iterator
 from dataclasses import field
+from typing import Any
 from typing import NamedTuple
 
 from bringup_lint.dataclass import dataclass
@@ -12,6 +14,8 @@ from bringup_lint.dataclass import dataclass
 Def = ast.FunctionDef | ast.AsyncFunctionDef
 NODES = 400_000
 """Syntax nodes of a file that are looked at."""
+Kept = dict[int, ast.expr]
+"""``id`` of a call -> what its result is assigned to."""
 
 
 class AttributeSet(NamedTuple):
@@ -107,7 +111,7 @@ def read_module(tree: ast.Module) -> Module:
     """All names and calls of a file, in the order of the text."""
     module = Module(Scope(tree))
     stack = [Todo(node, module.scope, None, False) for node in reversed(tree.body)]
-    kept: dict[int, ast.expr] = {}
+    kept: Kept = {}
     count = 0
     while stack:
         todo = stack.pop()
@@ -123,8 +127,8 @@ def read_module(tree: ast.Module) -> Module:
         else:
             if isinstance(node, ast.Call):
                 module.calls.append(Call(node, todo.scope, todo.conditional, kept.get(id(node))))
-            elif isinstance(node, _BINDERS):
-                _bind(module, todo, kept)
+            elif type(node) in _BINDERS:
+                _BINDERS[type(node)](module, todo, node, kept)
             children = _children(module, todo)
         stack.extend(reversed(list(children)))
     _link_bases(module)
@@ -170,63 +174,73 @@ def _class(module: Module, todo: Todo, node: ast.ClassDef) -> Iterator[Todo]:
         yield Todo(statement, todo.scope, found, todo.conditional)
 
 
-_BINDERS = (
-    ast.Assign,
-    ast.AnnAssign,
-    ast.AugAssign,
-    ast.For,
-    ast.AsyncFor,
-    ast.With,
-    ast.AsyncWith,
-    ast.ExceptHandler,
-    ast.Import,
-    ast.ImportFrom,
-    ast.Global,
-    ast.NamedExpr,
-    ast.Delete,
-)
+def _bind_value(module: Module, todo: Todo, node: ast.Assign | ast.AnnAssign, kept: Kept) -> None:
+    if node.value is None:
+        return
+    targets = node.targets if isinstance(node, ast.Assign) else [node.target]
+    for target in targets:
+        _assign(todo, target, node.value)
+    _keep(kept, node.value, targets[0])
 
 
-def _bind(module: Module, todo: Todo, kept: dict[int, ast.expr]) -> None:
-    node = todo.node
-    if isinstance(node, ast.Assign):
-        for target in node.targets:
-            _assign(todo, target, node.value)
-        _keep(kept, node.value, node.targets[0])
-    elif isinstance(node, ast.AnnAssign):
-        if node.value is not None:
-            _assign(todo, node.target, node.value)
-            _keep(kept, node.value, node.target)
-    elif isinstance(node, (ast.AugAssign, ast.For, ast.AsyncFor, ast.NamedExpr)):
-        _assign(todo, node.target, None)
-    elif isinstance(node, (ast.With, ast.AsyncWith)):
-        for item in node.items:
-            if item.optional_vars is not None:
-                _assign(todo, item.optional_vars, None)
-    elif isinstance(node, ast.Delete):
-        for target in node.targets:
-            _assign(todo, target, None)
-    elif isinstance(node, ast.ExceptHandler):
-        if node.name:
-            _names(todo).setdefault(node.name, []).append(None)
-    elif isinstance(node, ast.Global):
-        for name in node.names:
-            module.scope.names.setdefault(name, []).append(None)
-    elif isinstance(node, ast.Import):
-        for alias in node.names:
-            name = alias.asname or alias.name.partition(".")[0]
-            _import(module, name, alias.name if alias.asname else name)
-    elif isinstance(node, ast.ImportFrom):
-        prefix = "." * node.level + (node.module or "")
-        for alias in node.names:
-            if alias.name == "*":
-                module.stars.append(prefix)
-            else:
-                dotted = f"{prefix}{alias.name}" if prefix.endswith(".") else f"{prefix}.{alias.name}"
-                _import(module, alias.asname or alias.name, dotted)
+def _bind_target(
+    module: Module, todo: Todo, node: ast.AugAssign | ast.For | ast.AsyncFor | ast.NamedExpr, kept: Kept
+) -> None:
+    _assign(todo, node.target, None)
 
 
-def _keep(kept: dict[int, ast.expr], value: ast.expr, target: ast.expr) -> None:
+def _bind_with(module: Module, todo: Todo, node: ast.With | ast.AsyncWith, kept: Kept) -> None:
+    for item in node.items:
+        if item.optional_vars is not None:
+            _assign(todo, item.optional_vars, None)
+
+
+def _bind_deleted(module: Module, todo: Todo, node: ast.Delete, kept: Kept) -> None:
+    for target in node.targets:
+        _assign(todo, target, None)
+
+
+def _bind_exception(module: Module, todo: Todo, node: ast.ExceptHandler, kept: Kept) -> None:
+    if node.name:
+        _names(todo).setdefault(node.name, []).append(None)
+
+
+def _bind_global(module: Module, todo: Todo, node: ast.Global, kept: Kept) -> None:
+    for name in node.names:
+        module.scope.names.setdefault(name, []).append(None)
+
+
+def _bind_import(module: Module, todo: Todo, node: ast.Import, kept: Kept) -> None:
+    for alias in node.names:
+        name = alias.asname or alias.name.partition(".")[0]
+        _import(module, name, alias.name if alias.asname else name)
+
+
+def _bind_import_from(module: Module, todo: Todo, node: ast.ImportFrom, kept: Kept) -> None:
+    prefix = "." * node.level + (node.module or "")
+    for alias in node.names:
+        if alias.name == "*":
+            module.stars.append(prefix)
+            continue
+        dotted = f"{prefix}{alias.name}" if prefix.endswith(".") else f"{prefix}.{alias.name}"
+        _import(module, alias.asname or alias.name, dotted)
+
+
+_BINDERS: dict[type[ast.AST], Callable[[Module, Todo, Any, Kept], None]] = {
+    ast.Assign: _bind_value,
+    ast.AnnAssign: _bind_value,
+    **dict.fromkeys((ast.AugAssign, ast.For, ast.AsyncFor, ast.NamedExpr), _bind_target),
+    **dict.fromkeys((ast.With, ast.AsyncWith), _bind_with),
+    ast.ExceptHandler: _bind_exception,
+    ast.Import: _bind_import,
+    ast.ImportFrom: _bind_import_from,
+    ast.Global: _bind_global,
+    ast.Delete: _bind_deleted,
+}
+"""What binds names, by the type of the statement or expression."""
+
+
+def _keep(kept: Kept, value: ast.expr, target: ast.expr) -> None:
     if isinstance(value, ast.Await):
         value = value.value
     kept[id(value)] = target

@@ -81,6 +81,38 @@ def _located(value: Located, pieces: list[tuple[int, int, str]], start: int, end
     return Located(text, place.span, tuple(mapping))
 
 
+class _Escape(NamedTuple):
+    """A backslash and what follows it."""
+
+    text: str
+    next: int
+    problem: ValueProblem | None = None
+    spoils: bool = False
+    """The value cannot be read because of it."""
+
+
+def _escape(value: Located, at: int, escapes: str, quoted: bool) -> _Escape:
+    text: str = value
+    if at + 1 >= len(text):
+        lone = escapes == DECODE_RELAXED and not quoted
+        bad = None if lone else ValueProblem("unknown-escape", value.part(at, len(text)))
+        return _Escape("\\", at + 1, bad, not lone)
+    if escapes == DROP:
+        return _Escape(text[at + 1], at + 2)
+    decoded = decode_escape(text, at + 1)
+    if decoded is not None:
+        return _Escape(*decoded)
+    bad = ValueProblem("unknown-escape", value.part(at, at + 2), suggestion="\\" + text[at : at + 2])
+    return _Escape(text[at : at + 2], at + 2, bad, escapes == DECODE)
+
+
+def _after(text: str, at: int, separators: str) -> int:
+    """The end of the separators at an offset."""
+    while at < len(text) and text[at] in separators:
+        at += 1
+    return at
+
+
 def extract(
     value: Located,
     at: int = 0,
@@ -95,51 +127,40 @@ def extract(
     size = len(text)
     if at < 0 or at > size:
         return Extracted(None, -1)
-    if coalesce:
-        while at < size and text[at] in separators:
-            at += 1
-        if at >= size:
-            return Extracted(None, -1)
-    elif at >= size:
-        return Extracted(value.part(size, size), -1)
-    start = at
+    start = _after(text, at, separators) if coalesce else at
+    if start >= size:
+        return Extracted(None if coalesce else value.part(size, size), -1)
+    word, end, problems, broken = _word(value, start, separators, quotes, escapes)
+    if broken or end >= size:
+        return Extracted(word, -1, problems, broken)
+    following = _after(text, end, separators) if coalesce else end + 1
+    return Extracted(word, following if following < size or not coalesce else -1, problems)
+
+
+def _word(
+    value: Located, start: int, separators: str, quotes: bool, escapes: str
+) -> tuple[Located, int, tuple[ValueProblem, ...], bool]:
+    """The word that starts at an offset, its end, what is wrong with it, and whether it cannot be read."""
+    text: str = value
+    size = len(text)
     pieces: list[tuple[int, int, str]] = []
     problems: list[ValueProblem] = []
-    quote = ""
-    quoted_from = 0
-    run = at
+    quote, quoted_from = "", 0
+    run = at = start
     while at < size:
         char = text[at]
         if char == "\\" and escapes != KEEP:
-            if at > run:
-                pieces.append((run, at - run, text[run:at]))
-            if at + 1 >= size:
-                if escapes == DECODE_RELAXED and not quote:
-                    pieces.append((at, 1, "\\"))
-                    run = at = size
-                    break
-                return Extracted(
-                    value.part(start, size), -1, (ValueProblem("unknown-escape", value.part(at, size)),), True
-                )
-            if escapes == DROP:
-                pieces.append((at, 2, text[at + 1]))
-                at += 2
-            else:
-                decoded = decode_escape(text, at + 1)
-                if decoded is not None:
-                    pieces.append((at, decoded[1] - at, decoded[0]))
-                    at = decoded[1]
-                else:
-                    bad = ValueProblem("unknown-escape", value.part(at, at + 2), suggestion="\\" + text[at : at + 2])
-                    problems.append(bad)
-                    if escapes == DECODE:
-                        return Extracted(value.part(start, size), -1, tuple(problems), True)
-                    pieces.append((at, 2, text[at : at + 2]))
-                    at += 2
-            run = at
+            _end_run(pieces, text, run, at)
+            escape = _escape(value, at, escapes, bool(quote))
+            if escape.problem is not None:
+                problems.append(escape.problem)
+            if escape.spoils:
+                lone = (escape.problem,) if at + 1 >= size and escape.problem is not None else tuple(problems)
+                return value.part(start, size), size, lone, True
+            pieces.append((at, escape.next - at, escape.text))
+            run = at = escape.next
         elif quotes and (char == quote if quote else char in "'\""):
-            if at > run:
-                pieces.append((run, at - run, text[run:at]))
+            _end_run(pieces, text, run, at)
             quote, quoted_from = ("", 0) if quote else (char, at)
             at += 1
             run = at
@@ -149,17 +170,16 @@ def extract(
             at += 1
     if quote:
         bad = ValueProblem("unbalanced-quotes", value.part(quoted_from, size))
-        return Extracted(value.part(start, size), -1, (bad,), True)
+        return value.part(start, size), size, (bad,), True
+    _end_run(pieces, text, run, at)
+    word = _located(value, pieces, start, at) if pieces else Located("", value.part(start, at).span)
+    return word, at, tuple(problems), False
+
+
+def _end_run(pieces: list[tuple[int, int, str]], text: str, run: int, at: int) -> None:
+    """Keep the characters since the last quote or escape."""
     if at > run:
         pieces.append((run, at - run, text[run:at]))
-    word = _located(value, pieces, start, at) if pieces else Located("", value.part(start, at).span)
-    if at >= size:
-        return Extracted(word, -1, tuple(problems))
-    if not coalesce:
-        return Extracted(word, at + 1, tuple(problems))
-    while at < size and text[at] in separators:
-        at += 1
-    return Extracted(word, at if at < size else -1, tuple(problems))
 
 
 class Words(NamedTuple):
