@@ -95,3 +95,8 @@ def test_deep_nesting_is_left_out() -> None:
     deep = parse(Source("relay.cpp", NODE + "(" * 200_000))
     assert [problem.code for problem in deep.problems] == ["too-deep"]
     assert deep.endpoints == []
+
+
+def test_nodes_that_are_variables() -> None:
+    text = '#include "rclcpp/rclcpp.hpp"\nint main() { rclcpp::Node arm("arm"); rclcpp::Node leg{"leg"}; }\n'
+    assert parse(Source("main.cpp", text)).names == ["arm", "leg"]

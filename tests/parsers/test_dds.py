@@ -12,6 +12,7 @@ from bringup_lint.discover.kinds import kind_of
 from bringup_lint.facts import table
 from bringup_lint.model.cyclonedds import VERSIONS
 from bringup_lint.model.fastdds import VERSIONS as FAST_VERSIONS
+from bringup_lint.model.schema import Code
 from bringup_lint.parsers import cyclonedds
 from bringup_lint.parsers import fastdds
 from bringup_lint.parsers.cyclonedds_schema import schema
@@ -168,3 +169,12 @@ def test_deep_and_wide_trees_cost_linear_time() -> None:
     for text in ("<a>" * 200_000, "<CycloneDDS>" + "<Domain/>" * 20_000, "<profiles>" * 100_000):
         assert any(remark.fatal for remark in cyclonedds.parse(Source("a.xml", text)).remarks)
         assert fastdds.parse(Source("a.xml", text)).dropped
+
+
+@pytest.mark.parametrize(("index", "fits"), [(29062, True), (29063, False)])
+def test_two_ports_for_each_participant(index: int, fits: bool) -> None:
+    """7400 + 2 * 29062 + 11 = 65535, the highest port."""
+    written = f"<Discovery><ParticipantIndex>{index}</ParticipantIndex></Discovery>"
+    source = Source("a.xml", f"<CycloneDDS><Domain>{written}</Domain></CycloneDDS>")
+    (domain,) = cyclonedds.parse(source, environment={}).domains
+    assert (Code.PORTS not in [remark.code for remark in domain.remarks]) == fits

@@ -370,3 +370,19 @@ def test_an_item_beyond_the_end_of_a_list_is_not_known() -> None:
     file = described("*nodes", "nodes = [Node(package='a', executable='a')]\nnodes.pop(3)")
     assert len(list(walk_actions(file.actions))) >= 1
     assert [node.executable for node in walk_actions(file.actions) if isinstance(node, Node)]
+
+
+def test_conditions_that_are_partly_known_keep_what_is_unknown() -> None:
+    file = read(
+        """
+        def setup(context):
+            if LaunchConfiguration('sim').perform(context) == 'true' and True:
+                return [Node(package='a', executable='a')]
+
+        def generate_launch_description():
+            return LaunchDescription([OpaqueFunction(function=setup)])
+        """
+    )
+    (node,) = (action for action in walk_actions(file.actions) if isinstance(action, Node))
+    (condition,) = node.conditions
+    assert [type(operand).__name__ for operand in condition.predicate.operands] == ["Operation", "Literal"]

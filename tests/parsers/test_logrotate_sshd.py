@@ -78,3 +78,10 @@ def test_time_grows_with_the_text_only(parse) -> None:
 def test_an_empty_name_is_no_file_to_include(line: str) -> None:
     (problem,) = sshd.parse(Source("sshd_config", line + "\n")).problems
     assert problem.detail == "a file name"
+
+
+def test_scripts_of_a_stanza_that_is_left_out_are_skipped() -> None:
+    text = "/a.log {\n  =bad\n  postrotate\n    echo endscript }\n  }\n  endscript\n}\n/b.log {\n  weekly\n}\n"
+    file = logrotate.parse(Source("robot", text))
+    assert [str(path) for stanza in file.stanzas for path in stanza.paths] == ["/a.log", "/b.log"]
+    assert [problem.where for problem in file.problems] == ["=bad"]

@@ -392,3 +392,8 @@ def test_lists_of_numbers_are_values() -> None:
 def test_transforms_are_published_in_every_state() -> None:
     found = only("self.tf = TransformBroadcaster(self)", "from tf2_ros import TransformBroadcaster")
     assert (found.name, found.lifecycle, found.implied) == ("/tf", False, True)
+
+
+def test_a_depth_that_is_set_later_counts() -> None:
+    found = qos("profile", lines="profile = QoSProfile(depth=1)\nprofile.depth = 7\nprofile.label = 'wheels'")
+    assert found is not None and found.depth == 7
