@@ -41,6 +41,10 @@ def test_advice(rule_id: str, advice: list[str]) -> None:
 @pytest.mark.parametrize(
     ("rule_id", "related"),
     [
+        (
+            "cyclonedds/interface-not-waited-for",
+            ["netplan does not wait for it", "robot.service waits for network.target only"],
+        ),
         ("device/link-undefined", ["a rule for /dev/robot is here"]),
         ("live/topic-typo", ["/lidar/driver publishes /scan_filtered", "subscribed", "published"]),
     ],
