@@ -2,8 +2,9 @@
 
 ## What it finds
 A script of the tree that a container starts and that runs ROS in the foreground without `exec`, or in the background
-while it keeps the container running with `sleep infinity` or `tail -f`. Silent if the script sets a `trap`, and under
-an init program that signals the whole group (`dumb-init`, `tini -g`).
+while it keeps the container running with `sleep infinity` or `tail -f`; and one that ends with `"$@"` without `exec`,
+where a service or image of the tree starts ROS. Silent if the script sets a `trap`, and under an init program that
+signals the whole group (`dumb-init`, `tini -g`).
 
 ## Why it matters on a robot
 docker stop signals the first process only. That is the shell, which waits for ROS and does not pass the signal on:
@@ -34,7 +35,9 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
@@ -67,6 +70,34 @@ def script_keeps_signal(robot: Robot) -> Iterator[Finding]:
             message = f"{script} runs ROS without exec: docker stop signals the shell, and Docker kills the nodes"
             advice = "write exec in front of it"
         yield finding(ros.where, message, advice=advice, related=related)
+    yield from _handing(robot, {step.script for step, _, _ in found.values()})
+
+
+def _handing(robot: Robot, said: set[Source | None]) -> Iterator[Finding]:
+    """Entry scripts that start as their child whatever command they are given."""
+    scripts: dict[Source, tuple[Located, list[Runner]]] = {}
+    for runner in robot.runners.all:
+        for step in _given(runner) if runner.in_container else ():
+            if step.script is not None and step.script not in said:
+                scripts.setdefault(step.script, (step.command.words[0], []))[1].append(runner)
+    for script, (word, runners) in scripts.items():
+        if any("ros2" in " ".join(service.command) for service in robot.compose.services):
+            yield finding(
+                word,
+                f"{script.basename} runs its command without exec: docker stop signals the shell, and Docker kills ROS",
+                advice='write exec "$@"',
+                related=[note(runner.where, f"{runner.name} starts the script") for runner in runners],
+            )
+
+
+def _given(runner: Runner) -> Iterator[Step]:
+    """The end of an entry script that runs its arguments, where nothing says which these are."""
+    for line in runner.main:
+        if GROUP.search(" ".join(line.argv)) or GROUP.search(str(line.line)):
+            continue
+        for step in line.steps:
+            if step.last and step.command.words == ("$@",) and not _is_handed_on(step):
+                yield step
 
 
 def _kept(runner: Runner) -> Iterator[tuple[Step, Ros]]:

@@ -68,7 +68,7 @@ def _started(robot: Robot) -> Iterator[tuple[Runner, Located, Source]]:
         if not runner.in_container:
             continue
         for line in runner.main:
-            script = runner.reads(str(line.program)) if line.program.startswith("/") else None
+            script = runner.reads(str(line.program))
             if script is not None and script.text.startswith("#!"):
                 yield runner, line.program, script
 

@@ -28,6 +28,8 @@ from bringup_lint.source import Located
 from bringup_lint.source import Source
 
 _WORD = regex(r'"((?:[^"\\]|\\.)*)"')
+_FOLDERS_ABOVE = 4
+"""The folder of the Dockerfile, and those above it, that may be the build context."""
 
 
 def words_of(instruction: Instruction | None) -> list[Located]:
@@ -120,30 +122,68 @@ def mounted(files: Files, service: Service, path: str) -> Source | None:
     return None
 
 
+def in_image(stage: Stage | None, path: str, folder: str | None = None) -> str | None:
+    """A path as the processes of an image mean it: a relative one starts in ``folder`` or the last WORKDIR. None for
+    a bare name, which is looked for in PATH, and where the folder is not known."""
+    if path.startswith("/"):
+        return path
+    if not ("/" in path or path.endswith((".sh", ".bash", ".py"))):
+        return None
+    if folder is None:
+        folder = next((at for at, _ in reversed(list(_steps(stage)))), None) if stage is not None else None
+    return posixpath.normpath(posixpath.join(folder, path)) if folder and folder.startswith("/") else None
+
+
+def _steps(stage: Stage) -> Iterator[tuple[str | None, Instruction]]:
+    """The instructions of an image from the bottom on, each with the WORKDIR that counts after it."""
+    folder: str | None = None
+    for one in reversed(list(stage.chain)):
+        for instruction in one.instructions:
+            if instruction.name == "WORKDIR":
+                value = str(instruction.value).strip("\"'")
+                known = "$" not in value and (folder is not None or value.startswith("/"))
+                folder = posixpath.normpath(posixpath.join(folder or "/", value)) if known else None
+            yield folder, instruction
+
+
 def copied(files: Files, stage: Stage, path: str) -> Source | None:
-    """The file that COPY or ADD puts at a path of the image, looked for beside the Dockerfile."""
-    for one in stage.chain:
-        for instruction in (*one.all("COPY"), *one.all("ADD")):
-            if any(flag.startswith("--from") for flag in instruction.flags):
-                continue
-            found = _copied_by(files, instruction, path)
+    """The file that COPY or ADD puts at a path of the image, looked for beside the Dockerfile and in the folders above
+    it, which may be the build context."""
+    for folder, instruction in reversed(list(_steps(stage))):
+        if instruction.name not in ("COPY", "ADD") or any(flag.startswith("--from") for flag in instruction.flags):
+            continue
+        for name in _copied_by(instruction, path, folder):
+            found = _in_context(files, instruction.keyword.span.source, name)
             if found is not None:
                 return found
     return None
 
 
-def _copied_by(files: Files, instruction: Instruction, path: str) -> Source | None:
+def _copied_by(instruction: Instruction, path: str, folder: str | None) -> Iterator[str]:
+    """The paths in the build context from which an instruction may put a file there."""
     words = [str(word) for word in words_of(instruction)] if instruction.exec_form else instruction.value.split()
-    if len(words) < 2 or not words[-1].startswith("/") or "$" in instruction.value:
-        return None
-    *sources, target = words
+    if len(words) < 2 or "$" in words[-1]:
+        return
+    *sources, written = words
+    if not written.startswith("/") and folder is None:
+        return
+    is_folder = written.endswith(("/", ".")) or len(sources) > 1
+    target = posixpath.normpath(posixpath.join(folder or "/", written)).rstrip("/")
     for name in sources:
-        into = posixpath.join(target, posixpath.basename(name)) if target.endswith("/") or len(sources) > 1 else target
-        if path == into:
-            return files.tree.beside(instruction.keyword.span.source, name)
-        folder = target.rstrip("/")
-        if path.startswith(f"{folder}/"):
-            found = files.tree.beside(instruction.keyword.span.source, f"{name.rstrip('/')}{path[len(folder) :]}")
-            if found is not None:
-                return found
+        if "$" in name:
+            continue
+        if path == target and not is_folder:
+            yield name
+        if path == f"{target}/{posixpath.basename(name)}":
+            yield name
+        if path.startswith(f"{target}/"):
+            yield f"{name.rstrip('/')}{path[len(target) :]}"
+
+
+def _in_context(files: Files, dockerfile: Source, name: str) -> Source | None:
+    relative = name.lstrip("/")
+    for above in range(_FOLDERS_ABOVE):
+        found = files.tree.beside(dockerfile, "../" * above + relative)
+        if found is not None:
+            return found
     return None

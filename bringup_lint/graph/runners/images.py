@@ -11,6 +11,7 @@ from bringup_lint.graph.runners.containers import copied
 from bringup_lint.graph.runners.containers import image_environment
 from bringup_lint.graph.runners.containers import image_stop
 from bringup_lint.graph.runners.containers import image_user
+from bringup_lint.graph.runners.containers import in_image
 from bringup_lint.graph.runners.containers import words_of
 from bringup_lint.graph.runners.layers import Layers
 from bringup_lint.graph.runners.runner import Runner
@@ -43,7 +44,8 @@ def _used(compose: Compose) -> Iterator[Stage]:
 
 def _of(files: Files, file: Dockerfile, stage: Stage) -> Runner:
     def reads(path: str) -> Source | None:
-        return copied(files, stage, path) if path.startswith("/") else None
+        whole = in_image(stage, path)
+        return copied(files, stage, whole) if whole is not None else None
 
     line = container_line([*words_of(stage.last("ENTRYPOINT")), *words_of(stage.last("CMD"))], reads)
     lines = [] if line is None else [line]

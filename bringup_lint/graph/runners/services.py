@@ -13,6 +13,7 @@ from bringup_lint.graph.runners.containers import copied
 from bringup_lint.graph.runners.containers import image_environment
 from bringup_lint.graph.runners.containers import image_stop
 from bringup_lint.graph.runners.containers import image_user
+from bringup_lint.graph.runners.containers import in_image
 from bringup_lint.graph.runners.containers import mounted
 from bringup_lint.graph.runners.containers import user_name
 from bringup_lint.graph.runners.containers import words_of
@@ -41,9 +42,10 @@ def _of(files: Files, compose: Compose, service: Service) -> Runner:
     stage = compose.stage(service)
 
     def reads(path: str) -> Source | None:
-        if not path.startswith("/"):
+        whole = in_image(stage, path, service.scalar("working_dir"))
+        if whole is None:
             return None
-        return mounted(files, service, path) or (copied(files, stage, path) if stage is not None else None)
+        return mounted(files, service, whole) or (copied(files, stage, whole) if stage is not None else None)
 
     line = container_line(_words(service, stage), reads)
     lines = [] if line is None else [line]

@@ -1,0 +1,101 @@
+"""The entrypoint never runs the command that it is given.
+
+## What it finds
+A CMD after an ENTRYPOINT, or a `command:` of a compose service, that the entrypoint drops: the entrypoint is in shell
+form, or it is a script of the tree that reads none of its arguments (`$@`, `$*`, `$1`...).
+
+## Why it matters on a robot
+Docker hands the command to the entrypoint as arguments. A script that does not look at them does what it always does,
+often an idle shell, and the launch that the container is for never starts.
+
+## Bad
+```dockerfile
+ENTRYPOINT ["/entrypoint.sh"]            # ends in: source /opt/ros/jazzy/setup.bash
+CMD ["ros2", "launch", "base", "base.launch.py"]
+```
+
+## Good
+```sh
+# the last line of entrypoint.sh
+exec "$@"
+```
+
+## When to ignore it
+When the words are only there for people who read the file.
+
+## References
+- https://docs.docker.com/reference/dockerfile/#understand-how-cmd-and-entrypoint-interact
+- https://docs.docker.com/reference/compose-file/services/#command
+"""
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Located
+from bringup_lint.api import Robot
+from bringup_lint.api import Span
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import regex
+from bringup_lint.api import rule
+from bringup_lint.api.docker import Runner
+from bringup_lint.api.shell import unwrapped
+
+READS_ARGUMENTS = regex(r"\$(?:[@*#0-9]|\{[@*#0-9!]|\{?BASH_ARG)|\bshift\b|\bgetopts?\b|\bfor\s+\w+\s*(?:;|\n|\bdo\b)")
+
+
+class Dropped(NamedTuple):
+    command: Located | Span
+    entrypoint: Located | Span
+    why: str
+
+
+@rule("error")
+def command_ignored(robot: Robot) -> Iterator[Finding]:
+    seen = set()
+    for runner in robot.runners.all:
+        dropped = _dropped(runner) if runner.in_container else None
+        if dropped is None or dropped.command in seen:
+            continue
+        seen.add(dropped.command)
+        yield finding(
+            dropped.command,
+            f"{dropped.why}: this command never runs in {runner.name}",
+            advice='end the entrypoint with exec "$@"',
+            related=[note(dropped.entrypoint, "the entrypoint")],
+        )
+
+
+def _dropped(runner: Runner) -> Dropped | None:
+    entrypoint, command = _of_service(runner) or _of_image(runner) or (None, None)
+    if entrypoint is None or command is None:
+        return None
+    if isinstance(entrypoint, Located) and not entrypoint.startswith("["):
+        return Dropped(command, entrypoint, "The entrypoint is in shell form and takes no arguments")
+    for line in runner.main:
+        program = unwrapped(line.argv)
+        script = runner.reads(str(program[0])) if program else None
+        if script is not None and script.text.startswith("#!") and not READS_ARGUMENTS.search(script.text):
+            return Dropped(command, entrypoint, f"{script.basename} reads none of its arguments")
+    return None
+
+
+def _of_service(runner: Runner) -> tuple[Located | Span, Located | Span] | None:
+    """The entrypoint and the command of a compose service that has a command of its own."""
+    service, stage = runner.service, runner.stage
+    if service is None or not service.command:
+        return None
+    if service.entrypoint:
+        return service.entrypoint[0].span, service.command[0]
+    instruction = stage.last("ENTRYPOINT") if stage is not None else None
+    return (instruction.value, service.command[0]) if instruction is not None else None
+
+
+def _of_image(runner: Runner) -> tuple[Located, Located] | None:
+    """ENTRYPOINT and CMD of the same stage; an ENTRYPOINT takes the CMD of the image below away."""
+    for stage in runner.stage.chain if runner.stage is not None and runner.service is None else ():
+        entrypoint, command = list(stage.all("ENTRYPOINT")), list(stage.all("CMD"))
+        if entrypoint:
+            return (entrypoint[-1].value, command[-1].value) if command else None
+    return None
