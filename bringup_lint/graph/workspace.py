@@ -133,6 +133,16 @@ class Package:
                 if origin is not None:
                     yield os.path.normpath(os.path.join(folder, origin))
 
+    def takes(self, path: str) -> bool:
+        """Whether the build installs a source file, whatever becomes its name and place."""
+        for build in self.builds:
+            folder = os.path.dirname(os.path.abspath(build.source.name))
+            for install in build.installs:
+                source = os.path.normpath(os.path.join(folder, install.source))
+                if fnmatchcase(path, source) or (install.tree and path.startswith(f"{source}/")):
+                    return True
+        return False
+
 
 def _globbed(path: str, named: Callable[[str], Iterable[str]]) -> Iterator[str]:
     """A path whose folders may hold wildcards: a glob over folders puts all files into one."""

@@ -1,8 +1,9 @@
 """The file that CYCLONEDDS_URI names does not exist.
 
 ## What it finds
-A path in the CYCLONEDDS_URI of a unit that does not exist in a whole root file system. Repositories and containers
-are not checked: a repository is incomplete, and a container has its own file system.
+A path in the CYCLONEDDS_URI of a unit that does not exist in a whole root file system; in a repository, a path that
+nothing of it ships or makes, in a folder for which it ships a file of nearly the same name (a warning). Containers are
+not checked: a container has its own file system.
 
 ## Why it matters on a robot
 Cyclone DDS fails when it cannot open its configuration: no domain is created, and no node starts.
@@ -45,11 +46,16 @@ def cyclonedds_uri_file_missing(robot: Robot) -> Iterator[Finding]:
             continue
         for part in uri.text.split(","):
             path = part.strip().removeprefix("file://")
-            if path.startswith("/") and robot.tree.has(path) is False:
+            sibling = robot.filesystem.shipped_sibling(path) if path.startswith("/") else None
+            if path.startswith("/") and (sibling or robot.tree.has(path) is False):
                 yield finding(
                     uri.value,
                     f"{path} does not exist: Cyclone DDS fails, and {process.name} starts no node",
-                    advice="install the file, or correct the path",
+                    advice=f"install the file, or name {sibling}"
+                    if sibling
+                    else "install the file, or correct the path",
+                    severity="warning" if sibling else None,
+                    confidence="medium" if sibling else None,
                     chain=robot.provenance.chain_to_variable(
                         process, uri.value, note(uri.value, f"{path} is named here")
                     ),

@@ -2,9 +2,9 @@
 
 ## What it finds
 `ROS_LOCALHOST_ONLY=1` or `ROS_AUTOMATIC_DISCOVERY_RANGE=OFF` in the environment of a process whose DDS
-configuration lists peers or a discovery server on another machine. Not reported: the range LOCALHOST, which only
-disables multicast and still contacts listed peers, Cyclone DDS files that select an interface and so override the
-variable, and files and units for development and simulation.
+configuration lists peers or a discovery server on another machine. The range LOCALHOST is info: it only disables
+multicast, and listed peers are contacted all the same. Not reported: Cyclone DDS files that select an interface and so
+override the variable, and files and units for development and simulation.
 
 ## Why it matters on a robot
 Up to Humble the variable closes all interfaces but loopback, and OFF separates the discovery of the process. The
@@ -34,6 +34,7 @@ When the peers are a leftover for another machine and this process must stay loc
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -56,6 +57,9 @@ def ros_localhost_only_multi_machine(robot: Robot) -> Iterator[Finding]:
         machine = next(iter(robot.dds.other_machines(process)), None)
         if machine is None or (limit.name != RANGE and _names_interface(robot, process)):
             continue
+        if limit.text == "LOCALHOST":
+            yield _contacted(process, limit, machine)
+            continue
         sure = limit.name == RANGE or newer is False
         consequence = "that machine never sees the robot" if sure else "one of the two settings is wrong"
         yield finding(
@@ -67,6 +71,16 @@ def ros_localhost_only_multi_machine(robot: Robot) -> Iterator[Finding]:
         )
 
 
+def _contacted(process: RosProcess, limit: Variable, machine: Located) -> Finding:
+    return finding(
+        limit.value,
+        f"{process.name} contacts {machine} all the same: the range LOCALHOST keeps no listed peer away",
+        advice="delete the peer if the process is to stay on this machine",
+        related=[note(machine, "the other machine is listed here"), note(process.where, "gets the variable")],
+        severity="info",
+    )
+
+
 def _names_interface(robot: Robot, process: RosProcess) -> bool:
     """Whether a Cyclone DDS file overrules the variable."""
     places = ("General/Interfaces/NetworkInterface", "General/NetworkInterfaceAddress")
@@ -75,6 +89,6 @@ def _names_interface(robot: Robot, process: RosProcess) -> bool:
 
 def _limit(environment: Environment, newer: bool | None) -> Variable | None:
     """The setting that keeps discovery on this machine."""
-    if newer is not False and environment.text(RANGE) == "OFF":
+    if newer is not False and environment.text(RANGE) in ("OFF", "LOCALHOST"):
         return environment.get(RANGE)
     return environment.get("ROS_LOCALHOST_ONLY") if environment.text("ROS_LOCALHOST_ONLY") == "1" else None

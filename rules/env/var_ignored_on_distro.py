@@ -2,7 +2,8 @@
 
 ## What it finds
 Variables that the robot's distribution does not read: discovery range and static peers before Iron, variables of
-rmw_zenoh before Humble, and `RCUTILS_CONSOLE_STDOUT_LINE_BUFFERED`, which nothing reads any more.
+rmw_zenoh before Humble, `RCUTILS_CONSOLE_STDOUT_LINE_BUFFERED`, which nothing reads any more, and `ROS_IP`,
+`ROS_HOSTNAME` and `ROS_MASTER_URI` of ROS 1 in a tree that holds nothing of ROS 1.
 
 ## Why it matters on a robot
 The setting has no effect, and no message says so: discovery, for example, stays as wide as it was.
@@ -30,6 +31,7 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.ros import at_least
 
@@ -41,6 +43,15 @@ SINCE = {
     "ZENOH_CONFIG_OVERRIDE": ("humble", "rmw_zenoh exists from Humble on"),
 }
 GONE = {"RCUTILS_CONSOLE_STDOUT_LINE_BUFFERED": "use RCUTILS_LOGGING_BUFFERED_STREAM"}
+OF_ROS1 = {
+    "ROS_IP": "choose the interface in the DDS configuration",
+    "ROS_HOSTNAME": "choose the interface in the DDS configuration",
+    "ROS_MASTER_URI": "choose a ROS_DOMAIN_ID; ROS 2 has no master",
+}
+ROS1 = regex(
+    r"/opt/ros/(?:noetic|melodic|kinetic|lunar|indigo)\b|\b(?:roscore|roslaunch|rosrun|rosmaster|rospy|roscpp|catkin)\b"
+    r"|ros1|roslib|rosserial|rosgo|ros-(?:noetic|melodic|kinetic)-|ros:(?:noetic|melodic|kinetic)"
+)
 
 
 @rule("warning")
@@ -48,6 +59,13 @@ def var_ignored_on_distro(robot: Robot) -> Iterator[Finding]:
     if robot.target.ros is None:
         return
     for setting in robot.ros.settings:
+        if setting.name in OF_ROS1 and robot.is_ros and not robot.mentions(ROS1):
+            yield finding(
+                setting.value,
+                f"{setting.name} is a variable of ROS 1: nothing of ROS 2 reads it",
+                advice=OF_ROS1[setting.name],
+            )
+            continue
         since, instead = SINCE.get(setting.name, ("", GONE.get(setting.name, "")))
         if setting.name in GONE or (since and at_least(robot.target.ros, since) is False):
             yield finding(

@@ -1,8 +1,8 @@
 """The workspace is sourced before the distribution.
 
 ## What it finds
-A shell that sources the setup file of a workspace first and `/opt/ros/<distro>/setup.*` after it, in a unit or in a
-script of the tree that a unit starts.
+A shell that sources the setup file of a workspace first and `/opt/ros/<distro>/setup.*` after it: in a unit, in the
+command or entry script of a container, or in a script of the tree.
 
 ## Why it matters on a robot
 Each setup file puts its own paths first. If the distribution is sourced last, it hides every package of which the
@@ -34,24 +34,42 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.docker import Runner
+from bringup_lint.api.systemd import Step
 
 
 @rule("warning")
 def workspace_source_order(robot: Robot) -> Iterator[Finding]:
-    for unit in robot.units.services:
-        for process in robot.units.processes(unit):
+    seen = set()
+    for runner in robot.runners.all:
+        for line in runner.lines:
             workspace = None
-            for step, word in process.setup_files:
+            for step, word in line.setup_files:
                 if not word.startswith("/opt/ros/"):
                     workspace = workspace or (step, word)
-                elif workspace and step.command.depth == 0 and workspace[0].command.depth == 0:
+                elif workspace and word.span not in seen and _belong_together(workspace[0], step):
+                    seen.add(word.span)
+                    apart = [note(line.program, f"{runner.name} starts it here")] if _is_apart(runner, step) else []
                     yield finding(
                         word,
                         f"{word} is sourced last and hides the packages of {workspace[1]} that exist in both",
                         advice="source the distribution first, then the workspace",
                         related=[
                             note(workspace[1], "the workspace is sourced here"),
-                            *(note(process.program, f"{unit.name} starts it here") for _ in [0] if step.script),
+                            *(
+                                note(line.program, f"{runner.name} starts it here")
+                                for _ in [0]
+                                if _is_apart(runner, step)
+                            ),
                         ],
                     )
                     break
+
+
+def _belong_together(one: Step, other: Step) -> bool:
+    return one.command.depth == 0 and other.command.depth == 0
+
+
+def _is_apart(runner: Runner, step: Step) -> bool:
+    """Whether the step is in a file that the runner starts, and not in that of the runner."""
+    return step.script is not None and step.script is not runner.source

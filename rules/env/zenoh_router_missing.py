@@ -1,9 +1,10 @@
 """Nothing starts the zenoh router that the nodes need.
 
 ## What it finds
-In a root file system: a process with `RMW_IMPLEMENTATION=rmw_zenoh_cpp` whose whole environment is known and sets
-none of `ZENOH_ROUTER_CHECK_ATTEMPTS`, `ZENOH_SESSION_CONFIG_URI` and `ZENOH_CONFIG_OVERRIDE`, when no unit, launch
-file, script or compose service of the tree mentions `rmw_zenohd` or `zenohd`.
+A process with `RMW_IMPLEMENTATION=rmw_zenoh_cpp` whose whole environment is known and sets none of
+`ZENOH_ROUTER_CHECK_ATTEMPTS`, `ZENOH_SESSION_CONFIG_URI` and `ZENOH_CONFIG_OVERRIDE`, when no unit, launch file, script
+or compose service of the tree mentions `rmw_zenohd` or `zenohd`. In a repository, which may not hold all of the robot,
+only the processes of units, as a warning.
 
 ## Why it matters on a robot
 By default nodes find each other through a router on the same machine. Without one they do not discover each other.
@@ -46,12 +47,14 @@ ROUTER = regex(r"zenohd\b|zenoh[-_]router(?!-missing)")
 
 @rule("error", confidence="medium", symptoms=["Unable to connect to a Zenoh router", "Have you started a router"])
 def zenoh_router_missing(robot: Robot) -> Iterator[Finding]:
-    if not robot.tree.complete or any(ROUTER.search(source.text) for source in robot.sources):
+    if any(ROUTER.search(source.text) for source in robot.sources):
         return
     for process in robot.ros.processes:
         environment = process.environment
         rmw = environment.get("RMW_IMPLEMENTATION")
-        if rmw is None or rmw.text != "rmw_zenoh_cpp" or not (process.unit or process.launcher):
+        if rmw is None or rmw.text != "rmw_zenoh_cpp":
+            continue
+        if not (process.unit or (process.launcher and robot.tree.complete)):
             continue
         if all(environment.defines(name) is False for name in ELSEWHERE):
             yield finding(
@@ -59,5 +62,6 @@ def zenoh_router_missing(robot: Robot) -> Iterator[Finding]:
                 f"Nothing starts a zenoh router on this robot: the nodes of {process.name} do not discover each other",
                 advice="add a unit that runs ros2 run rmw_zenoh_cpp rmw_zenohd, and order the others after it",
                 related=[note(process.where, f"{process.name} waits for it")],
+                severity=None if robot.tree.complete else "warning",
             )
             return

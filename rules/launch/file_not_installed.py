@@ -3,7 +3,7 @@
 ## What it finds
 Launch, parameter, URDF and other files of a workspace package that a launch file references through the package's
 share folder or relative to itself. They exist in the source, but no `data_files` entry or `install()` rule covers
-them. One finding for each folder of a package.
+them. One finding for each folder of a package. Also packages that have launch files and install none of them.
 
 ## Why it matters on a robot
 The launch file works in a workspace that is built with `--symlink-install`, and fails on the robot, where only the
@@ -29,18 +29,23 @@ the file.
 """
 
 import os
+import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.launch import Package
 from bringup_lint.api.launch import Reference
 
 Missing = tuple[Reference, Package, str]
 """A use of a file, the package that does not install it, and its path in the package."""
+STARTED = regex(r"(?:^|/)launch/(?:[^/]+/)*[^/]+[._]launch\.(?:py|xml|ya?ml)$")
+"""A launch file by its name and folder."""
 
 
 @rule("error", symptoms=["FileNotFoundError", "Parameter file path is not a file"])
@@ -58,6 +63,36 @@ def file_not_installed(robot: Robot) -> Iterator[Finding]:
             missing.setdefault((package.name, os.path.dirname(path) or path), []).append((reference, package, path))
     for first, *others in missing.values():
         yield not_installed(robot, first, others)
+    yield from _without_launch_files(robot, {package for package, _ in missing})
+
+
+def _without_launch_files(robot: Robot, said: set[str]) -> Iterator[Finding]:
+    """Packages none of whose launch files is installed, so that ``ros2 launch PACKAGE`` finds nothing."""
+    for package in robot.launch.workspace.packages.values():
+        if package.name in said or not package.installs_known or not package.builds:
+            continue
+        own = [file.source for file in robot.launch.files_of(package) if STARTED.search(file.source.name)]
+        if not own or robot.launch.workspace.is_vendored(own[0]):
+            continue
+        if any(package.takes(os.path.abspath(source.name)) for source in own):
+            continue
+        build = package.builds[0].source
+        judged = [source for source in own if source.judged and robot.purpose(source).value == "robot"]
+        if judged and build.judged and not _is_launched_by_path(robot, judged):
+            folder = os.path.relpath(os.path.dirname(os.path.abspath(judged[0].name)), package.folder)
+            yield finding(
+                judged[0],
+                f"No launch file of {package.name} is installed: ros2 launch {package.name} finds none of them",
+                advice=f"install the folder '{folder}' in {build.basename}",
+                related=[note(build, "what the package installs")],
+                severity="warning",
+            )
+
+
+def _is_launched_by_path(robot: Robot, sources: list[Source]) -> bool:
+    """Whether something of the tree launches one of the files by its path, as it lies in the source."""
+    names = "|".join(re.escape(source.basename) for source in sources)
+    return robot.files.mentions(re.compile(rf"\blaunch\s+(?:[^\s'\"]*/)?(?:{names})"))
 
 
 def not_installed(robot: Robot, first: Missing, others: list[Missing]) -> Finding:

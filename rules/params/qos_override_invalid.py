@@ -2,7 +2,8 @@
 
 ## What it finds
 Parameters under `qos_overrides` whose topic is not written with its full name, whose entity is neither `publisher`
-nor `subscription`, or whose policy or value does not exist.
+nor `subscription`, or whose policy or value does not exist. Also, in launch files too, a topic of the library that is
+misspelt, such as `/parameters_events`.
 
 ## Why it matters on a robot
 A wrong name is ignored without a message, and the topic keeps the policy of the code. A wrong value stops the node.
@@ -38,8 +39,11 @@ When the node reads the parameters below `qos_overrides` itself. rcl does not ap
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import launch
+from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.params import QOS_POLICIES
 from bringup_lint.api.params import QOS_WORDS
@@ -50,6 +54,8 @@ from bringup_lint.api.params import qos_overrides
 from bringup_lint.api.spelling import nearest
 
 OF_VALUE = (OverrideProblem.WORD, OverrideProblem.NUMBER, OverrideProblem.FLAG)
+_LIBRARY = ("/parameter_events", "/tf_static", "/rosout")
+"""Topics that the client library or tf2 makes, with names long enough to be recognised."""
 
 
 @rule("warning", symptoms=["InvalidQosOverridesException"])
@@ -65,6 +71,41 @@ def qos_override_invalid(robot: Robot) -> Iterator[Finding]:
             said.add(cause)
             where = override.parameter.span if problem in OF_VALUE else override.parameter.key
             yield finding(where, message, advice=advice)
+    topics: dict[tuple[str, str], list[Located]] = {}
+    meant = {}
+    for place, topic, near in _misspelt(robot):
+        topics.setdefault((place.span.path, topic), []).append(place)
+        meant[topic] = near
+    for (_, topic), places in topics.items():
+        first, *others = dict.fromkeys(places)
+        yield finding(
+            first,
+            f"No node has a topic {topic}: the override has no effect",
+            advice=f"write {meant[topic]}",
+            related=[note(each, "this one neither") for each in others[:10]],
+        )
+
+
+def _misspelt(robot: Robot) -> Iterator[tuple[Located, str, str]]:
+    """The names of parameters that mean a topic of the library and misspell it: the name, the topic, the one meant."""
+    for file, parameter in robot.params.parameters:
+        if parameter.name.startswith("qos_overrides./") and file.source.judged:
+            yield from _near(parameter.key, parameter.name)
+    for node in robot.launch.nodes:
+        for values in node.parameters:
+            if not isinstance(values, launch.DictValue):
+                continue
+            for key, _ in values.items:
+                name = launch.literal(key)
+                if name is not None and name.span.source.judged:
+                    yield from _near(name, str(name))
+
+
+def _near(place: Located, name: str) -> Iterator[tuple[Located, str, str]]:
+    topic = name.partition(".")[2].partition(".")[0] if name.startswith("qos_overrides./") else ""
+    meant = nearest(topic, _LIBRARY, 1) if topic not in _LIBRARY else []
+    if len(meant) == 1:
+        yield place, topic, meant[0]
 
 
 def _described(override: QosOverride, problem: OverrideProblem) -> tuple[str, str]:

@@ -2,7 +2,8 @@
 
 ## What it finds
 `curl ... | sh`, `wget -O- ... | sudo bash` and the like. It is a warning where the transport is not protected
-(`http://`, `curl -k`, `wget --no-check-certificate`), and info otherwise.
+(`http://`, `curl -k`, `wget --no-check-certificate`), and info otherwise. A file that is loaded with such an option and
+run by a later line is a warning too.
 
 ## Why it matters on a robot
 Whoever controls the server, or the network in between, decides what runs on the robot, mostly as root. Two robots
@@ -28,15 +29,20 @@ When the vendor offers no other way and the transport is protected.
 """
 
 from collections.abc import Iterator
+from itertools import pairwise
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
+from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.shell import Run
 
 SHELLS = ("sh", "bash", "zsh", "dash", "python3", "python")
 INSECURE = regex(r"http://(?!localhost|127\.)\S+")
+LOADS = regex(r"(?:curl|wget)[^\n]* (?:-k|--insecure|--no-check-certificate)\b")
 UNCHECKED = ("-k", "--insecure", "--no-check-certificate")
 
 
@@ -60,3 +66,37 @@ def remote_script(robot: Robot) -> Iterator[Finding]:
             severity="warning" if open_to_all else "info",
         )
         loading = None
+    yield from _unchecked(robot)
+
+
+def _unchecked(robot: Robot) -> Iterator[Finding]:
+    """What is loaded without a look at the certificate, kept as a file, and run."""
+    kept: dict[tuple[Source, str], Run] = {}
+    for source in robot.of_kind("shell-script"):
+        for run in robot.scripts.done(source) if source.judged and LOADS.search(source.text) else ():
+            if not isinstance(run, Run):
+                continue
+            if run.name in ("curl", "wget") and any(word in UNCHECKED for word in run.arguments):
+                kept[source, _file(run)] = run
+                continue
+            program = run.words[1:2] if run.name in SHELLS else run.words[:1]
+            loaded = kept.pop((source, run.text(program[0]).rpartition("/")[2]), None) if program else None
+            if loaded is not None:
+                yield finding(
+                    loaded.words[0],
+                    f"{run.name} runs what {loaded.name} loads without a look at the certificate: anybody in between "
+                    "can change it",
+                    advice="load it with the certificate checked, and check its SHA-256",
+                    related=[note(program[0], "it is run here")],
+                    severity="warning",
+                )
+
+
+def _file(run: Run) -> str:
+    """The name of the file that is written: that of an option, or the last part of the address."""
+    words = run.arguments
+    for option, value in pairwise(words):
+        if option in ("-o", "-O", "--output", "--output-document") and not value.startswith(("-", "http")):
+            return value.rpartition("/")[2]
+    address = next((word for word in words if "://" in word), "")
+    return address.partition("?")[0].rpartition("/")[2] if run.name == "wget" or "-O" in words else ""

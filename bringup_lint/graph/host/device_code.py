@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import ast
+import os
+import re
 from collections.abc import Iterable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
@@ -23,6 +25,7 @@ if TYPE_CHECKING:
 _OPENING = frozenset({"serial.Serial", "cv2.VideoCapture", "open", "evdev.InputDevice", "os.open"})
 _CAMERA = "cv2.VideoCapture"
 _GIVING = (*STARTING, "params", "env-file", "launch-python", "launch-xml", "launch-yaml")
+_IMPORT = regex(r"^from (?P<package>\w*)\.(?P<module>\w+) import ", re.M)
 _NAMES = regex(r"/dev/|VideoCapture")
 
 
@@ -32,6 +35,8 @@ def of_sources(files: Files) -> Iterator[DeviceUse]:
     for file in files.parsed(parse_python, _naming(files, "python-node")):
         if file.tree is not None:
             yield from _of_python(file, given)
+    for file in files.parsed(parse_python, _modules(files)):
+        yield from _of_python(file, given)
     for node in files.parsed(parse_cpp, _naming(files, "cpp-node")):
         for path in node.devices:
             yield DeviceUse(path, "the source of a node", "default")
@@ -43,6 +48,21 @@ def _defaults(parameters: Iterable[Parameter], given: list[str]) -> Iterator[Dev
         path = parameter.default
         if isinstance(path, Located) and path.startswith("/dev/") and not _is_given(str(parameter.name), given):
             yield DeviceUse(path, f"the parameter {parameter.name}", "argument")
+
+
+def _modules(files: Files) -> list[Source]:
+    """The modules of the same package that nodes import, and that open something."""
+    nodes = files.of_kind("python-node")
+    found: dict[str, Source] = {}
+    for node in nodes:
+        package = os.path.basename(os.path.dirname(os.path.abspath(node.name)))
+        for match in _IMPORT.finditer(node.text) if node.judged else ():
+            if match["package"] not in ("", package):
+                continue
+            module = files.tree.beside(node, f"{match['module']}.py")
+            if module is not None and module.judged and module.kind == "" and _NAMES.search(module.text):
+                found[module.name] = module
+    return list(found.values())
 
 
 def _naming(files: Files, kind: str) -> list[Source]:

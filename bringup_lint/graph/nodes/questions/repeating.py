@@ -43,7 +43,7 @@ _OTHER_TIMEOUTS = regex(
 
 
 _PYTHON_BUS = regex(
-    r"^[ \t]*(?:import|from)[ \t]+(?P<bus>smbus2?|RPi\.GPIO|gpiozero|pigpio|lgpio|Jetson\.GPIO|adafruit_\w+|board)\b",
+    r"^[ \t]*(?:import|from)[ \t]+(?P<bus>smbus2?|RPi\.GPIO|gpiozero|pigpio|lgpio|Jetson\.GPIO|adafruit_\w+|board|pysabertooth|roboclaw\w*)\b",
     re.M,
 )
 _CPP_BUS = regex(r"(?P<bus>/dev/i2c-\d+|linux/i2c-dev\.h|wiringPi\.h|pigpio\w*\.h|lgpio\.h|wiringPiI2C\.h)")
@@ -198,12 +198,17 @@ def held(nodes: Nodes) -> Iterator[Held]:
             continue
         for node in file.classes:
             if node.is_node is True and not node.all_timers:
-                yield from (Held(file.source, each, bus) for each in node.endpoints if _is_command(each))
+                yield from (Held(file.source, each, bus) for each in node.endpoints if _is_held(each))
     for source in nodes.cpp:
         text = _with_header(nodes, source.source)
         bus = _bus(text, _CPP_BUS)
         if bus is not None and not source.sent and not looks_at_time(text):
-            yield from (Held(source.source, each, bus) for each in source.endpoints if _is_command(each))
+            yield from (Held(source.source, each, bus) for each in source.endpoints if _is_held(each))
+
+
+def _is_held(endpoint: Endpoint) -> bool:
+    """Whether what comes in is a velocity, bare numbers included: motors keep those that were written last."""
+    return _is_command(endpoint) or (endpoint.role == "subscription" and moves(endpoint))
 
 
 def _bus(text: str, pattern: re.Pattern[str]) -> str | None:

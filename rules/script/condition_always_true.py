@@ -1,0 +1,57 @@
+"""A condition of a script is true whatever the value is.
+
+## What it finds
+`!=` (or `-ne`) twice on the same variable with two different literal values, joined with `||` or `-o`.
+
+## Why it matters on a robot
+No value is equal to both, so that one of the two halves is always true. The branch for a missing or switched-off part
+runs on every robot: a set-up script writes an empty sensor into `.bashrc`, a boot script starts a driver for hardware
+that is not there.
+
+## Bad
+```sh
+if [[ "$LIDAR" != "none" || "$LIDAR" != "" ]]; then
+```
+
+## Good
+```sh
+if [[ "$LIDAR" != "none" && "$LIDAR" != "" ]]; then
+```
+
+## When to ignore it
+Never: write the branch without the condition if it is meant for all values.
+
+## References
+- bash(1), "CONDITIONAL EXPRESSIONS"
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import regex
+from bringup_lint.api import rule
+
+_VALUE = r"(?:\"[^\"$`\n]*\"|'[^'\n]*'|[\w./:+-]+)"
+NEITHER = regex(
+    r"^[^#\n]*?(?P<both>\"?\$\{?(?P<name>\w+)\}?\"? {1,4}(?:!=|-ne) {1,4}(?P<one>" + _VALUE + r") {0,4}\]{0,2} {0,4}"
+    r"(?:\|\||-o) {0,4}\[{0,2} {0,4}\"?\$\{?(?P=name)\}?\"? {1,4}(?:!=|-ne) {1,4}(?P<other>" + _VALUE + r")) {0,4}\]",
+    8,
+)
+"""With ``re.MULTILINE``."""
+
+
+@rule("error")
+def condition_always_true(robot: Robot) -> Iterator[Finding]:
+    for source in robot.of_kind("shell-script"):
+        if not source.judged or source.template:
+            continue
+        for found in NEITHER.finditer(source.text):
+            one, other = (found[name].strip("\"'") for name in ("one", "other"))
+            if one != other:
+                yield finding(
+                    source.located(*found.span("both")),
+                    f"This is always true: ${found['name']} cannot be {one!r} and {other!r} at once",
+                    advice="join the two halves with &&",
+                )

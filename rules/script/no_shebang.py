@@ -1,0 +1,63 @@
+"""A script that is started by its path does not say which interpreter it is for.
+
+## What it finds
+A text file of the tree that a unit starts directly and whose first line does not begin with `#!`: no such line at all,
+or a misspelt one such as `#/bin/sh`.
+
+## Why it matters on a robot
+The kernel executes a text file only by its first line. systemd has no shell to fall back to: the unit fails with
+"Exec format error" (203/EXEC) at every start. In a terminal the same script works, because the shell then reads it by
+itself.
+
+## Bad
+```sh
+#/bin/sh
+exec ros2 launch rover rover.launch.py
+```
+
+## Good
+```sh
+#!/bin/sh
+exec ros2 launch rover rover.launch.py
+```
+
+## When to ignore it
+When binfmt_misc knows the file.
+
+## References
+- execve(2), ENOEXEC
+- systemd.exec(5), "Process Exit Codes": 203/EXEC
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import regex
+from bringup_lint.api import rule
+
+SCRIPT = regex(r"\.(?:sh|bash|py|zsh)$")
+COMPILED = "\0"
+
+
+@rule("error", symptoms=["Exec format error", "203/EXEC"])
+def no_shebang(robot: Robot) -> Iterator[Finding]:
+    seen = set()
+    for unit in robot.units.services:
+        for process in robot.units.processes(unit):
+            program = process.program
+            source = robot.find(str(program), program.span.source) if program.startswith("/") else None
+            if source is None or source in seen or source.template or not SCRIPT.search(source.name):
+                continue
+            if source.text.startswith("#!") or COMPILED in source.text or not source.text.strip():
+                continue
+            seen.add(source)
+            first = source.located(0, max(source.text.find("\n"), 1))
+            yield finding(
+                first,
+                f"The first line names no interpreter: {unit.name} fails with 'Exec format error'",
+                advice="begin the file with #!/bin/bash, or whatever reads it",
+                related=[note(program, f"{unit.name} starts it")],
+            )
