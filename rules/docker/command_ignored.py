@@ -94,7 +94,9 @@ def _of_service(runner: Runner) -> tuple[Located | Span, Located | Span] | None:
 
 def _of_image(runner: Runner) -> tuple[Located, Located] | None:
     """ENTRYPOINT and CMD of the same stage; an ENTRYPOINT takes the CMD of the image below away."""
-    for stage in runner.stage.chain if runner.stage is not None and runner.service is None else ():
+    if runner.stage is None or runner.service is not None:
+        return None
+    for stage in runner.stage.chain:
         entrypoint, command = list(stage.all("ENTRYPOINT")), list(stage.all("CMD"))
         if entrypoint:
             return (entrypoint[-1].value, command[-1].value) if command else None

@@ -77,8 +77,8 @@ def _handing(robot: Robot, said: set[Source | None]) -> Iterator[Finding]:
     """Entry scripts that start as their child whatever command they are given."""
     scripts: dict[Source, tuple[Located, list[Runner]]] = {}
     for runner in robot.runners.all:
-        for step in _given(runner) if runner.in_container else ():
-            if step.script is not None and step.script not in said:
+        for step in _given(runner):
+            if runner.in_container and step.script is not None and step.script not in said:
                 scripts.setdefault(step.script, (step.command.words[0], []))[1].append(runner)
     for script, (word, runners) in scripts.items():
         if any("ros2" in " ".join(service.command) for service in robot.compose.services):

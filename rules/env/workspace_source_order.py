@@ -54,14 +54,7 @@ def workspace_source_order(robot: Robot) -> Iterator[Finding]:
                         word,
                         f"{word} is sourced last and hides the packages of {workspace[1]} that exist in both",
                         advice="source the distribution first, then the workspace",
-                        related=[
-                            note(workspace[1], "the workspace is sourced here"),
-                            *(
-                                note(line.program, f"{runner.name} starts it here")
-                                for _ in [0]
-                                if _is_apart(runner, step)
-                            ),
-                        ],
+                        related=[note(workspace[1], "the workspace is sourced here"), *apart],
                     )
                     break
 

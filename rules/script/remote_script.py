@@ -73,7 +73,9 @@ def _unchecked(robot: Robot) -> Iterator[Finding]:
     """What is loaded without a look at the certificate, kept as a file, and run."""
     kept: dict[tuple[Source, str], Run] = {}
     for source in robot.of_kind("shell-script"):
-        for run in robot.scripts.done(source) if source.judged and LOADS.search(source.text) else ():
+        if not source.judged or not LOADS.search(source.text):
+            continue
+        for run in robot.scripts.done(source):
             if not isinstance(run, Run):
                 continue
             if run.name in ("curl", "wget") and any(word in UNCHECKED for word in run.arguments):

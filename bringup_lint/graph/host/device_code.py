@@ -52,12 +52,11 @@ def _defaults(parameters: Iterable[Parameter], given: list[str]) -> Iterator[Dev
 
 def _modules(files: Files) -> list[Source]:
     """The modules of the same package that nodes import, and that open something."""
-    nodes = files.of_kind("python-node")
     found: dict[str, Source] = {}
-    for node in nodes:
+    for node in files.of_kind("python-node"):
         package = os.path.basename(os.path.dirname(os.path.abspath(node.name)))
-        for match in _IMPORT.finditer(node.text) if node.judged else ():
-            if match["package"] not in ("", package):
+        for match in _IMPORT.finditer(node.text):
+            if not node.judged or match["package"] not in ("", package):
                 continue
             module = files.tree.beside(node, f"{match['module']}.py")
             if module is not None and module.judged and module.kind == "" and _NAMES.search(module.text):

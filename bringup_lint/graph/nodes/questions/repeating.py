@@ -43,7 +43,8 @@ _OTHER_TIMEOUTS = regex(
 
 
 _PYTHON_BUS = regex(
-    r"^[ \t]*(?:import|from)[ \t]+(?P<bus>smbus2?|RPi\.GPIO|gpiozero|pigpio|lgpio|Jetson\.GPIO|adafruit_\w+|board|pysabertooth|roboclaw\w*)\b",
+    r"^[ \t]*(?:import|from)[ \t]+(?P<bus>smbus2?|RPi\.GPIO|gpiozero|pigpio|lgpio|Jetson\.GPIO"
+    r"|adafruit_\w+|board|pysabertooth|roboclaw\w*)\b",
     re.M,
 )
 _CPP_BUS = regex(r"(?P<bus>/dev/i2c-\d+|linux/i2c-dev\.h|wiringPi\.h|pigpio\w*\.h|lgpio\.h|wiringPiI2C\.h)")
