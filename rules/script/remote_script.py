@@ -42,7 +42,7 @@ from bringup_lint.api.shell import Run
 
 SHELLS = ("sh", "bash", "zsh", "dash", "python3", "python")
 INSECURE = regex(r"http://(?!localhost|127\.)\S+")
-LOADS = regex(r"(?:curl|wget)[^\n]* (?:-k|--insecure|--no-check-certificate)\b")
+LOADS = regex(r" (?:-k|--insecure|--no-check-certificate)\b")
 UNCHECKED = ("-k", "--insecure", "--no-check-certificate")
 
 
