@@ -30,12 +30,17 @@ When the workspace has no package that also exists in the distribution. The orde
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.docker import Runner
 from bringup_lint.api.systemd import Step
+
+INSTALLED = regex(r"(?:^|/)(?:install|devel)/(?:local_)?setup\.\w+$")
+"""The setup file of a workspace; another prefix may hold the packages of one vendor only."""
 
 
 @rule("warning")
@@ -46,8 +51,9 @@ def workspace_source_order(robot: Robot) -> Iterator[Finding]:
             workspace = None
             for step, word in line.setup_files:
                 if not word.startswith("/opt/ros/"):
-                    workspace = workspace or (step, word)
-                elif workspace and word.span not in seen and _belong_together(workspace[0], step):
+                    counts = runner.unit is not None or INSTALLED.search(word)
+                    workspace = workspace or ((step, word) if counts else None)
+                elif workspace and word.span not in seen and _is_last(line.setup_files, workspace[0], step):
                     seen.add(word.span)
                     apart = [note(line.program, f"{runner.name} starts it here")] if _is_apart(runner, step) else []
                     yield finding(
@@ -59,8 +65,11 @@ def workspace_source_order(robot: Robot) -> Iterator[Finding]:
                     break
 
 
-def _belong_together(one: Step, other: Step) -> bool:
-    return one.command.depth == 0 and other.command.depth == 0
+def _is_last(found: list[tuple[Step, Located]], workspace: Step, distribution: Step) -> bool:
+    """Whether both are sourced in any case, and the workspace is not sourced once more afterwards."""
+    after = found[[step for step, _ in found].index(distribution) + 1 :]
+    certain = workspace.command.depth == 0 and distribution.command.depth == 0
+    return certain and all(word.startswith("/opt/ros/") for _, word in after)
 
 
 def _is_apart(runner: Runner, step: Step) -> bool:
