@@ -2,7 +2,8 @@
 
 ## What it finds
 A process whose environment selects one middleware but configures only the other. CYCLONEDDS_URI with Fast DDS,
-which also runs on Humble to Kilted when RMW_IMPLEMENTATION is not set. A Fast DDS profile with Cyclone DDS.
+which also runs on Humble to Kilted when RMW_IMPLEMENTATION is not set. A Fast DDS profile with Cyclone DDS. Not
+reported: an image without RMW_IMPLEMENTATION that nothing of the tree runs; whoever runs it may set the variable.
 
 ## Why it matters on a robot
 The file is never read. The robot runs with the defaults: multicast discovery on every interface, no peers, no
@@ -50,6 +51,8 @@ def rmw_config_mismatch(robot: Robot) -> Iterator[Finding]:
         cyclone = environment.get("CYCLONEDDS_URI")
         fast = next((found for name in FASTDDS if (found := environment.get(name))), None)
         if bool(cyclone) == bool(fast) or (rmw and rmw.text is None):
+            continue
+        if rmw is None and process.runner is not None and process.runner.kind.name == "IMAGE":
             continue
         name = rmw.text if rmw and rmw.text else _default(robot)
         unread = (

@@ -48,6 +48,8 @@ def recording_unlimited(robot: Robot) -> Iterator[Finding]:
     for runner in robot.runners.all:
         if runner.kind.name in ("SCRIPT", "IMAGE") or runner.restarts is False:
             continue
+        if runner.unit is None and runner.purpose.value != "robot":
+            continue
         for command in runner.commands:
             words = unwrapped(command.words)
             if words[:3] != ("ros2", "bag", "record") or not set(ALL) & set(words) or words[2].span in seen:
