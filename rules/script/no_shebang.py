@@ -2,7 +2,7 @@
 
 ## What it finds
 A text file of the tree that a unit starts directly and whose first line does not begin with `#!`: no such line at all,
-or a misspelt one such as `#/bin/sh`.
+or a misspelt one such as `#/bin/sh`. A misspelt one is a warning in every other script.
 
 ## Why it matters on a robot
 The kernel executes a text file only by its first line. systemd has no shell to fall back to: the unit fails with
@@ -40,6 +40,8 @@ from bringup_lint.api import rule
 
 SCRIPT = regex(r"\.(?:sh|bash|py|zsh)$")
 COMPILED = "\0"
+MISSPELT = regex(r"(?:#|!# ?|# ! ?)/(?:usr/)?bin/(?:env +)?(?:ba|da|z)?sh(?: -\w+)?[ \t\r]*$", 8)
+"""With ``re.MULTILINE``; only the first line is looked at."""
 
 
 @rule("error", symptoms=["Exec format error", "203/EXEC"])
@@ -60,4 +62,13 @@ def no_shebang(robot: Robot) -> Iterator[Finding]:
                 f"The first line names no interpreter: {unit.name} fails with 'Exec format error'",
                 advice="begin the file with #!/bin/bash, or whatever reads it",
                 related=[note(program, f"{unit.name} starts it")],
+            )
+    for source in robot.of_kind("shell-script"):
+        misspelt = MISSPELT.match(source.text) if source.judged and source not in seen else None
+        if misspelt is not None:
+            yield finding(
+                source.located(0, misspelt.end()),
+                "The first line is a comment and names no interpreter: only a shell can start the script",
+                advice="write #! in front of the path",
+                severity="warning",
             )
