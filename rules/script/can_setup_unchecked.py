@@ -33,6 +33,7 @@ When the robot is to drive without what is on the bus.
 - https://docs.kernel.org/networking/can.html
 """
 
+import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -43,8 +44,7 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.shell import Run
 
-LOOKS = regex(r"^\s*set -\w*e|^\s*set -o errexit|^#![^\n]* -\w*e|\btrap\b[^\n]*\bERR\b|\$\?", 8)
-"""With ``re.MULTILINE``."""
+LOOKS = regex(r"^\s*set -\w*e|^\s*set -o errexit|^#![^\n]* -\w*e|\btrap\b[^\n]*\bERR\b|\$\?", re.M)
 BUS = regex(r"can\d+")
 SETS_UP = regex(r"\bip link set (?:dev )?['\"]?(?:can\d|\$)[^\n]*(?:\bup\b|type can)|\bip link add dev (?:can\d|\$)")
 DESCRIBING = ("echo", "printf", "exit", "true", "sleep", "")

@@ -25,6 +25,7 @@ Never: write the branch without the condition if it is meant for all values.
 - bash(1), "CONDITIONAL EXPRESSIONS"
 """
 
+import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -37,9 +38,8 @@ _VALUE = r"(?:\"[^\"$`\n]*\"|'[^'\n]*'|[\w./:+-]+)"
 NEITHER = regex(
     r"^[^#\n]*?(?P<both>\"?\$\{?(?P<name>\w+)\}?\"? {1,4}(?:!=|-ne) {1,4}(?P<one>" + _VALUE + r") {0,4}\]{0,2} {0,4}"
     r"(?:\|\||-o) {0,4}\[{0,2} {0,4}\"?\$\{?(?P=name)\}?\"? {1,4}(?:!=|-ne) {1,4}(?P<other>" + _VALUE + r")) {0,4}\]",
-    8,
+    re.M,
 )
-"""With ``re.MULTILINE``."""
 
 
 @rule("error")

@@ -29,6 +29,7 @@ When binfmt_misc knows the file.
 - systemd.exec(5), "Process Exit Codes": 203/EXEC
 """
 
+import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -40,8 +41,7 @@ from bringup_lint.api import rule
 
 SCRIPT = regex(r"\.(?:sh|bash|py|zsh)$")
 COMPILED = "\0"
-MISSPELT = regex(r"(?:#|!# ?|# ! ?)/(?:usr/)?bin/(?:env +)?(?:ba|da|z)?sh(?: -\w+)?[ \t\r]*$", 8)
-"""With ``re.MULTILINE``; only the first line is looked at."""
+MISSPELT = regex(r"(?:#|!# ?|# ! ?)/(?:usr/)?bin/(?:env +)?(?:ba|da|z)?sh(?: -\w+)?[ \t\r]*$", re.M)
 
 
 @rule("error", symptoms=["Exec format error", "203/EXEC"])

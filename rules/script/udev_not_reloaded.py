@@ -26,6 +26,7 @@ When the script is a step of the making of an image, or whoever calls it tells u
 - udevadm(8), "udevadm control", "udevadm trigger"
 """
 
+import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -37,8 +38,9 @@ from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-TOLD = regex(r"udevadm|udev\s+(?:restart|reload)|(?:restart|reload)\s+\S*udev|\breboot\b|\bchroot\b|shutdown\s+-r", 2)
-"""With ``re.IGNORECASE``."""
+TOLD = regex(
+    r"udevadm|udev\s+(?:restart|reload)|(?:restart|reload)\s+\S*udev|\breboot\b|\bchroot\b|shutdown\s+-r", re.I
+)
 FOLDER = "/udev/rules.d"
 
 
