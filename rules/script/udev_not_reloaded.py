@@ -39,6 +39,9 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 
 TOLD = regex(
+    r"udevadm|udev\s+(?:restart|reload)|(?:restart|reload)\s+\S*udev|\breboot\b|\bchroot\b|shutdown\s+-r",
+    re.I,
+)
     r"udevadm|udev\s+(?:restart|reload)|(?:restart|reload)\s+\S*udev|\breboot\b|\bchroot\b|shutdown\s+-r", re.I
 )
 FOLDER = "/udev/rules.d"
