@@ -42,8 +42,6 @@ TOLD = regex(
     r"udevadm|udev\s+(?:restart|reload)|(?:restart|reload)\s+\S*udev|\breboot\b|\bchroot\b|shutdown\s+-r",
     re.I,
 )
-    r"udevadm|udev\s+(?:restart|reload)|(?:restart|reload)\s+\S*udev|\breboot\b|\bchroot\b|shutdown\s+-r", re.I
-)
 FOLDER = "/udev/rules.d"
 
 
