@@ -53,7 +53,7 @@ def workspace_source_order(robot: Robot) -> Iterator[Finding]:
                 if not word.startswith("/opt/ros/"):
                     counts = runner.unit is not None or INSTALLED.search(word)
                     workspace = workspace or ((step, word) if counts else None)
-                elif workspace and word.span not in seen and _is_last(line.setup_files, workspace[0], step):
+                elif workspace and word.span not in seen and _is_last(runner, line.setup_files, workspace[0], step):
                     seen.add(word.span)
                     apart = [note(line.program, f"{runner.name} starts it here")] if _is_apart(runner, step) else []
                     yield finding(
@@ -65,8 +65,11 @@ def workspace_source_order(robot: Robot) -> Iterator[Finding]:
                     break
 
 
-def _is_last(found: list[tuple[Step, Located]], workspace: Step, distribution: Step) -> bool:
-    """Whether both are sourced in any case, and the workspace is not sourced once more afterwards."""
+def _is_last(runner: Runner, found: list[tuple[Step, Located]], workspace: Step, distribution: Step) -> bool:
+    """Whether both are sourced in any case, and the workspace is not sourced once more afterwards. What is not a unit
+    has to do both in one shell: a shell in it begins anew."""
+    if runner.unit is None and (workspace.depth, workspace.script) != (distribution.depth, distribution.script):
+        return False
     after = found[[step for step, _ in found].index(distribution) + 1 :]
     certain = workspace.command.depth == 0 and distribution.command.depth == 0
     return certain and all(word.startswith("/opt/ros/") for _, word in after)
