@@ -1,8 +1,8 @@
 """A build step only changes the shell that it ends with.
 
 ## What it finds
-A `RUN` that does nothing but `source` a file, `export` variables, `cd` or define an `alias`. One finding for each
-stage.
+A `RUN` that does nothing but `source` a file, `export` variables, `cd` or define an `alias`, and one that ends with an
+`export`. One finding for each stage.
 
 ## Why it matters on a robot
 Every RUN has a shell of its own, and nothing of its environment is in the image: the next step builds without the
@@ -64,11 +64,13 @@ def run_without_effect(robot: Robot) -> Iterator[Finding]:
 
 
 def _lost(stage: Stage) -> Iterator[Command]:
-    """The first command of every RUN that has commands of the shell itself only."""
+    """The first command of every RUN that has commands of the shell itself only, and an export that ends one."""
     for instruction in stage.all("RUN"):
         commands = [] if instruction.exec_form else list(commands_of_run(instruction))
         if commands and all(_only_of_shell(command) for command in commands):
             yield commands[0]
+        elif commands and commands[-1].name == "export" and len(commands[-1].words) > 1:
+            yield commands[-1]
 
 
 def _only_of_shell(command: Command) -> bool:

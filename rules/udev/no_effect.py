@@ -2,11 +2,12 @@ r"""A rule matches but does nothing.
 
 ## What it finds
 A line with matches only: no assignment, no jump, no label, no program. A line with `SYMLINK==` is reported by
-udev/symlink-match.
+udev/symlink-match. Also a jump to the very next line, which skips nothing.
 
 ## Why it matters on a robot
 udev drops the line. Usually an assignment was lost, or a backslash is missing at the end of the line and the
-next line has become a rule of its own that fires for every device.
+next line has become a rule of its own that fires for every device. A jump that skips nothing was to limit the lines
+after it to one device: they fire for every other one as well.
 
 ## Bad
 ```udev
@@ -29,11 +30,14 @@ If the line is a placeholder and you accept the message that udev logs each time
 """
 
 from collections.abc import Iterator
+from itertools import pairwise
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.udev import RulesFile
 
 
 @rule("warning", symptoms=["The line has no effect, ignoring"])
@@ -44,4 +48,22 @@ def no_effect(robot: Robot) -> Iterator[Finding]:
                 problem.where,
                 "The line assigns nothing: udev drops it",
                 advice="add the assignment, or end the line with a backslash if the next one belongs to it",
+            )
+    for file in robot.udev.files:
+        if file.source.judged:
+            yield from _jumps(file)
+
+
+def _jumps(file: RulesFile) -> Iterator[Finding]:
+    """Lines that only jump, and only to the next line."""
+    for line, following in pairwise(file.rules):
+        goto, label = line.assignments("GOTO"), following.assignments("LABEL")
+        if len(goto) != 1 or not label or goto[0].value != label[0].value:
+            continue
+        if all(token.is_match or token is goto[0] for token in line.tokens):
+            yield finding(
+                goto[0].value,
+                "The jump leads to the next line and skips nothing: the lines after the label fire for every device",
+                advice="jump over the lines where the device is another one: ATTRS{...}!=..., GOTO=...",
+                related=[note(label[0].value, "the label")],
             )
