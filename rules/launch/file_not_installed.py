@@ -37,15 +37,14 @@ from bringup_lint.api import Robot
 from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import note
-from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.launch import Package
 from bringup_lint.api.launch import Reference
 
 Missing = tuple[Reference, Package, str]
 """A use of a file, the package that does not install it, and its path in the package."""
-STARTED = regex(r"(?:^|/)launch/(?:[^/]+/)*[^/]+[._]launch\.(?:py|xml|ya?ml)$")
-"""A launch file by its name and folder."""
+STARTED = (".launch.py", "_launch.py", ".launch.xml", "_launch.xml", ".launch.yaml", ".launch.yml")
+"""How the names of launch files end."""
 
 
 @rule("error", symptoms=["FileNotFoundError", "Parameter file path is not a file"])
@@ -71,7 +70,7 @@ def _without_launch_files(robot: Robot, said: set[str]) -> Iterator[Finding]:
     for package in robot.launch.workspace.packages.values():
         if package.name in said or not package.installs_known or not package.builds:
             continue
-        own = [file.source for file in robot.launch.files_of(package) if STARTED.search(file.source.name)]
+        own = [file.source for file in robot.launch.files_of(package) if _is_started(file.source.name)]
         if not own or robot.launch.workspace.is_vendored(own[0]):
             continue
         if any(package.takes(os.path.abspath(source.name)) for source in own):
@@ -87,6 +86,11 @@ def _without_launch_files(robot: Robot, said: set[str]) -> Iterator[Finding]:
                 related=[note(build, "what the package installs")],
                 severity="warning",
             )
+
+
+def _is_started(path: str) -> bool:
+    """Whether a file is a launch file by its name and folder; others may be code that builds one."""
+    return path.endswith(STARTED) and "launch" in path.split("/")[:-1]
 
 
 def _is_launched_by_path(robot: Robot, sources: list[Source]) -> bool:

@@ -44,9 +44,12 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.shell import Run
 
-LOOKS = regex(r"^\s*set -\w*e|^\s*set -o errexit|^#![^\n]* -\w*e|\btrap\b[^\n]*\bERR\b|\$\?", re.M)
+LOOKS = regex(
+    r"^[ \t]*set -(?:\w{0,8}e|o errexit)|^#![^\n]{0,80} -\w{0,8}e|\btrap [^\n]{0,200}\bERR\b|\$\?",
+    re.M,
+)
 BUS = regex(r"can\d+")
-SETS_UP = regex(r"\bip link set (?:dev )?['\"]?(?:can\d|\$)[^\n]*(?:\bup\b|type can)|\bip link add dev (?:can\d|\$)")
+SETS_UP = regex(r"\bip link (?:set|add) (?:dev )?['\"]?(?:can\d|\$)[^\n]{0,200}(?:\bup\b|type can)")
 DESCRIBING = ("echo", "printf", "exit", "true", "sleep", "")
 
 
