@@ -7,7 +7,7 @@ udev/symlink-match. Also a jump to the very next line, which skips nothing.
 ## Why it matters on a robot
 udev drops the line. Usually an assignment was lost, or a backslash is missing at the end of the line and the
 next line has become a rule of its own that fires for every device. A jump that skips nothing was to limit the lines
-after it to one device: they fire for every other one as well.
+after it to one device: they are read for every other one as well.
 
 ## Bad
 ```udev
@@ -63,7 +63,7 @@ def _jumps(file: RulesFile) -> Iterator[Finding]:
         if all(token.is_match or token is goto[0] for token in line.tokens):
             yield finding(
                 goto[0].value,
-                "The jump leads to the next line and skips nothing: the lines after the label fire for every device",
+                "The jump leads to the next line and skips nothing: the lines after the label are read for every device",
                 advice="jump over the lines where the device is another one: ATTRS{...}!=..., GOTO=...",
                 related=[note(label[0].value, "the label")],
             )
