@@ -63,7 +63,7 @@ def _jumps(file: RulesFile) -> Iterator[Finding]:
         if all(token.is_match or token is goto[0] for token in line.tokens):
             yield finding(
                 goto[0].value,
-                "The jump leads to the next line and skips nothing: what comes after the label is read for every device",
+                "The jump leads to the next line and skips nothing: what follows the label is read for every device",
                 advice="jump over the lines where the device is another one: ATTRS{...}!=..., GOTO=...",
                 related=[note(label[0].value, "the label")],
             )
