@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from lsprotocol.types import DocumentLink
 from lsprotocol.types import Location
 from lsprotocol.types import Position
 
 from bringup_lint.server.analysis import Analysis
+from bringup_lint.server.declarations import declarations_at
 from bringup_lint.server.diagnostics import location
 from bringup_lint.server.references import definitions
 from bringup_lint.server.references import edges_at
+from bringup_lint.source import Source
 from bringup_lint.source import Span
 
 
@@ -19,9 +23,13 @@ def definition(analysis: Analysis, path: str, position: Position) -> list[Locati
     if source is None:
         return []
     offset = analysis.positions(source).offset(position)
-    nodes = dict.fromkeys(edge.target for edge in edges_at(analysis, source, offset))
-    found = dict.fromkeys(span for node in nodes for span in definitions(analysis, node))
+    found = dict.fromkeys(declarations_at(analysis.robot, source, offset) or _of_graph(analysis, source, offset))
     return [location(analysis, _start(span)) for span in found if not span.source.virtual]
+
+
+def _of_graph(analysis: Analysis, source: Source, offset: int) -> Iterator[Span]:
+    for node in dict.fromkeys(edge.target for edge in edges_at(analysis, source, offset)):
+        yield from definitions(analysis, node)
 
 
 def _start(span: Span) -> Span:

@@ -74,6 +74,12 @@ def declared_in(files: Files, workspace: Workspace, package: Package) -> dict[st
     return {name: each for name, each in found.items() if each is not None and each.type}
 
 
+def declarations_in(files: Files, workspace: Workspace, package: Package) -> Iterator[Declared]:
+    """Every declaration in the sources of a package; the type is empty where it is not known."""
+    for source in _sources(files, workspace, package):
+        yield from _of_python(source) if source.name.endswith(".py") else _of_cpp(source)
+
+
 def mentions(files: Files, package: Package, word: str) -> bool:
     """Whether any source of a package holds a word: a parameter that is nowhere named is never declared there."""
     paths = (path for path in files.tree.paths if path.startswith(package.folder + os.sep) and path.endswith(SUFFIXES))

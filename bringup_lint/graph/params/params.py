@@ -149,6 +149,14 @@ class Params:
             found = each
         return found
 
+    def declarations(self, name: str) -> list[Declared]:
+        """Every declaration in the sources of a package of the workspace, in the order of the files."""
+        from bringup_lint.graph.params.declared import declarations_in
+
+        workspace = self._launch().workspace
+        package = workspace.packages.get(name)
+        return list(declarations_in(self._tree_files, workspace, package)) if package else []
+
     def declared_type(self, parameter: Parameter) -> str | None:
         """The type that the workspace's sources declare for a parameter; None when it is not known."""
         found = self.declared(parameter)
