@@ -217,8 +217,12 @@ def described(path: Path, rule_id: str) -> Rule:
 def _unloaded(path: Path, rule_id: str, found: Described, needs: Any, doc: str | None = None) -> Rule:
     """A rule that is loaded when a robot has what it needs; all have where nothing is known of its needs."""
 
+    @cache
+    def loaded() -> Rule:
+        return load(path, rule_id)
+
     def check(robot: Any) -> Iterator[Any]:
-        return load(path, rule_id).check(robot) if needs is None or is_met(needs, robot) else iter(())
+        return loaded().check(robot) if needs is None or is_met(needs, robot) else iter(())
 
     return Rule(rule_id, path, rule(found.severity, **found.options)(check), found.title, doc)
 

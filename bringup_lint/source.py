@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 from bisect import bisect_right
+from collections.abc import Callable
 from collections.abc import Iterator
 from dataclasses import field
 from functools import cached_property
 from typing import NamedTuple
+from typing import TypeVar
+from typing import cast
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.pattern import regex
+
+Made = TypeVar("Made")
 
 _WORD = regex(r"[^ \t\n\r\f\v]+")
 
@@ -50,6 +55,15 @@ class Source:
     """Where the text comes from when another file of the tree writes this one."""
     models: dict[object, object] | None = field(default=None, init=False)
     """Parser -> the model that it made of this text, where a source outlives a run; None where it does not."""
+
+    def kept(self, key: object, make: Callable[[], Made]) -> Made:
+        """What ``make`` makes of this text alone; made once where the source outlives a run."""
+        if self.models is None:
+            return make()
+        known = cast("dict[object, Made]", self.models)
+        if key not in known:
+            known[key] = make()
+        return known[key]
 
     @cached_property
     def line_starts(self) -> list[int]:

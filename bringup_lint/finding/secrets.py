@@ -34,7 +34,8 @@ _ENTRY = regex(r"^[ \t]*[\"']?[\w.@-]+[\"']?[ \t]*:[ \t]+[\"']?([^\s\"'#][^\n\"'
 def given_away(source: Source) -> Iterator[Span]:
     """The values of passwords, keys and tokens; not variables, paths and words that merely stand for one."""
     last = 0
-    for start, end in sorted((_stripped(source.text, *place) for place in _stretches(source)), key=_by_start):
+    stretches = source.kept(_stretches, lambda: tuple(_stretches(source)))
+    for start, end in sorted((_stripped(source.text, *place) for place in stretches), key=_by_start):
         if end > max(last, start):
             last = end
             yield source.span(start, end)

@@ -12,7 +12,6 @@ from functools import cached_property
 from types import FunctionType
 from typing import TYPE_CHECKING
 from typing import TypeVar
-from typing import cast
 
 from bringup_lint import budget
 from bringup_lint.budget import OutOfTime
@@ -160,12 +159,9 @@ class Files:
 def _model(parse: Callable[[Source], Model], source: Source) -> Model:
     """The model of a source; the one of an earlier run where the source outlives a run. Only a function of a module is
     known again: one with a context may answer otherwise the next time."""
-    known = cast("dict[object, Model] | None", source.models)
-    if known is None or not isinstance(parse, FunctionType) or parse.__closure__ or parse.__name__ == "<lambda>":
+    if not isinstance(parse, FunctionType) or parse.__closure__ or parse.__name__ == "<lambda>":
         return parse(source)
-    if parse not in known:
-        known[parse] = parse(source)
-    return known[parse]
+    return source.kept(parse, lambda: parse(source))
 
 
 def _source_of(place: Source | Located | Span) -> Source:

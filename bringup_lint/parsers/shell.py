@@ -30,7 +30,8 @@ def blocks(script: Located) -> tuple[Block, ...]:
 
 def commands(script: Located) -> list[Command]:
     """The simple commands of a script, in the order in which they appear. Never raises."""
-    return list(flatten(blocks(script)))
+    key = (commands, script, script.span.start, script.span.end, script.pieces)
+    return list(script.span.source.kept(key, lambda: tuple(flatten(blocks(script)))))
 
 
 def shell_commands(source: Source) -> list[Command]:

@@ -56,9 +56,8 @@ def time_sync_daemon_missing(robot: Robot) -> Iterator[Finding]:
     folders = [
         f"{top}/systemd/system/{target}.target.wants" for top in ("/etc", "/usr/lib", "/lib") for target in TARGETS
     ]
-    units = [
-        f"{folder}/{daemon}{suffix}.service" for folder in folders for daemon in DAEMONS for suffix in ("", "@eth0")
-    ]
+    used = [folder for folder in folders if robot.tree.has(folder)]
+    units = [f"{folder}/{daemon}{suffix}.service" for folder in used for daemon in DAEMONS for suffix in ("", "@eth0")]
     if robot.tree.has("/etc/systemd/system") and not any(robot.tree.has(unit) for unit in units):
         if any(unit.name.partition(".")[0].partition("@")[0] in DAEMONS for unit in robot.units.judged):
             return

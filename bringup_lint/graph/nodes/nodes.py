@@ -318,7 +318,7 @@ class Nodes:
     def ending(self, file: NodeSource) -> Ending:
         """How the programs of a file end."""
         if file not in self._endings:
-            self._endings[file] = Ending(Syntax(file), self.files.target.ros)
+            self._endings[file] = Ending(file.source.kept((Syntax, file), lambda: Syntax(file)), self.files.target.ros)
         return self._endings[file]
 
     @cached_property

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from collections.abc import Iterator
+from functools import lru_cache
 
 from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.graph import Node
@@ -22,10 +23,18 @@ RELEASES = (249, 252, 255)
 def distribution_edges(units: Iterable[Unit], systemd: int) -> Iterator[Edge]:
     """The edges of the release nearest to the target's, without those of units that the tree brings
     itself."""
+    yield from _edges(min(RELEASES, key=lambda known: abs(known - systemd)), frozenset(_own(units)))
+
+
+@lru_cache(4)
+def _edges(version: int, own: frozenset[str]) -> tuple[Edge, ...]:
+    """The edges of a release without those of ``own`` units, kept for the next run of the same process."""
+    return tuple(_of_release(version, own))
+
+
+def _of_release(version: int, own: frozenset[str]) -> Iterator[Edge]:
     from bringup_lint.facts import table
 
-    version = min(RELEASES, key=lambda known: abs(known - systemd))
-    own = _own(units)
     shipped = {row["unit"]: row for row in table("systemd/units") if _ships(row, version) and not row["alias_of"]}
     for row in table("systemd/unit_edges"):
         name = row["unit"]
