@@ -48,3 +48,15 @@ def test_edits_answer_as_from_nothing(seed: int, monkeypatch: pytest.MonkeyPatch
         documents[str(path)] = Document(uri_of(str(path)), text, number)
         cold = Folder(str(GUIDE), registry, lambda config: frozenset())
         assert answer(kept, documents) == answer(cold, documents), path
+
+
+def test_the_second_run_loads_no_rule(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(GUIDE)
+    kept = Folder(str(GUIDE), Registry.of(), lambda config: frozenset())
+    first = answer(kept, {})
+
+    def load(path: Path, rule_id: str) -> None:
+        raise AssertionError(rule_id)
+
+    monkeypatch.setattr("bringup_lint.registry.load", load)
+    assert answer(kept, {}) == first
