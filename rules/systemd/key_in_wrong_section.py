@@ -73,6 +73,7 @@ from bringup_lint.api.systemd import move_lines
 def key_in_wrong_section(robot: Robot) -> Iterator[Finding]:
     for file in robot.units.unit_files:
         allowed = directives.sections_of_type(file.type)
+        given = {(section.name, str(each.key)) for section in file.sections for each in section.assignments}
         for section in file.sections:
             if section.name not in allowed:
                 continue
@@ -81,10 +82,12 @@ def key_in_wrong_section(robot: Robot) -> Iterator[Finding]:
                 homes = [name for name in allowed if directives.directive(name, key)]
                 if not homes or section.name in homes:
                     continue
-                change = fix(f"move it to [{homes[0]}]", *move_lines(file, assignment, homes[0]))
+                change = None
+                if not file.source.template and (homes[0], str(key)) not in given:
+                    change = fix(f"move it to [{homes[0]}]", *move_lines(file, assignment, homes[0]))
                 yield finding(
                     key,
                     f"{key}= belongs in [{homes[0]}]; in [{section.name}] systemd ignores the line",
                     advice=f"move the line to [{homes[0]}]",
-                    fix=change if not file.source.template else None,
+                    fix=change,
                 )

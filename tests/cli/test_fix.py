@@ -121,3 +121,29 @@ def test_two_xml_declarations_are_fixed_in_bounded_rounds(tmp_path: Path) -> Non
     before = len(path.read_text())
     lint("--fix", "--unsafe-fixes", cwd=tmp_path)
     assert len(path.read_text()) < 2 * before
+
+
+def test_a_line_is_not_moved_beside_another_one_of_its_key(tmp_path: Path) -> None:
+    text = "[Unit]\nDescription=One\nExecStart=/bin/a\n\n[Service]\nExecStart=/bin/b\n"
+    (tmp_path / "robot.service").write_text(text)
+    lint("--fix", "--unsafe-fixes", "--select", "systemd", cwd=tmp_path)
+    assert "ExecStart=/bin/a\n\n[Service]\nExecStart=/bin/b\n" in (tmp_path / "robot.service").read_text()
+    assert "systemd/exec-multiple" not in lint("--select", "systemd", "--output-format", "concise", cwd=tmp_path).stdout
+
+
+def test_an_enclave_is_found_in_a_command_that_a_shell_runs(tmp_path: Path) -> None:
+    text = (
+        "[Service]\nUser=robot\nEnvironment=ROS_DISTRO=jazzy\n"
+        "ExecStart=/opt/ros/jazzy/bin/ros2 run d e --ros-args --enclave /lawn/driver\n"
+    )
+    (tmp_path / "robot.service").write_text(text)
+    lint("--fix", "--unsafe-fixes", "--select", "env/ros2-not-sourced", cwd=tmp_path)
+    assert "--enclave /lawn/driver'\n" in (tmp_path / "robot.service").read_text()
+    assert lint("--select", "sros2", "--min-severity", "info", "--output-format", "concise", cwd=tmp_path).stdout == ""
+
+
+def test_only_blanks_of_ascii_divide_names(tmp_path: Path) -> None:
+    text = "[Unit]\nDescription=One\nBindsTo=dev-li\u2028dar.device\n\n[Service]\nExecStart=/bin/x\n"
+    (tmp_path / "robot.service").write_text(text, "utf-8")
+    lint("--fix", "--unsafe-fixes", "--select", "systemd/requires-without-after", cwd=tmp_path)
+    assert (tmp_path / "robot.service").read_text("utf-8") == text
