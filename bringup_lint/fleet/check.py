@@ -71,7 +71,8 @@ def summary_of(member: Member, job: Job) -> Summary:
 
 def tree_of(member: Member, config: Config) -> Tree:
     """Raises OSError or ValueError for an archive that cannot be read."""
-    excluded = exclusion(config.folder, config.exclude)
+    named = [f"{os.path.abspath(layer)}/" for layer in member.layers if os.path.isdir(layer)]
+    excluded = exclusion(config.folder, config.exclude, named)
     if len(member.layers) > 1 or not os.path.isdir(member.layers[0]):
         from bringup_lint.discover.layered import layered
 

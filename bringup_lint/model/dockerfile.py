@@ -95,6 +95,13 @@ class Dockerfile:
     arguments: dict[str, Located | None] = field(default_factory=dict)
     """ARGs before the first FROM, with their defaults."""
     problems: list[Problem] = field(default_factory=list)
+    _named: dict[str, Stage] = field(default_factory=dict)
+    """The first stage of each name, in lower case."""
+
+    def add(self, stage: Stage) -> None:
+        self.stages.append(stage)
+        if stage.name:
+            self._named.setdefault(stage.name.lower(), stage)
 
     @property
     def final(self) -> Stage | None:
@@ -102,7 +109,7 @@ class Dockerfile:
         return self.stages[-1] if self.stages else None
 
     def stage(self, name: str) -> Stage | None:
-        return next((stage for stage in self.stages if stage.name and stage.name.lower() == name.lower()), None)
+        return self._named.get(name.lower())
 
     @cached_property
     def instructions(self) -> list[Instruction]:

@@ -71,7 +71,7 @@ def _add_stage(file: Dockerfile, instruction: Instruction) -> None:
     stage.arguments = file.arguments
     stage.resolved = file.expand(words[0])
     stage.base = file.stage(stage.resolved)
-    file.stages.append(stage)
+    file.add(stage)
 
 
 def _unquoted(text: Located) -> Located:

@@ -154,3 +154,16 @@ all:
         ("alpha", "scout", "hall", 7),
         ("beta", "scout", "yard", None),
     ]
+
+
+def test_the_folder_of_a_robot_is_not_left_out(tmp_path: Path) -> None:
+    write(
+        tmp_path,
+        {
+            "images/one/etc/machine-id": "0" * 32 + "\n",
+            "images/two/etc/machine-id": "0" * 32 + "\n",
+            "bringup-lint.toml": 'exclude = ["/images/"]\n',
+        },
+    )
+    report = judged("images/one", "images/two", cwd=tmp_path)
+    assert [found["rule"] for found in report["findings"]] == ["fleet/same-machine-id"]

@@ -24,6 +24,8 @@ def kept(code: Code, callbacks: list[Callback]) -> dict[str, frozenset[str]]:
     bodies = Bodies(code)
     found: dict[str, frozenset[str]] = {}
     for callback in callbacks:
+        if callback.name in found:
+            continue
         body = bodies.of(callback) if callback.role == "subscription" and callback.name else None
         if callback.name is not None and body is not None:
             found[callback.name] = frozenset(_filled(code, body))
@@ -35,6 +37,8 @@ def sent(code: Code, callbacks: list[Callback]) -> dict[str, frozenset[str]]:
     bodies = Bodies(code)
     found: dict[str, frozenset[str]] = {}
     for callback in callbacks:
+        if callback.name in found:
+            continue
         body = bodies.of(callback) if callback.role == "timer" else None
         if body is None:
             continue

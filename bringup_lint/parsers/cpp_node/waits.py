@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
+from bisect import bisect_right
 from collections.abc import Iterator
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 from bringup_lint.model.cpp_source import UNTIL_OTHER_NODE
@@ -36,32 +39,34 @@ class Bodies:
             name = code.defined_name(node)
             if name is not None:
                 self.functions.setdefault(name.rpartition("::")[2], []).append(node)
-        self._calls = code.calls
-        self._loops = code.written.get("while", [])
+        self._calls = sorted(code.calls, key=lambda call: call.node.start_byte)
+        self._loops = sorted(code.written.get("while", []), key=lambda node: node.start_byte)
+        self._call_starts = [call.node.start_byte for call in self._calls]
+        self._loop_starts = [node.start_byte for node in self._loops]
 
     def of(self, callback: Callback) -> Node | None:
         """The definition of a callback; None when there is none, or several."""
         if callback.name is None:
-            start, end = callback.span.start, callback.span.end
-            found = [each for each in self._lambdas if self.code.span(each).start == start]
-            return found[0] if found and self.code.span(found[0]).end == end else None
-        found = self.functions.get(callback.name, [])
-        return found[0] if len(found) == 1 else None
+            found = self._lambdas.get(callback.span.start)
+            return found if found is not None and self.code.span(found).end == callback.span.end else None
+        named = self.functions.get(callback.name, [])
+        return named[0] if len(named) == 1 else None
 
-    @property
-    def _lambdas(self) -> list[Node]:
-        every = (each for call in self._calls for each in call.arguments)
-        return [each for each in every if each.type == "lambda_expression"]
+    @cached_property
+    def _lambdas(self) -> dict[int, Node]:
+        """Where it starts -> the first lambda expression there among the arguments of calls."""
+        every = [each for call in self._calls for each in call.arguments if each.type == "lambda_expression"]
+        return {self.code.span(each).start: each for each in reversed(every)}
 
     def reached(self, body: Node) -> Iterator[Call | Node]:
         """The calls and loops that a body runs, and those of the methods of the file that it calls."""
         todo, seen = [(body, 0)], {body.id}
         while todo:
             node, depth = todo.pop()
-            for loop in self._loops:
+            for loop in self._loops[_within(self._loop_starts, node)]:
                 if _runs(node, loop):
                     yield loop
-            for call in self._calls:
+            for call in self._calls[_within(self._call_starts, node)]:
                 if not _runs(node, call.node):
                     continue
                 yield call
@@ -70,6 +75,11 @@ class Bodies:
                 if own and len(inner) == 1 and inner[0].id not in seen and depth < DEPTH:
                     seen.add(inner[0].id)
                     todo.append((inner[0], depth + 1))
+
+
+def _within(starts: list[int], body: Node) -> slice:
+    """Which of the places lie in a body."""
+    return slice(bisect_right(starts, body.start_byte), bisect_left(starts, body.end_byte))
 
 
 def _runs(body: Node, node: Node) -> bool:
@@ -88,10 +98,12 @@ def waits(code: Code, callbacks: list[Callback]) -> Iterator[Waiting]:
     """The calls that block in the callbacks of a file, each place once."""
     bodies = Bodies(code)
     seen: set[int] = set()
+    reached: set[int] = set()
     for callback in callbacks:
         body = bodies.of(callback) if not _AT_START.match(callback.name or "") else None
-        if body is None:
+        if body is None or body.id in reached:
             continue
+        reached.add(body.id)
         for each in bodies.reached(body):
             node = each.node if isinstance(each, Call) else each
             found = _call(code, each) if isinstance(each, Call) else _loop(code, each)
