@@ -594,5 +594,12 @@ class Robot:
         from bringup_lint.graph.observed.observed import Observed
 
         return Observed(
-            graph, self.expected, self.ros, lambda: self.units, self.launch, self.topics, self.tree.complete
+            graph,
+            self.expected,
+            self.ros,
+            lambda: self.units,
+            self.launch,
+            self.topics,
+            lambda: self.params,
+            self.tree.complete,
         )

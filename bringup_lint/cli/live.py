@@ -40,6 +40,7 @@ if TYPE_CHECKING:
     from bringup_lint.source import Located
     from bringup_lint.source import Source
 
+MOST_PARAMETERS = 1000
 FAMILY = "live"
 KIND = "observed-graph"
 
@@ -155,7 +156,7 @@ def seen(robot: Robot, options: dict[str, Any]) -> Source:
     rmw = str(said) if said else None
     with_rmw = f" with {rmw} ({_at(said)})" if said else ""
     say(f"Looking at domain {domain} ({told}){with_rmw} ...")
-    how = {"enclave": options["enclave"], "rmw": rmw}
+    how: dict[str, Any] = {"enclave": options["enclave"], "rmw": rmw, "parameters": asked_parameters(robot)}
     with ThreadPoolExecutor(1) as pool:
         looking = pool.submit(look, [domain], options["wait"], **how)
         _ = robot.expected
@@ -174,6 +175,16 @@ def seen(robot: Robot, options: dict[str, Any]) -> Source:
         write(text, options["save"])
         return Source(str(options["save"]), text, KIND)
     return Source(f"<ROS graph, domain {domain}>", text, KIND, virtual=True)
+
+
+def asked_parameters(robot: Robot) -> dict[str, list[str]]:
+    """The names of the parameters that files give nodes, by node; of very many the first."""
+    from bringup_lint.graph.observed.parameters import given
+
+    names: dict[str, list[str]] = {}
+    for each in given(robot.params)[:MOST_PARAMETERS]:
+        names.setdefault(each.node, []).append(each.name)
+    return names
 
 
 def chosen(robot: Robot, given: int | None) -> tuple[int, str]:

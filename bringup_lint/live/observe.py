@@ -36,7 +36,7 @@ def main() -> None:
     try:
         import rclpy  # noqa: F401
 
-        seen = observe(task["domain"], task["wait"], task["enclave"])
+        seen = observe(task["domain"], task["wait"], task["enclave"], task["parameters"])
     except ImportError as error:
         print(error, file=sys.stderr)
         sys.exit(NO_RCLPY)
@@ -46,7 +46,7 @@ def main() -> None:
     print(f"\n{MARK}{json.dumps(seen)}", flush=True)
 
 
-def observe(domain: int, wait: float, enclave: str | None) -> dict[str, object]:
+def observe(domain: int, wait: float, enclave: str | None, parameters: dict[str, list[str]]) -> dict[str, object]:
     """Everything that can be seen on a domain after some seconds."""
     import rclpy
     from rclpy.context import Context
@@ -69,6 +69,7 @@ def observe(domain: int, wait: float, enclave: str | None) -> dict[str, object]:
             "nodes": nodes(node),
             "endpoints": endpoints(node),
             "states": lifecycle_states(node, executor),
+            "parameters": parameter_values(node, executor, parameters),
         }
         executor.shutdown(timeout_sec=1)
         node.destroy_node()
@@ -166,19 +167,51 @@ def lifecycle_states(node, executor) -> dict[str, str]:
     except ImportError:
         return {}
     services = [name for name, types in node.get_service_names_and_types() if GET_STATE in types]
-    clients = {name: node.create_client(GetState, name) for name in services}
+    found = answers(node, executor, GetState, {name: GetState.Request() for name in services})
+    states = {name: found[name].current_state.label if name in found else NO_ANSWER for name in services}
+    return {name.rpartition("/")[0]: state for name, state in states.items()}
+
+
+def parameter_values(node, executor, wanted: dict[str, list[str]]) -> list[list[str]]:
+    """Node, name and value of the numbers and switches among the parameters that nodes have; nodes are asked for
+    nothing that they do not declare."""
+    try:
+        from rcl_interfaces.srv import GetParameters
+        from rcl_interfaces.srv import ListParameters
+    except ImportError:
+        return []
+    there = {name for name, _ in node.get_service_names_and_types()}
+    lists = {f"{each}/list_parameters": each for each in wanted if f"{each}/list_parameters" in there}
+    listed = answers(node, executor, ListParameters, {name: ListParameters.Request() for name in lists})
+    names_of = {lists[service]: set(answer.result.names) for service, answer in listed.items()}
+    known = {each: sorted(names & set(wanted[each])) for each, names in names_of.items()}
+    requests = {f"{each}/get_parameters": GetParameters.Request(names=names) for each, names in known.items() if names}
+    found = []
+    for service, answer in answers(node, executor, GetParameters, requests).items():
+        each = service.rpartition("/")[0]
+        values = (value_of(value) for value in answer.values)
+        found += [[each, name, value] for name, value in zip(known[each], values) if value is not None]
+    return sorted(found)
+
+
+def value_of(value) -> str | None:
+    """The text of a number or switch (rcl_interfaces/msg/ParameterType); None for any other."""
+    texts = {1: str(value.bool_value).lower(), 2: str(value.integer_value), 3: repr(value.double_value)}
+    return texts.get(value.type)
+
+
+def answers(node, executor, kind, requests: dict[str, Any]) -> dict[str, Any]:
+    """The answers that services give in time, all asked side by side."""
+    clients = {name: node.create_client(kind, name) for name in requests}
     asked: dict[str, Any] = {}
     until = time.monotonic() + ANSWER
     while time.monotonic() < until and not all(name in asked and asked[name].done() for name in clients):
         for name, client in clients.items():
             if name not in asked and client.service_is_ready():
-                asked[name] = client.call_async(GetState.Request())
+                asked[name] = client.call_async(requests[name])
         executor.spin_once(timeout_sec=0.05)
-    states = {}
-    for name in clients:
-        answer = asked[name].result() if name in asked and asked[name].done() else None
-        states[name.rpartition("/")[0]] = answer.current_state.label if answer else NO_ANSWER
-    return states
+    done = {name: future.result() for name, future in asked.items() if future.done()}
+    return {name: answer for name, answer in done.items() if answer is not None}
 
 
 if __name__ == "__main__":

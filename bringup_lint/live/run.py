@@ -8,6 +8,9 @@ import shutil
 import subprocess
 import sys
 from collections.abc import Iterable
+from collections.abc import Mapping
+from itertools import chain
+from itertools import repeat
 from math import ceil
 from typing import Any
 
@@ -21,6 +24,7 @@ AT_MOST = 4
 AGAIN = 2.0
 """How many times as long the second look takes, before anything is called missing."""
 
+NOTHING: Mapping[str, list[str]] = {}
 _FRILLS = regex(r"^\[\w+\] \[[\d.]+\] \[[\w.]+\]: |^\w+Error: |(?<![.,])[.,]* at /\S+:\d+$")
 """Log prefixes, exception names, and the place in the library's sources."""
 
@@ -33,13 +37,22 @@ class _NoRclpy(LiveError):
     pass
 
 
-def look(domains: Iterable[int], wait: float, *, enclave: str | None, rmw: str | None) -> list[dict[str, Any]]:
-    """What can be seen on some domains, all looked at side by side. Raises LiveError."""
+def look(
+    domains: Iterable[int],
+    wait: float,
+    *,
+    enclave: str | None,
+    rmw: str | None,
+    parameters: Mapping[str, list[str]] = NOTHING,
+) -> list[dict[str, Any]]:
+    """What can be seen on some domains, all looked at side by side; on the first one also ``parameters``, names by
+    node. Raises LiveError."""
     environment = dict(os.environ)
     if rmw:
         environment["RMW_IMPLEMENTATION"] = rmw
     task = {"wait": wait, "enclave": enclave, "limit": ceil(wait + observe.LONGER + SLACK) + 1}
-    tasks = [json.dumps({**task, "domain": each}) for each in domains]
+    asked = chain([parameters], repeat(NOTHING))
+    tasks = [json.dumps({**task, "domain": each, "parameters": names}) for each, names in zip(domains, asked)]
     pythons = _pythons()
     for python in pythons[:-1]:
         try:
@@ -59,6 +72,7 @@ def merged(first: dict[str, Any], second: dict[str, Any]) -> dict[str, Any]:
         "nodes": sorted([*second["nodes"], *nodes]),
         "endpoints": [*second["endpoints"], *ends],
         "states": {**first["states"], **second["states"], **_told(first), **_told(second)},
+        "parameters": second.get("parameters") or first.get("parameters", []),
     }
 
 

@@ -49,6 +49,13 @@ class RunningUnit(NamedTuple):
     """The unit file that is loaded."""
 
 
+class RunningParameter(NamedTuple):
+    node: Located
+    """Fully qualified."""
+    name: Located
+    value: Located
+
+
 @dataclass(frozen=True, eq=False)
 class ObservedGraph:
     source: Source
@@ -65,3 +72,4 @@ class ObservedGraph:
     problems: tuple[Problem, ...] = ()
     units: tuple[RunningUnit, ...] = ()
     """The units of the tree that systemd knows where somebody looked."""
+    parameters: tuple[RunningParameter, ...] = ()

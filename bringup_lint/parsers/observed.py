@@ -9,6 +9,7 @@ from bringup_lint.model.node_source import Qos
 from bringup_lint.model.observed import Endpoint
 from bringup_lint.model.observed import ObservedGraph
 from bringup_lint.model.observed import RunningNode
+from bringup_lint.model.observed import RunningParameter
 from bringup_lint.model.observed import RunningUnit
 from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.model.yaml_node import Scalar
@@ -39,7 +40,15 @@ def parse(source: Source) -> ObservedGraph:
         tuple(_elsewhere(root)),
         tuple(file.problems),
         tuple(_units(root)),
+        tuple(_parameters(root)),
     )
+
+
+def _parameters(root: Mapping) -> Iterator[RunningParameter]:
+    for item in _items(root, "parameters"):
+        values = _values(item)
+        if values.keys() >= {"node", "name", "value"}:
+            yield RunningParameter(values["node"], values["name"], values["value"])
 
 
 def _units(root: Mapping) -> Iterator[RunningUnit]:

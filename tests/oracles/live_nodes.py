@@ -18,7 +18,7 @@ READY = "@@ready"
 @contextlib.contextmanager
 def running(*nodes: dict[str, object], environment: dict[str, str], arguments: tuple[str, ...] = ()) -> Iterator[None]:
     """Nodes while the block runs. Each: ``name``, ``namespace``, ``publishes`` and ``subscribes`` (topic ->
-    reliability), ``lifecycle``."""
+    reliability), ``lifecycle``, ``parameters``."""
     process = subprocess.Popen(
         [sys.executable, __file__, json.dumps(nodes), *arguments],
         stdout=subprocess.PIPE,
@@ -76,12 +76,14 @@ def main() -> None:
     executor.spin()
 
 
-def make(name, namespace="/", publishes=(), subscribes=(), lifecycle=False):
+def make(name, namespace="/", publishes=(), subscribes=(), lifecycle=False, parameters=()):
     from builtin_interfaces.msg import Time
     from rclpy.lifecycle import LifecycleNode
     from rclpy.node import Node
 
     node = (LifecycleNode if lifecycle else Node)(name, namespace=namespace)
+    for parameter, value in dict(parameters).items():
+        node.declare_parameter(parameter, value)
     for topic, reliability in dict(publishes).items():
         node.create_publisher(Time, topic, profile(reliability))
     for topic, reliability in dict(subscribes).items():

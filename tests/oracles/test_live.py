@@ -132,6 +132,31 @@ def test_it_says_what_it_looks_at(bad_robot: tuple[int, Run]) -> None:
     assert run.stderr.splitlines()[0] == f"Looking at domain {domain} (ros.env:1) ..."
 
 
+PARAMETERS = """/base:
+  ros__parameters:
+    max_speed: 0.1
+    wheels: 4
+    brake: true
+    frame: base_link
+    not_declared: 1
+"""
+
+
+def test_values_of_running_nodes(tmp_path: Path, domain: int) -> None:
+    folder = tree(tmp_path / "tree", domain)
+    launch = folder / "otter.launch.py"
+    start = f"name='base', parameters=['{folder / 'base.yaml'}'],"
+    launch.write_text(launch.read_text().replace("name='base', arguments=['--ros-args', '--enclave', '/base']", start))
+    (folder / "base.yaml").write_text(PARAMETERS)
+    has = {"max_speed": 0.1, "wheels": 6, "brake": True, "frame": "odom"}
+    with running(*GOOD[:2], {**BASE, "parameters": has}, *GOOD[3:], environment=on(domain)):
+        run = live(folder, "--select", "live/param-differs", "--save", "seen.yaml")
+    assert "name: not_declared" not in (folder / "seen.yaml").read_text()
+    assert "odom" not in (folder / "seen.yaml").read_text(), "a text may be a secret"
+    (line,) = run.stdout.splitlines()
+    assert line == "base.yaml:4:13: warning[live/param-differs] /base runs with wheels = 6, but base.yaml says 4"
+
+
 def test_a_robot_that_is_as_its_files_say_gives_nothing(tmp_path: Path, domain: int) -> None:
     folder = tree(tmp_path / "tree", domain)
     (folder / "otter.launch.py").write_text((folder / "otter.launch.py").read_text().replace("'/base'", "'/'"))

@@ -21,6 +21,8 @@ from bringup_lint.graph.observed.domains import of_environment
 from bringup_lint.graph.observed.expected import Entry
 from bringup_lint.graph.observed.expected import Expected
 from bringup_lint.graph.observed.expected import ExpectedNode
+from bringup_lint.graph.observed.parameters import Given
+from bringup_lint.graph.observed.parameters import given
 from bringup_lint.graph.observed.tools import comes_with
 from bringup_lint.graph.observed.tools import is_tool
 from bringup_lint.graph.observed.topics import Meant
@@ -40,6 +42,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.environment.ros import KnownSetting
     from bringup_lint.graph.environment.ros import RosEnvironment
     from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.params.params import Params
     from bringup_lint.graph.systemd.unit import Unit
     from bringup_lint.graph.systemd.units import Units
     from bringup_lint.graph.topics.topics import Topics
@@ -56,6 +59,7 @@ class Observed:
     launch: Launch
     node_topics: Topics
     """What the files say of the topics of nodes."""
+    params: Callable[[], Params]
     complete: bool
     """Whether the files are a whole root file system."""
 
@@ -79,6 +83,18 @@ class Observed:
         counts = Counter(unit.name for unit in units)
         told = {str(unit.name): unit for unit in self.graph.units}
         return [(unit, told[unit.name]) for unit in units if unit.name in told and counts[unit.name] == 1]
+
+    @cached_property
+    def other_values(self) -> list[tuple[Given, Located]]:
+        """The values of parameter files, with those that the nodes have instead; of a name that one node has."""
+        counts = Counter(str(node.name) for node in self.graph.nodes)
+        told = {(str(each.node), str(each.name)): each.value for each in self.graph.parameters}
+        pairs = ((each, told.get((each.node, each.name))) for each in (given(self.params()) if told else ()))
+        return [
+            (each, value)
+            for each, value in pairs
+            if value is not None and counts[each.node] == 1 and not each.is_like(value)
+        ]
 
     @cached_property
     def elsewhere(self) -> dict[int, list[RunningNode]]:
