@@ -41,9 +41,10 @@ def _lines(seen: dict[str, Any], elsewhere: Iterable[dict[str, Any]], domain_fro
     yield f"secured: {str(secured).lower()}"
     yield f"nodes:{'' if seen['nodes'] else ' []'}"
     yield from (f"- {_node(name, enclave, seen['states'])}" for name, enclave in seen["nodes"])
-    parameters = seen.get("parameters", ())
-    yield from ("parameters:",) * bool(parameters)
-    yield from (f"- {_flow({'node': node, 'name': name, 'value': value})}" for node, name, value in parameters)
+    parameters = seen.get("parameters")
+    if parameters:
+        yield "parameters:"
+        yield from (f"- {_flow({'node': node, 'name': name, 'value': value})}" for node, name, value in parameters)
     yield f"endpoints:{'' if seen['endpoints'] else ' []'}"
     yield from (f"- {_endpoint(each)}" for each in seen["endpoints"])
     others = list(elsewhere)

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.graph import Graph
 
 LONG = 20
-"""Findings from which on a report is grouped, and ends with a list of its rules."""
+"""Findings from which on a report is grouped."""
 _ROOTS = ("default.target", "graphical.target", "multi-user.target")
 _NOT_STARTING = frozenset({"orders", "conflicts", "part-of"})
 

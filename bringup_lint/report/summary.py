@@ -11,11 +11,12 @@ from bringup_lint.finding import Finding
 from bringup_lint.finding import Severity
 from bringup_lint.report.model import Part
 from bringup_lint.report.model import Report
-from bringup_lint.report.order import LONG
 from bringup_lint.report.paint import Paint
 
+FEW = 5
+"""Findings up to which a report needs no list of its rules."""
 RULES = 12
-"""Rules that the list at the end of a long report names."""
+"""Rules that the list at the end of a report names."""
 
 
 def ending(report: Report, width: int, paint: Paint) -> str:
@@ -27,7 +28,7 @@ def _table(report: Report, paint: Paint) -> Iterator[str]:
     shown = list(report.shown)
     if shown and report.part is Part.STATISTICS:
         yield from by_rule(shown, paint)
-    elif len(shown) > LONG:
+    elif len(shown) > FEW:
         yield from by_rule(shown, paint, RULES)
 
 

@@ -93,6 +93,7 @@ def rules_of(command: Path, cwd: Path) -> set[str]:
 
 def test_wheel_carries_the_rules_and_no_top_level_rules(wheel: Path) -> None:
     names = zipfile.ZipFile(wheel).namelist()
+    assert [name for name in names if name.endswith("/share/man/man1/bringup-lint.1")]
     assert "bringup_lint/rules/lint/encoding.py" in names
     assert "bringup_lint/report/html/page.html" in names
     assert not [name for name in names if name.startswith(("rules/", "tests/", "fixtures/"))]

@@ -58,7 +58,7 @@ def test_table_counts_what_it_leaves_out() -> None:
     assert list(by_rule(MANY, PLAIN, 2))[3:] == ["       9                              of 1 more rule", ""]
 
 
-def test_a_short_report_has_no_table() -> None:
+def test_a_report_of_few_findings_has_no_table() -> None:
     report = Report(tuple(MANY[:3]), kinds=KINDS)
     assert "fixable" not in render("text", report)
     assert render("text", report).endswith("\n\n3 errors in 1 of 3 files\n")

@@ -87,9 +87,11 @@ class Observed:
     @cached_property
     def other_values(self) -> list[tuple[Given, Located]]:
         """The values of parameter files, with those that the nodes have instead; of a name that one node has."""
+        if not self.graph.parameters:
+            return []
         counts = Counter(str(node.name) for node in self.graph.nodes)
         told = {(str(each.node), str(each.name)): each.value for each in self.graph.parameters}
-        pairs = ((each, told.get((each.node, each.name))) for each in (given(self.params()) if told else ()))
+        pairs = ((each, told.get((each.node, each.name))) for each in given(self.params()))
         return [
             (each, value)
             for each, value in pairs
