@@ -104,7 +104,7 @@ def test_a_report_does_not_wait_for_a_fifo(tree: Path) -> None:
 def test_a_report_that_cannot_be_written_does_not_cost_the_others(tree: Path) -> None:
     run = lint(
         *("--output-format", "concise", "--output-format", "json", "--output-file", "none/r.json"),
-        *("--output-format", "sarif", "--output-file", "r.sarif", "--write-baseline", "b.json"),
+        *("--output-format", "sarif", "--output-file", "r.sarif"),
         *("--select", "systemd/network-target", "."),
         cwd=tree,
     )
@@ -112,7 +112,22 @@ def test_a_report_that_cannot_be_written_does_not_cost_the_others(tree: Path) ->
     assert run.stdout.count("systemd/network-target") == 2
     assert "not written: none/r.json: No such file or directory" in run.stderr
     assert (tree / "r.sarif").exists()
-    assert (tree / "b.json").exists()
+
+
+def test_a_report_that_cannot_be_written_does_not_cost_the_baseline(tree: Path) -> None:
+    failing = ("--output-format", "json", "--output-file", "none/r.json")
+    run = lint(*failing, "--write-baseline", "b.json", "--select", "systemd/network-target", ".", cwd=tree)
+    assert run.code == 2
+    assert "b.json now holds 2 findings" in run.stderr
+    assert (tree / "b.json").read_text().count('"rule": "systemd/network-target"') == 2
+
+
+def test_a_baseline_that_cannot_be_written_does_not_cost_the_report(tree: Path) -> None:
+    baseline = ("--write-baseline", "none/b.json", "--select", "systemd/network-target", ".")
+    run = lint("--output-format", "concise", *baseline, cwd=tree)
+    assert run.code == 2
+    assert run.stdout.count("[systemd/network-target]") == 2
+    assert "not written: none/b.json: No such file or directory" in run.stderr
 
 
 def test_a_report_keeps_the_mode_of_the_old_one(tree: Path) -> None:
