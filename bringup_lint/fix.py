@@ -3,7 +3,6 @@ own fixes."""
 
 from __future__ import annotations
 
-import ast
 import os
 import re
 from collections.abc import Iterable
@@ -19,6 +18,7 @@ from bringup_lint.finding import Codemod
 from bringup_lint.finding import Edit
 from bringup_lint.finding import Finding
 from bringup_lint.finding import Fix
+from bringup_lint.model.python import syntax_of
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 from bringup_lint.writing import NotWritten
@@ -172,9 +172,7 @@ def _rewrite(codemod: Codemod, changes: dict[str, Changes]) -> bool:
     text = codemod.change(source.text)
     if text == source.text:
         return False
-    try:
-        ast.parse(text.removeprefix("\ufeff"))
-    except (SyntaxError, ValueError, RecursionError):
+    if syntax_of(text.removeprefix("\ufeff")) is None:
         return False
     changes[source.name] = Changes(source, text=text)
     return True

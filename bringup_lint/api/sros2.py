@@ -8,6 +8,7 @@ from bringup_lint.graph.sros2.enclaves import enclave_of
 from bringup_lint.model.sros2 import Grant
 from bringup_lint.model.sros2 import TopicRule
 from bringup_lint.model.sros2 import moment
+from bringup_lint.model.sros2 import moves_robot
 from bringup_lint.model.sros2_policy import PolicyEnclave
 from bringup_lint.model.sros2_policy import Right
 
@@ -19,4 +20,5 @@ __all__ = [
     "enclave_of",
     "matches",
     "moment",
+    "moves_robot",
 ]

@@ -15,6 +15,7 @@ from bringup_lint.codemods.module import Module
 from bringup_lint.codemods.module import read
 from bringup_lint.finding import Codemod
 from bringup_lint.finding import span_of
+from bringup_lint.model.python import syntax_of
 from bringup_lint.source import Located
 from bringup_lint.source import Span
 
@@ -98,10 +99,9 @@ def _call(span: Span) -> ast.Call | None:
 def _expression(span: Span) -> ast.expr | None:
     if not span.source.name.endswith(".py"):
         return None
-    try:
-        return ast.parse(span.text, mode="eval").body
-    except (SyntaxError, ValueError, RecursionError):
-        return None
+    tree = syntax_of(f"({span.text})")
+    statement = tree.body[0] if tree is not None and len(tree.body) == 1 else None
+    return statement.value if isinstance(statement, ast.Expr) else None
 
 
 def _wrapped(value: Span, before: str, after: str, *imports: Import) -> Codemod | None:

@@ -16,6 +16,7 @@ from typing import TypeVar
 from bringup_lint.codemods.module import BOM
 from bringup_lint.codemods.module import read
 from bringup_lint.finding import Codemod
+from bringup_lint.model.python import syntax_of
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 
@@ -66,9 +67,8 @@ def _in_one_list(source: Source, first: int, second: int, *, apart: bool = False
     """Whether the innermost list literal that holds both offsets holds them in elements, in different ones if asked."""
     if not source.name.endswith(".py"):
         return False
-    try:
-        tree = ast.parse(source.text.removeprefix(BOM))
-    except (SyntaxError, ValueError, RecursionError):
+    tree = syntax_of(source.text.removeprefix(BOM))
+    if tree is None:
         return False
     lines = source.text.removeprefix(BOM).split("\n")
     starts = [len(source.text) - len(source.text.removeprefix(BOM))]

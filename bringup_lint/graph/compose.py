@@ -49,6 +49,11 @@ class Compose:
         """The services that say what they run: only of these can something be missing."""
         return (service for service in self.services if service.is_whole and not self.extends_elsewhere(service))
 
+    @property
+    def unprivileged_services(self) -> Iterator[Service]:
+        """Those that the kernel may restrict; ``privileged: true`` takes every restriction back."""
+        return (service for service in self.whole_services if not service.is_privileged)
+
     def remarks(self, *codes: Code) -> Iterator[Remark]:
         """What docker compose has against the files; of templates, whose text is not final, nothing."""
         for file in self.files:

@@ -46,5 +46,10 @@ class Profiles:
         """Whether the library ignores the whole file."""
         return any(remark.fatal for remark in self.remarks)
 
+    @property
+    def default_participants(self) -> list[Element]:
+        """The default profiles of participants; none when the library ignores the file."""
+        return [] if self.dropped else [each.element for each in self.of_kind("participant") if each.is_default]
+
     def of_kind(self, kind: str) -> list[Profile]:
         return [profile for profile in self.profiles if profile.kind == kind]

@@ -6,6 +6,7 @@ import re
 from dataclasses import field
 from datetime import datetime
 from datetime import timezone
+from fnmatch import fnmatchcase
 from typing import NamedTuple
 
 from bringup_lint.dataclass import dataclass
@@ -132,3 +133,12 @@ def moment(text: str | None) -> datetime | None:
         return datetime(year, month, day, hour, minute, second, tzinfo=timezone.utc)
     except ValueError:
         return None
+
+
+_COMMANDS = ("rt/cmd_vel", "rt/robot/cmd_vel", "rt/emergency_stop")
+_COMMAND_WORDS = regex(r"cmd|vel|stop|command|joint|traj|brake|motor")
+
+
+def moves_robot(expression: str) -> bool:
+    """Whether the topics of an expression move the robot, or stop it."""
+    return any(fnmatchcase(name, expression) for name in _COMMANDS) or bool(_COMMAND_WORDS.search(expression))

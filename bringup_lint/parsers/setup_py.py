@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import ast
 import configparser
 import re
-import warnings
 from typing import Any
 
 from bringup_lint.model.launch import LaunchFile
@@ -18,6 +16,7 @@ from bringup_lint.model.launch_values import Unknown
 from bringup_lint.model.launch_values import Value
 from bringup_lint.model.package import Build
 from bringup_lint.model.package import Install
+from bringup_lint.model.python import syntax_of
 from bringup_lint.parsers.launch_python import budget
 from bringup_lint.parsers.launch_python.calls import call
 from bringup_lint.parsers.launch_python.expressions import evaluate
@@ -43,11 +42,8 @@ def parse(source: Source) -> Build:
     """What ``setup()`` is called with; unknown parts make the build not fully known."""
     build = Build(source)
     text = source.text
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            tree = ast.parse(text)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
+    tree = syntax_of(text)
+    if tree is None:
         return _unknown(build)
     found: list[dict[str, Any]] = []
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 import ast
 from functools import lru_cache
 
+from bringup_lint.model.python import syntax_of
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 from bringup_lint.suppress.forms import PYTHON_KINDS
@@ -127,9 +128,8 @@ def _here_end(source: Source, line: int, end: int) -> int:
 @lru_cache(maxsize=8)
 def _strings(text: str) -> dict[int, int]:
     """First line -> last line of the strings of a Python file that span several lines."""
-    try:
-        tree = ast.parse(text.removeprefix("\ufeff"))
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
+    tree = syntax_of(text.removeprefix("\ufeff"))
+    if tree is None:
         return {}
     parts = (node for node in ast.walk(tree) if isinstance(node, (ast.Constant, ast.JoinedStr)))
     return {node.lineno: node.end_lineno or node.lineno for node in parts if node.end_lineno != node.lineno}

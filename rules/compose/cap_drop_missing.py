@@ -36,9 +36,7 @@ from bringup_lint.api import rule
 
 @rule("info")
 def cap_drop_missing(robot: Robot) -> Iterator[Finding]:
-    for service in robot.compose.whole_services:
-        if service.is_privileged:
-            continue
+    for service in robot.compose.unprivileged_services:
         if "ALL" not in [item.upper() for item in service.items("cap_drop")]:
             yield finding(
                 service.name,

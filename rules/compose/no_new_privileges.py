@@ -39,9 +39,7 @@ from bringup_lint.api.yaml import first_key
 
 @rule("info", fix="unsafe")
 def no_new_privileges(robot: Robot) -> Iterator[Finding]:
-    for service in robot.compose.whole_services:
-        if service.is_privileged:
-            continue
+    for service in robot.compose.unprivileged_services:
         if not any(
             item.replace("=", ":") in ("no-new-privileges:true", "no-new-privileges")
             for item in service.items("security_opt")

@@ -37,9 +37,7 @@ from bringup_lint.api import rule
 
 @rule("info")
 def read_only(robot: Robot) -> Iterator[Finding]:
-    for service in robot.compose.whole_services:
-        if service.is_privileged:
-            continue
+    for service in robot.compose.unprivileged_services:
         if service.flag("read_only") is not True:
             yield finding(
                 service.name,

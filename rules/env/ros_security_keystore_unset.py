@@ -33,24 +33,16 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.environment import RosProcess
 
 
 @rule("error", symptoms=["failed to initialize rcl: error not set"])
 def ros_security_keystore_unset(robot: Robot) -> Iterator[Finding]:
     for process in robot.ros.processes:
         enable = process.environment.get("ROS_SECURITY_ENABLE")
-        if enable and enable.text == "true" and _is_unset(robot, process):
+        if enable and enable.text == "true" and robot.sros2.is_unset(process, "ROS_SECURITY_KEYSTORE"):
             yield finding(
                 enable.value,
                 f"{process.name} has no ROS_SECURITY_KEYSTORE: with Enforce no node starts, else all run unsecured",
                 advice="set ROS_SECURITY_KEYSTORE to the absolute path of the keystore",
                 related=[note(process.where, f"{process.name} gets the variable")],
             )
-
-
-def _is_unset(robot: Robot, process: RosProcess) -> bool:
-    """Neither the process's own environment nor what launch may do to it unseen sets the variable."""
-    name = "ROS_SECURITY_KEYSTORE"
-    unseen = not robot.ros.is_settled(process) and robot.sros2.in_launch(name)
-    return process.environment.defines(name) is False and not unseen

@@ -34,24 +34,16 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.environment import RosProcess
 
 
 @rule("error", tags=["CWE-1188"])
 def ros_security_keystore_without_enable(robot: Robot) -> Iterator[Finding]:
     for process in robot.ros.processes:
         store = process.environment.get("ROS_SECURITY_KEYSTORE")
-        if store and store.text and _is_unset(robot, process):
+        if store and store.text and robot.sros2.is_unset(process, "ROS_SECURITY_ENABLE"):
             yield finding(
                 store.value,
                 f"{process.name} sets a keystore but does not enable security: its nodes run unsecured",
                 advice="add ROS_SECURITY_ENABLE=true and ROS_SECURITY_STRATEGY=Enforce",
                 related=[note(process.where, f"{process.name} gets the variable")],
             )
-
-
-def _is_unset(robot: Robot, process: RosProcess) -> bool:
-    """Neither the process's own environment nor what launch may do to it unseen sets the variable."""
-    name = "ROS_SECURITY_ENABLE"
-    unseen = not robot.ros.is_settled(process) and robot.sros2.in_launch(name)
-    return process.environment.defines(name) is False and not unseen

@@ -36,10 +36,8 @@ from bringup_lint.api import rule
 @rule("error", confidence="medium")
 def discovery_server_incomplete(robot: Robot) -> Iterator[Finding]:
     for profiles in robot.dds.profile_files:
-        for profile in profiles.of_kind("participant"):
-            if profiles.dropped or not profile.is_default:
-                continue
-            for element in profile.element.walk():
+        for participant in profiles.default_participants:
+            for element in participant.walk():
                 if element.name != "discovery_config" or element.find("discoveryServersList") is not None:
                     continue
                 protocol = element.find("discoveryProtocol")

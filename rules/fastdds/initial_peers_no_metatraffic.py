@@ -40,10 +40,8 @@ from bringup_lint.api.dds import multicast_peers
 @rule("info")
 def initial_peers_no_metatraffic(robot: Robot) -> Iterator[Finding]:
     for profiles in robot.dds.profile_files:
-        for profile in profiles.of_kind("participant"):
-            if profiles.dropped or not profile.is_default:
-                continue
-            for element in profile.element.walk():
+        for participant in profiles.default_participants:
+            for element in participant.walk():
                 peers = element.find("initialPeersList") if element.name == "builtin" else None
                 if peers is None or element.find("avoid_builtin_multicast") is not None:
                     continue

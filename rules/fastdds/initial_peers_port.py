@@ -47,16 +47,14 @@ RANGE = 4
 @rule("info", confidence="medium")
 def initial_peers_port(robot: Robot) -> Iterator[Finding]:
     for profiles in robot.dds.profile_files:
-        if profiles.dropped or "maxInitialPeersRange" in profiles.source.text:
+        if "maxInitialPeersRange" in profiles.source.text:
             continue
         readers = robot.dds.profile_readers(profiles)
         count = sum(robot.ros.started_by(process) for process, _ in readers)
         if count <= RANGE:
             continue
-        for profile in profiles.of_kind("participant"):
-            if not profile.is_default:
-                continue
-            for peers in profile.element.walk():
+        for participant in profiles.default_participants:
+            for peers in participant.walk():
                 quiet = peers.parent is not None and peers.parent.find("metatrafficUnicastLocatorList") is not None
                 here = [address for address in _without_port(peers) if is_loopback(address)]
                 if peers.local == "initialPeersList" and quiet and here:

@@ -45,10 +45,8 @@ from bringup_lint.api.dds import seconds
 @rule("error", symptoms=["LeaseDuration should be >= leaseDuration announcement period"])
 def lease_not_above_announcement(robot: Robot) -> Iterator[Finding]:
     for profiles in robot.dds.profile_files:
-        for profile in profiles.of_kind("participant"):
-            if profiles.dropped or not profile.is_default:
-                continue
-            for element in profile.element.walk():
+        for participant in profiles.default_participants:
+            for element in participant.walk():
                 if element.name != "discovery_config":
                     continue
                 lease = seconds(element.find("leaseDuration"), 20)

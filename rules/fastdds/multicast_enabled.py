@@ -48,13 +48,12 @@ def multicast_enabled(robot: Robot) -> Iterator[Finding]:
     }
     for profiles in robot.dds.profile_files:
         text = profiles.source.text
-        if profiles.dropped or "dds.sec." in text or "127.0.0.1" in text:
+        if "dds.sec." in text or "127.0.0.1" in text:
             continue
-        for profile in profiles.of_kind("participant"):
-            names = {str(element.name) for element in profile.element.walk()}
-            if profile.is_default and not names & closing:
+        for participant in profiles.default_participants:
+            if closing.isdisjoint(str(element.name) for element in participant.walk()):
                 yield finding(
-                    profile.element.name,
+                    participant.name,
                     "Multicast shows the whole topic graph to every machine on the network",
                     advice="write initialPeersList and metatrafficUnicastLocatorList, or enable security",
                 )

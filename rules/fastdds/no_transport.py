@@ -38,12 +38,10 @@ from bringup_lint.api import rule
 @rule("error", symptoms=["There are not any transports"])
 def no_transport(robot: Robot) -> Iterator[Finding]:
     for profiles in robot.dds.profile_files:
-        for profile in profiles.of_kind("participant"):
-            rtps = profile.element.find("rtps")
+        for participant in profiles.default_participants:
+            rtps = participant.find("rtps")
             switch = rtps.find("useBuiltinTransports") if rtps is not None else None
             if rtps is None or switch is None or switch.text not in ("false", "0"):
-                continue
-            if profiles.dropped or not profile.is_default:
                 continue
             if rtps.find("userTransports") is None and rtps.find("builtinTransports") is None:
                 yield finding(

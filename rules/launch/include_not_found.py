@@ -38,22 +38,16 @@ from bringup_lint.api.spelling import nearest
 
 @rule("error", symptoms=["FileNotFoundError", "Caught exception in launch"])
 def include_not_found(robot: Robot) -> Iterator[Finding]:
-    for file in robot.launch.judged:
-        for reference in robot.launch.references(file):
-            if reference.kind != "include" or reference.found.file is not None or not reference.name:
-                continue
-            package = reference.found.package
-            if package is None:
-                continue
-            known = [os.path.basename(each.source.name) for each in robot.launch.files_of(package)]
-            near = nearest(reference.name, known, 3)
-            yield finding(
-                reference.span,
-                f"{reference.name} does not exist in {package.name}: launch aborts",
-                advice=f"include {near[0]}" if near else "correct the path",
-                related=[note(package.place, f"the package {package.name}")],
-                severity="warning" if reference.optional else None,
-            )
+    for reference, package in robot.launch.missing("include"):
+        known = [os.path.basename(each.source.name) for each in robot.launch.files_of(package)]
+        near = nearest(reference.name, known, 3)
+        yield finding(
+            reference.span,
+            f"{reference.name} does not exist in {package.name}: launch aborts",
+            advice=f"include {near[0]}" if near else "correct the path",
+            related=[note(package.place, f"the package {package.name}")],
+            severity="warning" if reference.optional else None,
+        )
     yield from commands(robot)
 
 

@@ -38,19 +38,13 @@ from bringup_lint.api.spelling import nearest
 
 @rule("error", symptoms=["Parameter file path is not a file", "Couldn't parse params file"])
 def param_file_missing(robot: Robot) -> Iterator[Finding]:
-    for file in robot.launch.judged:
-        for reference in robot.launch.references(file):
-            if reference.kind != "parameters" or reference.found.file is not None or not reference.name:
-                continue
-            package = reference.found.package
-            if package is None:
-                continue
-            near = nearest(reference.name, robot.launch.yaml_names(package), 3)
-            effect = "launch aborts" if reference.aborts else "the node starts with the defaults of its code"
-            yield finding(
-                reference.span,
-                f"{reference.name} does not exist in {package.name}: {effect}",
-                advice=f"use {os.path.basename(near[0])}" if near else "correct the path",
-                related=[note(package.place, f"the package {package.name}")],
-                severity="warning" if reference.optional else None,
-            )
+    for reference, package in robot.launch.missing("parameters"):
+        near = nearest(reference.name, robot.launch.yaml_names(package), 3)
+        effect = "launch aborts" if reference.aborts else "the node starts with the defaults of its code"
+        yield finding(
+            reference.span,
+            f"{reference.name} does not exist in {package.name}: {effect}",
+            advice=f"use {os.path.basename(near[0])}" if near else "correct the path",
+            related=[note(package.place, f"the package {package.name}")],
+            severity="warning" if reference.optional else None,
+        )

@@ -53,10 +53,7 @@ _WHOLE = regex(r"([+-]?(?:0|[1-9][0-9]*))\.0*\Z")
     ],
 )
 def double_for_int(robot: Robot) -> Iterator[Finding]:
-    for parameter, declared in robot.params.typed:
-        if (parameter.value.type, declared.type) not in (("double", "integer"), ("double_array", "integer_array")):
-            continue
-        items = robot.params.items(parameter)
+    for parameter, declared, items in robot.params.of_wrong_type("double", "integer"):
         whole = [match[1] for item in items if (match := _WHOLE.match(item.text))]
         plain = len(whole) == len(items)
         yield finding(

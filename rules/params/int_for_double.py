@@ -54,10 +54,7 @@ _DECIMAL = regex(r"[+-]?(?:0|[1-9][0-9]*)\Z")
     ],
 )
 def int_for_double(robot: Robot) -> Iterator[Finding]:
-    for parameter, declared in robot.params.typed:
-        if (parameter.value.type, declared.type) not in (("integer", "double"), ("integer_array", "double_array")):
-            continue
-        items = robot.params.items(parameter)
+    for parameter, declared, items in robot.params.of_wrong_type("integer", "double"):
         plain = all(_DECIMAL.match(item.text) for item in items)
         yield finding(
             parameter.span,

@@ -26,24 +26,14 @@ can reach. For topics that are meant to be open to all authenticated nodes, narr
 - OMG DDS Security 1.1, clause 9.4.1.2
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
-from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
-from bringup_lint.api.sros2 import matches
-
-_COMMANDS = ("rt/cmd_vel", "rt/robot/cmd_vel", "rt/emergency_stop")
-
-
-def _commands(robot: Robot, expression: Located) -> bool:
-    """Whether a rule's topics move or stop the robot."""
-    words = r"cmd|vel|stop|command|joint|traj|brake|motor"
-    return any(matches(name, expression) for name in _COMMANDS) or bool(re.search(words, expression))
+from bringup_lint.api.sros2 import moves_robot
 
 
 @rule("error", fix="unsafe", tags=["CWE-862"])
@@ -52,7 +42,7 @@ def governance_access_control_off(robot: Robot) -> Iterator[Finding]:
         for rule_ in governance.rules:
             off = [(rule_.fields.get("enable_join_access_control"), "joining the domain")]
             for topics in rule_.topic_rules:
-                if topics.expression is not None and _commands(robot, topics.expression):
+                if topics.expression is not None and moves_robot(topics.expression):
                     for way, name in (("subscribing to", "read"), ("publishing on", "write")):
                         value = topics.fields.get(f"enable_{name}_access_control")
                         off.append((value, f"{way} {topics.expression}"))

@@ -44,13 +44,10 @@ from bringup_lint.api import rule
 @rule("error", symptoms=["Could not find domain"])
 def governance_domain_missing(robot: Robot) -> Iterator[Finding]:
     for governance in robot.sros2.used_governances:
-        used = robot.sros2.domain_of(governance)
-        if used is None:
+        missing = robot.sros2.uncovered_domain(governance, governance.rules)
+        if missing is None:
             continue
-        domain, setting = used
-        known = [rule_.domains for rule_ in governance.rules if rule_.domains is not None]
-        if not known or any(each.covers(domain) for each in known):
-            continue
+        domain, setting, known = missing
         yield finding(
             known[0].element.tag,
             f"Could not find domain {domain} in governance (code 141), which covers {', '.join(map(str, known))}: no "

@@ -34,25 +34,15 @@ would cost too much CPU time.
 - OMG DDS Security 1.1, clause 9.4.1.2
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
-from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.sros2 import matches
-
-_COMMANDS = ("rt/cmd_vel", "rt/robot/cmd_vel", "rt/emergency_stop")
-
-
-def _commands(robot: Robot, expression: Located) -> bool:
-    """Whether a rule's topics move or stop the robot."""
-    words = r"cmd|vel|stop|command|joint|traj|brake|motor"
-    return any(matches(name, expression) for name in _COMMANDS) or bool(re.search(words, expression))
+from bringup_lint.api.sros2 import moves_robot
 
 
 @rule("error", fix="unsafe", tags=["CWE-319"])
@@ -69,7 +59,7 @@ def governance_protection_none(robot: Robot) -> Iterator[Finding]:
                     data,
                     f"Nothing protects {topics.expression}: its messages can be read and forged on the network",
                     advice="write ENCRYPT (or SIGN), and sign the document again",
-                    severity=None if _commands(robot, topics.expression) else "info",
+                    severity=None if moves_robot(topics.expression) else "info",
                     related=[note(rule_.fields["rtps_protection_kind"], "RTPS messages are not protected either")],
                     fix=fix("write ENCRYPT", (data, "ENCRYPT"), safe=False),
                 )

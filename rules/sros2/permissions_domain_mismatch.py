@@ -45,13 +45,10 @@ from bringup_lint.api import rule
 @rule("error", symptoms=["participant denied by default rule"])
 def permissions_domain_mismatch(robot: Robot) -> Iterator[Finding]:
     for document, grant in robot.sros2.ros_grants:
-        used = robot.sros2.domain_of(document)
-        if used is None:
+        missing = robot.sros2.uncovered_domain(document, grant.allowed) if grant.default != "ALLOW" else None
+        if missing is None:
             continue
-        domain, setting = used
-        known = [rule_.domains for rule_ in grant.allowed if rule_.domains is not None]
-        if grant.default == "ALLOW" or not known or any(each.covers(domain) for each in known):
-            continue
+        domain, setting, known = missing
         yield finding(
             known[0].element.tag,
             f"{grant.enclave} is allowed in domain {known[0]}, but the robot runs in {domain}: denied by default "

@@ -41,12 +41,10 @@ from bringup_lint.api import rule
 
 @rule("error", fix="unsafe", symptoms=["Missing '=', ignoring line"])
 def backslash_space(robot: Robot) -> Iterator[Finding]:
-    for file in robot.units.unit_files:
-        for problem in file.problems:
-            if problem.code == "backslash-blank":
-                yield finding(
-                    problem.where,
-                    "Blanks after the backslash: systemd does not join the next line",
-                    advice="end the line with the backslash",
-                    fix=fix("remove the blanks", (problem.where, "\\")),
-                )
+    for _, problem in robot.units.problems("backslash-blank"):
+        yield finding(
+            problem.where,
+            "Blanks after the backslash: systemd does not join the next line",
+            advice="end the line with the backslash",
+            fix=fix("remove the blanks", (problem.where, "\\")),
+        )

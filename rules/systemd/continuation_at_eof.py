@@ -39,12 +39,10 @@ from bringup_lint.api import rule
 
 @rule("warning", fix="safe")
 def continuation_at_eof(robot: Robot) -> Iterator[Finding]:
-    for file in robot.units.unit_files:
-        for problem in file.problems:
-            if problem.code == "continuation-at-end":
-                yield finding(
-                    problem.where,
-                    "The trailing backslash joins nothing: the value ends here",
-                    advice="remove the backslash",
-                    fix=fix("remove the backslash", (problem.where, "")),
-                )
+    for _, problem in robot.units.problems("continuation-at-end"):
+        yield finding(
+            problem.where,
+            "The trailing backslash joins nothing: the value ends here",
+            advice="remove the backslash",
+            fix=fix("remove the backslash", (problem.where, "")),
+        )

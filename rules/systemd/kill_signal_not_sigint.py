@@ -55,7 +55,7 @@ THEN = {
 def kill_signal_not_sigint(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.ros:
         service = robot.units.supervision(unit)
-        launches = [found for process in robot.units.started(unit) for _, found in process.launches]
+        launches = robot.units.launches(unit)
         signal = service.kill_signal
         if not launches or not unit.complete or signal.value in ("SIGINT", None) or unit.get("Type") == "oneshot":
             continue

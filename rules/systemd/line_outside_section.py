@@ -39,11 +39,10 @@ from bringup_lint.api import rule
 
 @rule("error", symptoms=["Assignment outside of section"])
 def line_outside_section(robot: Robot) -> Iterator[Finding]:
-    for file in robot.units.unit_files:
-        for problem in file.problems:
-            if problem.code == "line-outside-section" and not file.source.template:
-                yield finding(
-                    problem.where,
-                    "Assignment outside of a section: systemd ignores the line",
-                    advice="move it below the header of its section",
-                )
+    for file, problem in robot.units.problems("line-outside-section"):
+        if not file.source.template:
+            yield finding(
+                problem.where,
+                "Assignment outside of a section: systemd ignores the line",
+                advice="move it below the header of its section",
+            )

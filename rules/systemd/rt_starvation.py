@@ -51,7 +51,7 @@ HIGH = 90
 @rule("warning", symptoms=["sched: RT throttling activated"])
 def rt_starvation(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.ros:
-        launches = [found for process in robot.units.started(unit) for _, found in process.launches]
+        launches = robot.units.launches(unit)
         if not launches or not unit.complete:
             continue
         tree = [note(found.where, "every node of this launch inherits it") for found in launches]

@@ -57,7 +57,7 @@ MARGIN, LONG = 5.0, 90.0
 def timeout_stop_vs_launch(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.ros:
         service = robot.units.supervision(unit)
-        launches = [found for process in robot.units.started(unit) for _, found in process.launches]
+        launches = robot.units.launches(unit)
         limit = service.stop_timeout
         needed, given = needs(robot, launches)
         short = needed + MARGIN

@@ -40,9 +40,8 @@ def _peers(domains: Iterable[Domain]) -> Iterator[Located]:
 def _listed(files: Iterable[Profiles]) -> Iterator[Located]:
     """The addresses of initial peers and discovery servers of the default participants."""
     for profiles in files:
-        for profile in profiles.of_kind("participant"):
-            if profile.is_default and not profiles.dropped:
-                yield from _addresses(profile.element)
+        for participant in profiles.default_participants:
+            yield from _addresses(participant)
 
 
 def _addresses(participant: Element) -> Iterator[Located]:

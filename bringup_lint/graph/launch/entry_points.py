@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import ast
 import os
-import warnings
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 
 from bringup_lint.graph.workspace import Package
+from bringup_lint.model.python import syntax_of
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
@@ -69,13 +69,8 @@ def _may_be_made(tree: Tree, stem: str) -> bool:
 
 def _defines(text: str, name: str) -> bool:
     """Whether a module has a name at its top, as far as that is known."""
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            tree = ast.parse(text)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return True
-    return any(name in names or "*" in names for names in map(_names, ast.walk(tree)))
+    tree = syntax_of(text)
+    return tree is None or any(name in names or "*" in names for names in map(_names, ast.walk(tree)))
 
 
 def _names(node: ast.AST) -> tuple[str, ...]:

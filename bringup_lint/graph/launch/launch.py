@@ -238,6 +238,13 @@ class Launch:
         """The files that a launch file names through a package or beside itself, when launched without arguments."""
         return references(self.expansion(file), file, self.find)
 
+    def missing(self, kind: str) -> Iterator[tuple[Reference, Package]]:
+        """The files of a kind that launch files name and that do not exist in a package of the tree."""
+        for file in self.judged:
+            for each in self.references(file):
+                if each.kind == kind and each.found.file is None and each.name and each.found.package is not None:
+                    yield each, each.found.package
+
     def refusals(self, file: LaunchFile) -> list[Refusal]:
         """What launch refuses in an XML or YAML file; without names that an extension in the tree may define."""
         found = self._refusals.get(id(file))

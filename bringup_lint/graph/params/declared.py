@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 
+from bringup_lint.model.python import syntax_of
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
@@ -105,9 +106,8 @@ def _sources(files: Files, workspace: Workspace, package: Package) -> Iterator[S
 
 
 def _of_python(source: Source) -> Iterator[Declared]:
-    try:
-        tree = ast.parse(source.text)
-    except (SyntaxError, ValueError, RecursionError):
+    tree = syntax_of(source.text)
+    if tree is None:
         return
     described = _dynamic_names(tree)
     for node in ast.walk(tree):

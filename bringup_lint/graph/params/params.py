@@ -168,6 +168,13 @@ class Params:
         pairs = ((parameter, self.declared(parameter)) for _, parameter in self.parameters)
         return [(parameter, found) for parameter, found in pairs if found is not None]
 
+    def of_wrong_type(self, given: str, declared: str) -> Iterator[tuple[Parameter, Declared, list[Item]]]:
+        """The values of one type that the workspace declares as another, each with its items; arrays of them too."""
+        pairs = ((given, declared), (f"{given}_array", f"{declared}_array"))
+        for parameter, found in self.typed:
+            if (parameter.value.type, found.type) in pairs:
+                yield parameter, found, self.items(parameter)
+
     def is_never_read(self, parameter: Parameter) -> bool:
         """Whether the sources of every node that gets a value are in the workspace, and none of them names it."""
         from bringup_lint.graph.params.declared import mentions

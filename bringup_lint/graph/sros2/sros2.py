@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from collections.abc import Iterable
 from collections.abc import Iterator
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -29,6 +30,9 @@ from bringup_lint.graph.sros2.ungranted import ungranted
 from bringup_lint.model.schema import Code
 from bringup_lint.model.schema import Remark
 from bringup_lint.model.shell import Command
+from bringup_lint.model.sros2 import AccessRule
+from bringup_lint.model.sros2 import DomainRule
+from bringup_lint.model.sros2 import Domains
 from bringup_lint.model.sros2 import Governance
 from bringup_lint.model.sros2 import Grant
 from bringup_lint.model.sros2 import Permissions
@@ -191,6 +195,22 @@ class Sros2:
         if _OTHERS.search(source.name):
             return False
         return self.switched_on or bool(_USED.search(source.name))
+
+    def is_unset(self, process: RosProcess, name: str) -> bool:
+        """Whether neither the environment of a process nor what launch may do to it unseen sets a variable."""
+        unseen = not self.ros.is_settled(process) and self.in_launch(name)
+        return process.environment.defines(name) is False and not unseen
+
+    def uncovered_domain(
+        self, document: Governance | Permissions, rules: Iterable[DomainRule | AccessRule]
+    ) -> tuple[int, Located, list[Domains]] | None:
+        """The domain of the processes that use a document, where it is written, and the domains that the rules cover
+        instead; None when they cover it, or one of the two is not known."""
+        used = self.domain_of(document)
+        known = [each.domains for each in rules if each.domains is not None]
+        if used is None or not known or any(each.covers(used[0]) for each in known):
+            return None
+        return *used, known
 
     def domain_of(self, document: Governance | Permissions) -> tuple[int, Located] | None:
         """The domain of the processes that use the keystore of a document; where none names it, that of the robot."""

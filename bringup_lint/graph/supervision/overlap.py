@@ -47,7 +47,7 @@ class Umbrella(NamedTuple):
 
 def launches_of(group: list[Unit], units: Units) -> list[UnitLaunch]:
     """What services that run together launch."""
-    return [UnitLaunch(unit, ros) for unit in group for process in units.started(unit) for _, ros in process.launches]
+    return [UnitLaunch(unit, ros) for unit in group for ros in units.launches(unit)]
 
 
 def overlaps(launches: list[UnitLaunch], units: Units, launch: Launch) -> Iterator[Overlap]:

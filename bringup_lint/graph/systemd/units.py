@@ -13,6 +13,7 @@ from bringup_lint.facts.systemd.directives import SECTION_OF_TYPE
 from bringup_lint.graph.commands.command_line import Step
 from bringup_lint.graph.commands.environment import Environment
 from bringup_lint.graph.commands.environment import stays_local
+from bringup_lint.graph.commands.ros_command import Ros
 from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.graph import Graph
 from bringup_lint.graph.memo import memo
@@ -47,6 +48,7 @@ from bringup_lint.parsers.unit import LONGEST
 from bringup_lint.parsers.unit import TOO_LONG
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
+from bringup_lint.source import Problem
 from bringup_lint.source import Span
 
 _DDS_VARIABLE = regex(r"(?:ROS|RMW|CYCLONEDDS|FASTRTPS|FASTDDS|ZENOH)_(?!VERSION$|PYTHON_VERSION$)")
@@ -87,6 +89,11 @@ class Units(NamedUnits):
         """All unit files and drop-ins that systemd reads, as written, judged ones only."""
         found = [*(file for unit in self.all for file in unit.files), *self.loose]
         return list(dict.fromkeys(file for file in found if file.source.judged))
+
+    def problems(self, code: str) -> Iterator[tuple[UnitFile, Problem]]:
+        """What systemd cannot read in unit files and drop-ins, by code."""
+        for file in self.unit_files:
+            yield from ((file, problem) for problem in file.problems if problem.code == code)
 
     @property
     def endless_lines(self) -> Iterator[Located | Span]:
@@ -276,6 +283,10 @@ class Units(NamedUnits):
             for process in self.started(unit)
             if process.launches and process.replaces_shell
         ]
+
+    def launches(self, unit: Unit) -> list[Ros]:
+        """Every ``ros2 launch`` that the main processes of a service run."""
+        return [ros for process in self.started(unit) for _, ros in process.launches]
 
     def is_started(self, unit: Unit) -> bool:
         """Whether something starts the unit, or can be told to: an [Install] section, another unit, D-Bus,
