@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import subprocess
+import sys
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -15,6 +16,7 @@ from bringup_lint.cli import answering
 from bringup_lint.discover import record
 from tests.cache.running import Program
 from tests.cache.running import entry
+from tests.conftest import PROJECT
 
 UNIT = "[Unit]\nDescription=Rover\n\n[Service]\nExecStart=/usr/bin/rover\nRestart=sometimes\n"
 
@@ -44,6 +46,17 @@ def test_stamps_are_trusted_when_files_are_old_enough(robot: Program, monkeypatc
     assert robot.run().is_answered
     monkeypatch.setattr("bringup_lint.cache.answers.fact_now", lambda *look: pytest.fail("read once more"))
     assert robot.run().is_answered
+
+
+def test_a_known_answer_loads_no_rule_and_no_library(robot: Program) -> None:
+    environment = {**os.environ, "PYTHONPATH": str(PROJECT), "XDG_CACHE_HOME": str(robot.base)}
+    command = [sys.executable, "-X", "importtime", "-m", "bringup_lint"]
+    runs = [subprocess.run(command, cwd=robot.tree, env=environment, capture_output=True, text=True) for _ in range(2)]
+    assert runs[0].stdout == runs[1].stdout != ""
+    first, second = ({line.rpartition("|")[2].strip() for line in run.stderr.splitlines()} for run in runs)
+    heavy = {"click", "bringup_lint.engine", "bringup_lint.config", "bringup_lint.report"}
+    assert heavy & first == heavy
+    assert (heavy | {"hashlib"}) & second == set()
 
 
 def edit(path: Path) -> None:
