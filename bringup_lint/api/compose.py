@@ -2,15 +2,22 @@
 
 from __future__ import annotations
 
-from bringup_lint.graph.compose_names import MissingFile
-from bringup_lint.graph.compose_names import missing_files
-from bringup_lint.graph.compose_names import undefined_names
-from bringup_lint.graph.image_use import is_workplace
-from bringup_lint.model.compose import Device
-from bringup_lint.model.compose import Service
-from bringup_lint.model.compose import Volume
-from bringup_lint.model.compose import reach
-from bringup_lint.parsers.compose_schema import homes_of
+from typing import TYPE_CHECKING
+
+from bringup_lint.on_demand import on_demand
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.compose_names import MissingFile
+    from bringup_lint.graph.compose_names import missing_files
+    from bringup_lint.graph.compose_names import undefined_names
+    from bringup_lint.graph.image_use import is_workplace
+    from bringup_lint.model.compose import Device
+    from bringup_lint.model.compose import Service
+    from bringup_lint.model.compose import Volume
+    from bringup_lint.model.compose import reach
+    from bringup_lint.parsers.compose_schema import homes_of
+else:
+    __getattr__ = on_demand(globals())
 
 __all__ = [
     "Device",

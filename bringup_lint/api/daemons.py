@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -18,8 +19,13 @@ from bringup_lint.graph.systemd.daemons import other_sections
 from bringup_lint.graph.systemd.daemons import setting_names
 from bringup_lint.graph.systemd.daemons import unknown_keys as keys_unknown_to
 from bringup_lint.graph.target import Target
-from bringup_lint.parsers.daemon_conf import watchdog_seconds
+from bringup_lint.on_demand import on_demand
 from bringup_lint.spelling import nearest
+
+if TYPE_CHECKING:
+    from bringup_lint.parsers.daemon_conf import watchdog_seconds
+else:
+    __getattr__ = on_demand(globals())
 
 __all__ = ["Daemon", "invalid_values", "lines_without_section", "unknown_keys", "unknown_sections", "watchdog_seconds"]
 

@@ -2,24 +2,31 @@
 
 from __future__ import annotations
 
-from bringup_lint.graph.build_context import lacking_sources
-from bringup_lint.graph.devcontainers import Broken
-from bringup_lint.graph.devcontainers import broken_references
-from bringup_lint.graph.image_use import is_deployed
-from bringup_lint.graph.images import can_be_pulled
-from bringup_lint.graph.runners.containers import image_user
-from bringup_lint.graph.runners.containers import user_name
-from bringup_lint.graph.runners.runner import Runner
-from bringup_lint.model.dockerfile import Dockerfile
-from bringup_lint.model.dockerfile import Stage
-from bringup_lint.model.dockerfile import runs_as_root
-from bringup_lint.model.dockerfile import stays_in_shell
-from bringup_lint.model.image_build import image_name
-from bringup_lint.parsers.dockerfile import assignments
-from bringup_lint.parsers.dockerfile import commands_of
-from bringup_lint.parsers.dockerfile import commands_of_run
-from bringup_lint.parsers.dockerfile_variables import expanded
-from bringup_lint.parsers.dockerfile_variables import last_user
+from typing import TYPE_CHECKING
+
+from bringup_lint.on_demand import on_demand
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.build_context import lacking_sources
+    from bringup_lint.graph.devcontainers import Broken
+    from bringup_lint.graph.devcontainers import broken_references
+    from bringup_lint.graph.image_use import is_deployed
+    from bringup_lint.graph.images import can_be_pulled
+    from bringup_lint.graph.runners.containers import image_user
+    from bringup_lint.graph.runners.containers import user_name
+    from bringup_lint.graph.runners.runner import Runner
+    from bringup_lint.model.dockerfile import Dockerfile
+    from bringup_lint.model.dockerfile import Stage
+    from bringup_lint.model.dockerfile import runs_as_root
+    from bringup_lint.model.dockerfile import stays_in_shell
+    from bringup_lint.model.image_build import image_name
+    from bringup_lint.parsers.dockerfile import assignments
+    from bringup_lint.parsers.dockerfile import commands_of
+    from bringup_lint.parsers.dockerfile import commands_of_run
+    from bringup_lint.parsers.dockerfile_variables import expanded
+    from bringup_lint.parsers.dockerfile_variables import last_user
+else:
+    __getattr__ = on_demand(globals())
 
 __all__ = [
     "Broken",

@@ -2,13 +2,20 @@
 
 from __future__ import annotations
 
-from bringup_lint.graph.environment.conflicts import Different
-from bringup_lint.graph.environment.conflicts import Overridden
-from bringup_lint.graph.environment.conflicts import conflicts
-from bringup_lint.graph.environment.env_files import UsedEnvFile
-from bringup_lint.graph.environment.images import missing_middleware
-from bringup_lint.graph.environment.ros import RosProcess
-from bringup_lint.graph.environment.ros import Setting
+from typing import TYPE_CHECKING
+
+from bringup_lint.on_demand import on_demand
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.environment.conflicts import Different
+    from bringup_lint.graph.environment.conflicts import Overridden
+    from bringup_lint.graph.environment.conflicts import conflicts
+    from bringup_lint.graph.environment.env_files import UsedEnvFile
+    from bringup_lint.graph.environment.images import missing_middleware
+    from bringup_lint.graph.environment.ros import RosProcess
+    from bringup_lint.graph.environment.ros import Setting
+else:
+    __getattr__ = on_demand(globals())
 
 __all__ = [
     "Different",

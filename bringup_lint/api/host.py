@@ -2,9 +2,16 @@
 
 from __future__ import annotations
 
-from bringup_lint.graph.host.device_uses import DeviceUse
-from bringup_lint.model.fstab import Mount
-from bringup_lint.parsers.sysctl import KernelParameter
+from typing import TYPE_CHECKING
+
+from bringup_lint.on_demand import on_demand
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.host.device_uses import DeviceUse
+    from bringup_lint.model.fstab import Mount
+    from bringup_lint.parsers.sysctl import KernelParameter
+else:
+    __getattr__ = on_demand(globals())
 
 __all__ = [
     "DeviceUse",

@@ -3,76 +3,82 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.finding import Finding
-from bringup_lint.graph.launch.delays import delayed
-from bringup_lint.graph.launch.delays import undelayed
-from bringup_lint.graph.launch.delays import waiting_comment
-from bringup_lint.graph.launch.entry_points import MissingEntry
-from bringup_lint.graph.launch.entry_points import missing_entries
-from bringup_lint.graph.launch.expansion import Expansion
-from bringup_lint.graph.launch.expansion import Used
 from bringup_lint.graph.launch.launch import Launch
-from bringup_lint.graph.launch.lifecycle import full_name
-from bringup_lint.graph.launch.lifecycle import managers
-from bringup_lint.graph.launch.lifecycle import outside
-from bringup_lint.graph.launch.lifecycle import setting
-from bringup_lint.graph.launch.lifecycle import transitions_elsewhere
-from bringup_lint.graph.launch.references import Reference
-from bringup_lint.graph.launch.resolve import text_of
-from bringup_lint.graph.launch.resolve import truth
-from bringup_lint.graph.launch.started import Started
-from bringup_lint.graph.launch.started import exclusive
-from bringup_lint.graph.launch.started import literal_text
-from bringup_lint.graph.params.simulation_arguments import simulated_by_default
-from bringup_lint.graph.runners.launching import Launching
-from bringup_lint.graph.runners.required_arguments import not_passed
-from bringup_lint.graph.supervision.launched_processes import check_of
-from bringup_lint.graph.supervision.launched_processes import respawns
-from bringup_lint.graph.supervision.launched_processes import watched
-from bringup_lint.graph.workspace import Package
-from bringup_lint.model.launch import Action
-from bringup_lint.model.launch import ComposableNode
-from bringup_lint.model.launch import DeclareArgument
-from bringup_lint.model.launch import Emit
-from bringup_lint.model.launch import EventHandler
-from bringup_lint.model.launch import Group
-from bringup_lint.model.launch import Include
-from bringup_lint.model.launch import LaunchFile
-from bringup_lint.model.launch import LoadComponents
-from bringup_lint.model.launch import Log
-from bringup_lint.model.launch import Node
-from bringup_lint.model.launch import Opaque
-from bringup_lint.model.launch import Other
-from bringup_lint.model.launch import Process
-from bringup_lint.model.launch import SetEnv
-from bringup_lint.model.launch import SetParameter
-from bringup_lint.model.launch import Timer
-from bringup_lint.model.launch import walk_actions
-from bringup_lint.model.launch_values import Argument
-from bringup_lint.model.launch_values import Choice
-from bringup_lint.model.launch_values import Command
-from bringup_lint.model.launch_values import Concat
-from bringup_lint.model.launch_values import Condition
-from bringup_lint.model.launch_values import DerivedFile
-from bringup_lint.model.launch_values import DictValue
-from bringup_lint.model.launch_values import Env
-from bringup_lint.model.launch_values import FileDir
-from bringup_lint.model.launch_values import ListValue
-from bringup_lint.model.launch_values import Literal
-from bringup_lint.model.launch_values import Operation
-from bringup_lint.model.launch_values import PackageShare
-from bringup_lint.model.launch_values import ParameterFile
-from bringup_lint.model.launch_values import PathJoin
-from bringup_lint.model.launch_values import TypedValue
-from bringup_lint.model.launch_values import Unknown
-from bringup_lint.model.launch_values import Value
-from bringup_lint.model.launch_values import literal
-from bringup_lint.model.launch_values import same
-from bringup_lint.model.launch_values import understood
-from bringup_lint.model.launch_values import walk
+from bringup_lint.on_demand import on_demand
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.launch.delays import delayed
+    from bringup_lint.graph.launch.delays import undelayed
+    from bringup_lint.graph.launch.delays import waiting_comment
+    from bringup_lint.graph.launch.entry_points import MissingEntry
+    from bringup_lint.graph.launch.entry_points import missing_entries
+    from bringup_lint.graph.launch.expansion import Expansion
+    from bringup_lint.graph.launch.expansion import Used
+    from bringup_lint.graph.launch.lifecycle import full_name
+    from bringup_lint.graph.launch.lifecycle import managers
+    from bringup_lint.graph.launch.lifecycle import outside
+    from bringup_lint.graph.launch.lifecycle import setting
+    from bringup_lint.graph.launch.lifecycle import transitions_elsewhere
+    from bringup_lint.graph.launch.references import Reference
+    from bringup_lint.graph.launch.resolve import text_of
+    from bringup_lint.graph.launch.resolve import truth
+    from bringup_lint.graph.launch.started import Started
+    from bringup_lint.graph.launch.started import exclusive
+    from bringup_lint.graph.launch.started import literal_text
+    from bringup_lint.graph.params.simulation_arguments import simulated_by_default
+    from bringup_lint.graph.runners.launching import Launching
+    from bringup_lint.graph.runners.required_arguments import not_passed
+    from bringup_lint.graph.supervision.launched_processes import check_of
+    from bringup_lint.graph.supervision.launched_processes import respawns
+    from bringup_lint.graph.supervision.launched_processes import watched
+    from bringup_lint.graph.workspace import Package
+    from bringup_lint.model.launch import Action
+    from bringup_lint.model.launch import ComposableNode
+    from bringup_lint.model.launch import DeclareArgument
+    from bringup_lint.model.launch import Emit
+    from bringup_lint.model.launch import EventHandler
+    from bringup_lint.model.launch import Group
+    from bringup_lint.model.launch import Include
+    from bringup_lint.model.launch import LaunchFile
+    from bringup_lint.model.launch import LoadComponents
+    from bringup_lint.model.launch import Log
+    from bringup_lint.model.launch import Node
+    from bringup_lint.model.launch import Opaque
+    from bringup_lint.model.launch import Other
+    from bringup_lint.model.launch import Process
+    from bringup_lint.model.launch import SetEnv
+    from bringup_lint.model.launch import SetParameter
+    from bringup_lint.model.launch import Timer
+    from bringup_lint.model.launch import walk_actions
+    from bringup_lint.model.launch_values import Argument
+    from bringup_lint.model.launch_values import Choice
+    from bringup_lint.model.launch_values import Command
+    from bringup_lint.model.launch_values import Concat
+    from bringup_lint.model.launch_values import Condition
+    from bringup_lint.model.launch_values import DerivedFile
+    from bringup_lint.model.launch_values import DictValue
+    from bringup_lint.model.launch_values import Env
+    from bringup_lint.model.launch_values import FileDir
+    from bringup_lint.model.launch_values import ListValue
+    from bringup_lint.model.launch_values import Literal
+    from bringup_lint.model.launch_values import Operation
+    from bringup_lint.model.launch_values import PackageShare
+    from bringup_lint.model.launch_values import ParameterFile
+    from bringup_lint.model.launch_values import PathJoin
+    from bringup_lint.model.launch_values import TypedValue
+    from bringup_lint.model.launch_values import Unknown
+    from bringup_lint.model.launch_values import Value
+    from bringup_lint.model.launch_values import literal
+    from bringup_lint.model.launch_values import same
+    from bringup_lint.model.launch_values import understood
+    from bringup_lint.model.launch_values import walk
+else:
+    __getattr__ = on_demand(globals())
 
 __all__ = [
     "Action",

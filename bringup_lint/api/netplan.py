@@ -3,17 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.finding import Finding
-from bringup_lint.graph.netplan.subnets import Subnets
-from bringup_lint.model.netplan import Address
-from bringup_lint.model.netplan import Interface
 from bringup_lint.model.netplan import Netplan
-from bringup_lint.model.netplan import Plan
 from bringup_lint.model.netplan import PlanCode
-from bringup_lint.parsers.netplan_schema import home_of
+from bringup_lint.on_demand import on_demand
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.netplan.subnets import Subnets
+    from bringup_lint.model.netplan import Address
+    from bringup_lint.model.netplan import Interface
+    from bringup_lint.model.netplan import Plan
+    from bringup_lint.parsers.netplan_schema import home_of
+else:
+    __getattr__ = on_demand(globals())
 
 __all__ = [
     "Address",

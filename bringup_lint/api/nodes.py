@@ -2,38 +2,45 @@
 
 from __future__ import annotations
 
-from bringup_lint.graph.nodes.edits import import_edits
-from bringup_lint.graph.nodes.edits import swap
-from bringup_lint.graph.nodes.edits import tried_shutdown
-from bringup_lint.graph.nodes.questions.asyncio_waits import awaits_asyncio
-from bringup_lint.graph.nodes.questions.blocking_calls import UNTIL_TIMEOUT
-from bringup_lint.graph.nodes.questions.motion import moves
-from bringup_lint.graph.nodes.questions.rates import endless_rates
-from bringup_lint.graph.nodes.questions.repeating import held
-from bringup_lint.graph.nodes.questions.repeating import repeated
-from bringup_lint.graph.nodes.questions.safe_state import fed_without_condition
-from bringup_lint.graph.nodes.questions.safe_state import publish_after_deactivate
-from bringup_lint.graph.nodes.questions.safe_state import relays
-from bringup_lint.graph.nodes.questions.service_waits import waits
-from bringup_lint.graph.nodes.questions.signatures import without_qos
-from bringup_lint.graph.nodes.questions.stopped_callbacks import never_run
-from bringup_lint.graph.nodes.questions.stopped_callbacks import stopped_callbacks
-from bringup_lint.graph.nodes.questions.stopped_callbacks import stopped_in_cpp
-from bringup_lint.graph.nodes.questions.stopping import double_shutdown
-from bringup_lint.graph.nodes.questions.stopping import handler_never_runs
-from bringup_lint.graph.nodes.questions.stopping import stop_after_shutdown
-from bringup_lint.graph.nodes.questions.stopping import unhandled_shutdown
-from bringup_lint.graph.nodes.questions.undefined_names import dict_ranges
-from bringup_lint.graph.nodes.questions.undefined_names import range_text
-from bringup_lint.graph.nodes.questions.undefined_names import undefined
-from bringup_lint.graph.nodes.questions.unsafe_ends import unsafe_ends
+from typing import TYPE_CHECKING
+
 from bringup_lint.graph.purpose import Purpose
-from bringup_lint.graph.topics.questions.undeclared import asked_in_vain
-from bringup_lint.graph.topics.questions.undeclared import unset
-from bringup_lint.model.node_source import Callback
-from bringup_lint.model.node_source import Endpoint
-from bringup_lint.model.node_source import Timer
+from bringup_lint.on_demand import on_demand
 from bringup_lint.pattern import regex
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.nodes.edits import import_edits
+    from bringup_lint.graph.nodes.edits import swap
+    from bringup_lint.graph.nodes.edits import tried_shutdown
+    from bringup_lint.graph.nodes.questions.asyncio_waits import awaits_asyncio
+    from bringup_lint.graph.nodes.questions.blocking_calls import UNTIL_TIMEOUT
+    from bringup_lint.graph.nodes.questions.motion import moves
+    from bringup_lint.graph.nodes.questions.rates import endless_rates
+    from bringup_lint.graph.nodes.questions.repeating import held
+    from bringup_lint.graph.nodes.questions.repeating import repeated
+    from bringup_lint.graph.nodes.questions.safe_state import fed_without_condition
+    from bringup_lint.graph.nodes.questions.safe_state import publish_after_deactivate
+    from bringup_lint.graph.nodes.questions.safe_state import relays
+    from bringup_lint.graph.nodes.questions.service_waits import waits
+    from bringup_lint.graph.nodes.questions.signatures import without_qos
+    from bringup_lint.graph.nodes.questions.stopped_callbacks import never_run
+    from bringup_lint.graph.nodes.questions.stopped_callbacks import stopped_callbacks
+    from bringup_lint.graph.nodes.questions.stopped_callbacks import stopped_in_cpp
+    from bringup_lint.graph.nodes.questions.stopping import double_shutdown
+    from bringup_lint.graph.nodes.questions.stopping import handler_never_runs
+    from bringup_lint.graph.nodes.questions.stopping import stop_after_shutdown
+    from bringup_lint.graph.nodes.questions.stopping import unhandled_shutdown
+    from bringup_lint.graph.nodes.questions.undefined_names import dict_ranges
+    from bringup_lint.graph.nodes.questions.undefined_names import range_text
+    from bringup_lint.graph.nodes.questions.undefined_names import undefined
+    from bringup_lint.graph.nodes.questions.unsafe_ends import unsafe_ends
+    from bringup_lint.graph.topics.questions.undeclared import asked_in_vain
+    from bringup_lint.graph.topics.questions.undeclared import unset
+    from bringup_lint.model.node_source import Callback
+    from bringup_lint.model.node_source import Endpoint
+    from bringup_lint.model.node_source import Timer
+else:
+    __getattr__ = on_demand(globals())
 
 __all__ = [
     "UNTIL_TIMEOUT",

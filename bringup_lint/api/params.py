@@ -2,19 +2,26 @@
 
 from __future__ import annotations
 
-from bringup_lint.graph.params.matching import unreached
-from bringup_lint.graph.params.matching import unused
+from typing import TYPE_CHECKING
+
 from bringup_lint.graph.params.qos_overrides import POLICIES as QOS_POLICIES
 from bringup_lint.graph.params.qos_overrides import WORDS as QOS_WORDS
-from bringup_lint.graph.params.qos_overrides import OverrideProblem
-from bringup_lint.graph.params.qos_overrides import QosOverride
-from bringup_lint.graph.params.qos_overrides import qos_overrides
-from bringup_lint.graph.params.time import simulated
-from bringup_lint.graph.topics.questions.undeclared import Undeclared
-from bringup_lint.graph.topics.questions.undeclared import undeclared
-from bringup_lint.model.params import Block
-from bringup_lint.model.params import Parameter
-from bringup_lint.model.params import ParameterFile
+from bringup_lint.on_demand import on_demand
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.params.matching import unreached
+    from bringup_lint.graph.params.matching import unused
+    from bringup_lint.graph.params.qos_overrides import OverrideProblem
+    from bringup_lint.graph.params.qos_overrides import QosOverride
+    from bringup_lint.graph.params.qos_overrides import qos_overrides
+    from bringup_lint.graph.params.time import simulated
+    from bringup_lint.graph.topics.questions.undeclared import Undeclared
+    from bringup_lint.graph.topics.questions.undeclared import undeclared
+    from bringup_lint.model.params import Block
+    from bringup_lint.model.params import Parameter
+    from bringup_lint.model.params import ParameterFile
+else:
+    __getattr__ = on_demand(globals())
 
 __all__ = [
     "QOS_POLICIES",

@@ -2,19 +2,26 @@
 
 from __future__ import annotations
 
-from bringup_lint.codemods.calls import all_of
-from bringup_lint.codemods.calls import in_call
-from bringup_lint.codemods.calls import in_list
-from bringup_lint.codemods.calls import renamed_keyword
-from bringup_lint.codemods.calls import with_item
-from bringup_lint.codemods.calls import with_items
-from bringup_lint.codemods.calls import with_keyword
-from bringup_lint.codemods.calls import without_keyword
-from bringup_lint.codemods.lists import move_after
-from bringup_lint.codemods.lists import move_before
-from bringup_lint.codemods.lists import remove
-from bringup_lint.codemods.module import Import
-from bringup_lint.codemods.statements import wait_in_loop
+from typing import TYPE_CHECKING
+
+from bringup_lint.on_demand import on_demand
+
+if TYPE_CHECKING:
+    from bringup_lint.codemods.calls import all_of
+    from bringup_lint.codemods.calls import in_call
+    from bringup_lint.codemods.calls import in_list
+    from bringup_lint.codemods.calls import renamed_keyword
+    from bringup_lint.codemods.calls import with_item
+    from bringup_lint.codemods.calls import with_items
+    from bringup_lint.codemods.calls import with_keyword
+    from bringup_lint.codemods.calls import without_keyword
+    from bringup_lint.codemods.lists import move_after
+    from bringup_lint.codemods.lists import move_before
+    from bringup_lint.codemods.lists import remove
+    from bringup_lint.codemods.module import Import
+    from bringup_lint.codemods.statements import wait_in_loop
+else:
+    __getattr__ = on_demand(globals())
 
 __all__ = [
     "Import",

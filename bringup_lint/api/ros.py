@@ -2,21 +2,28 @@
 
 from __future__ import annotations
 
-from bringup_lint.facts.ros.distros import at_least
-from bringup_lint.facts.ros.distros import distro_end
-from bringup_lint.facts.ros.distros import distros_since
-from bringup_lint.facts.ros.variables import variables
-from bringup_lint.parsers import json5
-from bringup_lint.parsers import ros_arguments
-from bringup_lint.parsers.ros_values import DISCOVERY_RANGES
-from bringup_lint.parsers.ros_values import EPHEMERAL_DOMAINS
-from bringup_lint.parsers.ros_values import FORMAT_TOKENS
-from bringup_lint.parsers.ros_values import FORMAT_TOKENS_SINCE
-from bringup_lint.parsers.ros_values import LOGGING_SWITCHES
-from bringup_lint.parsers.ros_values import MAX_DOMAIN
-from bringup_lint.parsers.ros_values import RMW_IMPLEMENTATIONS
-from bringup_lint.parsers.ros_values import domain_id
-from bringup_lint.parsers.ros_values import highest_port
+from typing import TYPE_CHECKING
+
+from bringup_lint.on_demand import on_demand
+
+if TYPE_CHECKING:
+    from bringup_lint.facts.ros.distros import at_least
+    from bringup_lint.facts.ros.distros import distro_end
+    from bringup_lint.facts.ros.distros import distros_since
+    from bringup_lint.facts.ros.variables import variables
+    from bringup_lint.parsers import json5
+    from bringup_lint.parsers import ros_arguments
+    from bringup_lint.parsers.ros_values import DISCOVERY_RANGES
+    from bringup_lint.parsers.ros_values import EPHEMERAL_DOMAINS
+    from bringup_lint.parsers.ros_values import FORMAT_TOKENS
+    from bringup_lint.parsers.ros_values import FORMAT_TOKENS_SINCE
+    from bringup_lint.parsers.ros_values import LOGGING_SWITCHES
+    from bringup_lint.parsers.ros_values import MAX_DOMAIN
+    from bringup_lint.parsers.ros_values import RMW_IMPLEMENTATIONS
+    from bringup_lint.parsers.ros_values import domain_id
+    from bringup_lint.parsers.ros_values import highest_port
+else:
+    __getattr__ = on_demand(globals())
 
 __all__ = [
     "DISCOVERY_RANGES",

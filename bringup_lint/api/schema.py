@@ -6,17 +6,23 @@ from collections.abc import Iterable
 from collections.abc import Iterator
 from collections.abc import Mapping
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.finding import Finding
-from bringup_lint.model.schema import Code
-from bringup_lint.model.schema import Item
-from bringup_lint.model.schema import Remark
-from bringup_lint.schema.names import suggestions
+from bringup_lint.on_demand import on_demand
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Span
+
+if TYPE_CHECKING:
+    from bringup_lint.model.schema import Code
+    from bringup_lint.model.schema import Item
+    from bringup_lint.model.schema import Remark
+    from bringup_lint.schema.names import suggestions
+else:
+    __getattr__ = on_demand(globals())
 
 __all__ = ["Code", "Item", "Remark", "explained", "suggestions", "unknown_name", "wrong_value"]
 

@@ -2,6 +2,13 @@
 
 from __future__ import annotations
 
-from bringup_lint.graph.secrets.in_clear import Secret
+from typing import TYPE_CHECKING
+
+from bringup_lint.on_demand import on_demand
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.secrets.in_clear import Secret
+else:
+    __getattr__ = on_demand(globals())
 
 __all__ = ["Secret"]

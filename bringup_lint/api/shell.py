@@ -2,14 +2,21 @@
 
 from __future__ import annotations
 
-from bringup_lint.graph.commands.background import Job
-from bringup_lint.graph.commands.background import background_jobs
-from bringup_lint.graph.commands.wrappers import program_name
-from bringup_lint.graph.commands.wrappers import unwrapped
-from bringup_lint.graph.installed.script import Run
-from bringup_lint.graph.installed.script import Written
-from bringup_lint.model.shell import Command
-from bringup_lint.parsers.shell import shell_commands
+from typing import TYPE_CHECKING
+
+from bringup_lint.on_demand import on_demand
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.commands.background import Job
+    from bringup_lint.graph.commands.background import background_jobs
+    from bringup_lint.graph.commands.wrappers import program_name
+    from bringup_lint.graph.commands.wrappers import unwrapped
+    from bringup_lint.graph.installed.script import Run
+    from bringup_lint.graph.installed.script import Written
+    from bringup_lint.model.shell import Command
+    from bringup_lint.parsers.shell import shell_commands
+else:
+    __getattr__ = on_demand(globals())
 
 __all__ = [
     "Command",

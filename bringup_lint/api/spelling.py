@@ -2,7 +2,14 @@
 
 from __future__ import annotations
 
-from bringup_lint.spelling import nearest
+from typing import TYPE_CHECKING
+
+from bringup_lint.on_demand import on_demand
+
+if TYPE_CHECKING:
+    from bringup_lint.spelling import nearest
+else:
+    __getattr__ = on_demand(globals())
 
 __all__ = [
     "nearest",

@@ -2,70 +2,77 @@
 
 from __future__ import annotations
 
-from bringup_lint.facts.systemd import directives
-from bringup_lint.facts.systemd.directives import Legacy
-from bringup_lint.graph.commands.command_line import Step
-from bringup_lint.graph.commands.environment import Environment
-from bringup_lint.graph.commands.environment import Variable
-from bringup_lint.graph.commands.open_access import Offer
-from bringup_lint.graph.commands.open_access import open_access
-from bringup_lint.graph.commands.ros_command import Ros
-from bringup_lint.graph.systemd.capabilities import file_capabilities
-from bringup_lint.graph.systemd.cycles import Cycle
-from bringup_lint.graph.systemd.directories import paths
-from bringup_lint.graph.systemd.docker_clients import DockerStart
-from bringup_lint.graph.systemd.docker_clients import docker_starts
-from bringup_lint.graph.systemd.hidden_home import HiddenHome
-from bringup_lint.graph.systemd.hidden_home import hidden_home
-from bringup_lint.graph.systemd.identity import HomeOrigin
-from bringup_lint.graph.systemd.identity import Identity
-from bringup_lint.graph.systemd.limits import limit_line
-from bringup_lint.graph.systemd.limits import missing_limits
-from bringup_lint.graph.systemd.limits import sets_priority
-from bringup_lint.graph.systemd.log_directory import LogAccess
-from bringup_lint.graph.systemd.log_directory import LogDirectory
-from bringup_lint.graph.systemd.log_directory import Obstacle
-from bringup_lint.graph.systemd.log_directory import Unwritable
-from bringup_lint.graph.systemd.log_directory import log_directory
-from bringup_lint.graph.systemd.memory import memory
-from bringup_lint.graph.systemd.missing_program import Defect
-from bringup_lint.graph.systemd.missing_program import is_own_program
-from bringup_lint.graph.systemd.missing_program import unstartable
-from bringup_lint.graph.systemd.needless_root import NeedlessRoot
-from bringup_lint.graph.systemd.needless_root import Work
-from bringup_lint.graph.systemd.needless_root import changes_user
-from bringup_lint.graph.systemd.needless_root import needless_root
-from bringup_lint.graph.systemd.needless_root import reads_display_of_root
-from bringup_lint.graph.systemd.network_online import ONLINE
-from bringup_lint.graph.systemd.network_online import TooEarly
-from bringup_lint.graph.systemd.network_online import edits_to_wait
-from bringup_lint.graph.systemd.network_online import too_early
-from bringup_lint.graph.systemd.process import Process
-from bringup_lint.graph.systemd.restart import RestartPolicy
-from bringup_lint.graph.systemd.restart_loop import CrashLoop
-from bringup_lint.graph.systemd.restart_loop import Outcome
-from bringup_lint.graph.systemd.restart_loop import crash_loops
-from bringup_lint.graph.systemd.restart_loop import sufficient_limit
-from bringup_lint.graph.systemd.sandbox import Sandbox
-from bringup_lint.graph.systemd.sandbox import View
-from bringup_lint.graph.systemd.settings import duration
-from bringup_lint.graph.systemd.supervision import Supervision
-from bringup_lint.graph.systemd.timers import Misspelt
-from bringup_lint.graph.systemd.timers import has_trigger
-from bringup_lint.graph.systemd.timers import misspelt_trigger
-from bringup_lint.graph.systemd.unit import Unit
-from bringup_lint.graph.systemd.unit_edits import delete_lines
-from bringup_lint.graph.systemd.unit_edits import lift_comment
-from bringup_lint.graph.systemd.unit_edits import move_lines
-from bringup_lint.graph.systemd.unit_lines import Line
-from bringup_lint.graph.systemd.units import Units
-from bringup_lint.graph.systemd.unsourced import NotSourced
-from bringup_lint.graph.systemd.unsourced import SourcedBefore
-from bringup_lint.graph.systemd.unsourced import unsourced
-from bringup_lint.model.unit import Assignment
-from bringup_lint.parsers.systemd_values import is_unit_name
-from bringup_lint.parsers.systemd_values.commands import Command
-from bringup_lint.parsers.systemd_values.problems import ValueProblem
+from typing import TYPE_CHECKING
+
+from bringup_lint.on_demand import on_demand
+
+if TYPE_CHECKING:
+    from bringup_lint.facts.systemd import directives
+    from bringup_lint.facts.systemd.directives import Legacy
+    from bringup_lint.graph.commands.command_line import Step
+    from bringup_lint.graph.commands.environment import Environment
+    from bringup_lint.graph.commands.environment import Variable
+    from bringup_lint.graph.commands.open_access import Offer
+    from bringup_lint.graph.commands.open_access import open_access
+    from bringup_lint.graph.commands.ros_command import Ros
+    from bringup_lint.graph.systemd.capabilities import file_capabilities
+    from bringup_lint.graph.systemd.cycles import Cycle
+    from bringup_lint.graph.systemd.directories import paths
+    from bringup_lint.graph.systemd.docker_clients import DockerStart
+    from bringup_lint.graph.systemd.docker_clients import docker_starts
+    from bringup_lint.graph.systemd.hidden_home import HiddenHome
+    from bringup_lint.graph.systemd.hidden_home import hidden_home
+    from bringup_lint.graph.systemd.identity import HomeOrigin
+    from bringup_lint.graph.systemd.identity import Identity
+    from bringup_lint.graph.systemd.limits import limit_line
+    from bringup_lint.graph.systemd.limits import missing_limits
+    from bringup_lint.graph.systemd.limits import sets_priority
+    from bringup_lint.graph.systemd.log_directory import LogAccess
+    from bringup_lint.graph.systemd.log_directory import LogDirectory
+    from bringup_lint.graph.systemd.log_directory import Obstacle
+    from bringup_lint.graph.systemd.log_directory import Unwritable
+    from bringup_lint.graph.systemd.log_directory import log_directory
+    from bringup_lint.graph.systemd.memory import memory
+    from bringup_lint.graph.systemd.missing_program import Defect
+    from bringup_lint.graph.systemd.missing_program import is_own_program
+    from bringup_lint.graph.systemd.missing_program import unstartable
+    from bringup_lint.graph.systemd.needless_root import NeedlessRoot
+    from bringup_lint.graph.systemd.needless_root import Work
+    from bringup_lint.graph.systemd.needless_root import changes_user
+    from bringup_lint.graph.systemd.needless_root import needless_root
+    from bringup_lint.graph.systemd.needless_root import reads_display_of_root
+    from bringup_lint.graph.systemd.network_online import ONLINE
+    from bringup_lint.graph.systemd.network_online import TooEarly
+    from bringup_lint.graph.systemd.network_online import edits_to_wait
+    from bringup_lint.graph.systemd.network_online import too_early
+    from bringup_lint.graph.systemd.process import Process
+    from bringup_lint.graph.systemd.restart import RestartPolicy
+    from bringup_lint.graph.systemd.restart_loop import CrashLoop
+    from bringup_lint.graph.systemd.restart_loop import Outcome
+    from bringup_lint.graph.systemd.restart_loop import crash_loops
+    from bringup_lint.graph.systemd.restart_loop import sufficient_limit
+    from bringup_lint.graph.systemd.sandbox import Sandbox
+    from bringup_lint.graph.systemd.sandbox import View
+    from bringup_lint.graph.systemd.settings import duration
+    from bringup_lint.graph.systemd.supervision import Supervision
+    from bringup_lint.graph.systemd.timers import Misspelt
+    from bringup_lint.graph.systemd.timers import has_trigger
+    from bringup_lint.graph.systemd.timers import misspelt_trigger
+    from bringup_lint.graph.systemd.unit import Unit
+    from bringup_lint.graph.systemd.unit_edits import delete_lines
+    from bringup_lint.graph.systemd.unit_edits import lift_comment
+    from bringup_lint.graph.systemd.unit_edits import move_lines
+    from bringup_lint.graph.systemd.unit_lines import Line
+    from bringup_lint.graph.systemd.units import Units
+    from bringup_lint.graph.systemd.unsourced import NotSourced
+    from bringup_lint.graph.systemd.unsourced import SourcedBefore
+    from bringup_lint.graph.systemd.unsourced import unsourced
+    from bringup_lint.model.unit import Assignment
+    from bringup_lint.parsers.systemd_values import is_unit_name
+    from bringup_lint.parsers.systemd_values.commands import Command
+    from bringup_lint.parsers.systemd_values.problems import ValueProblem
+else:
+    __getattr__ = on_demand(globals())
 
 __all__ = [
     "ONLINE",

@@ -2,8 +2,15 @@
 
 from __future__ import annotations
 
-from bringup_lint.templates import is_example
-from bringup_lint.templates import is_stand_in
+from typing import TYPE_CHECKING
+
+from bringup_lint.on_demand import on_demand
+
+if TYPE_CHECKING:
+    from bringup_lint.templates import is_example
+    from bringup_lint.templates import is_stand_in
+else:
+    __getattr__ = on_demand(globals())
 
 __all__ = [
     "is_example",

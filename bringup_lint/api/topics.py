@@ -2,21 +2,28 @@
 
 from __future__ import annotations
 
-from bringup_lint.graph.topics.questions.command_sources import is_gate
-from bringup_lint.graph.topics.questions.command_sources import is_stop
-from bringup_lint.graph.topics.questions.command_sources import is_velocity
-from bringup_lint.graph.topics.questions.command_sources import rivals
-from bringup_lint.graph.topics.questions.command_sources import ungated
-from bringup_lint.graph.topics.questions.compatibility import conflicts_of
-from bringup_lint.graph.topics.questions.compatibility import types_differ
-from bringup_lint.graph.topics.questions.namespaces import shared_by_namespaces
-from bringup_lint.graph.topics.questions.unmatched import corrected
-from bringup_lint.graph.topics.questions.unmatched import probable_typos
-from bringup_lint.graph.topics.questions.unmatched import without_publisher
-from bringup_lint.graph.topics.resolved.endpoint_use import LaunchedNode
-from bringup_lint.graph.topics.resolved.names import refusal
-from bringup_lint.graph.topics.resolved.names import tail
-from bringup_lint.graph.topics.sources.publishing import published_at_start
+from typing import TYPE_CHECKING
+
+from bringup_lint.on_demand import on_demand
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.topics.questions.command_sources import is_gate
+    from bringup_lint.graph.topics.questions.command_sources import is_stop
+    from bringup_lint.graph.topics.questions.command_sources import is_velocity
+    from bringup_lint.graph.topics.questions.command_sources import rivals
+    from bringup_lint.graph.topics.questions.command_sources import ungated
+    from bringup_lint.graph.topics.questions.compatibility import conflicts_of
+    from bringup_lint.graph.topics.questions.compatibility import types_differ
+    from bringup_lint.graph.topics.questions.namespaces import shared_by_namespaces
+    from bringup_lint.graph.topics.questions.unmatched import corrected
+    from bringup_lint.graph.topics.questions.unmatched import probable_typos
+    from bringup_lint.graph.topics.questions.unmatched import without_publisher
+    from bringup_lint.graph.topics.resolved.endpoint_use import LaunchedNode
+    from bringup_lint.graph.topics.resolved.names import refusal
+    from bringup_lint.graph.topics.resolved.names import tail
+    from bringup_lint.graph.topics.sources.publishing import published_at_start
+else:
+    __getattr__ = on_demand(globals())
 
 __all__ = [
     "LaunchedNode",

@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
-from bringup_lint.graph.yaml_edits import first_key
-from bringup_lint.model.yaml_node import Mapping
-from bringup_lint.model.yaml_node import Node
-from bringup_lint.model.yaml_node import Scalar
-from bringup_lint.model.yaml_node import Sequence
-from bringup_lint.model.yaml_node import YamlCode
+from typing import TYPE_CHECKING
+
+from bringup_lint.on_demand import on_demand
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.yaml_edits import first_key
+    from bringup_lint.model.yaml_node import Mapping
+    from bringup_lint.model.yaml_node import Node
+    from bringup_lint.model.yaml_node import Scalar
+    from bringup_lint.model.yaml_node import Sequence
+    from bringup_lint.model.yaml_node import YamlCode
+else:
+    __getattr__ = on_demand(globals())
 
 __all__ = [
     "Mapping",
