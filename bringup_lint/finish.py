@@ -23,6 +23,7 @@ from bringup_lint.finding import Severity
 from bringup_lint.finding.presented import Presented
 from bringup_lint.finding.presented import presented
 from bringup_lint.registry import Rule
+from bringup_lint.registry import doc_of
 from bringup_lint.report import Notification
 from bringup_lint.report import Report
 from bringup_lint.report import RuleDoc
@@ -35,9 +36,6 @@ from bringup_lint.source import Source
 
 if TYPE_CHECKING:
     from bringup_lint.finding.redact import Mask
-
-DOCS = "https://bringup-lint.github.io/bringup-lint/rules/{}/"
-"""Where a built-in rule is documented on the web: its page of the site."""
 
 
 class Invocation(NamedTuple):
@@ -174,20 +172,3 @@ def exit_code(findings: Iterable[Finding], failures: Iterable[str], fail_on: Sev
     if any(failures):
         return 3
     return int(any(finding.severity >= fail_on and not finding.suppression for finding in findings))
-
-
-def doc_of(rule: Rule) -> RuleDoc:
-    """A rule's documentation."""
-    meta = rule.meta
-    return RuleDoc(
-        rule.id,
-        rule.doc,
-        meta.severity,
-        meta.confidence,
-        meta.fix,
-        meta.since,
-        meta.symptoms,
-        meta.tags,
-        meta.aliases,
-        DOCS.format(rule.id) if rule.builtin else "",
-    )

@@ -17,6 +17,7 @@ from dataclasses import field
 from functools import cache
 from functools import cached_property
 from pathlib import Path
+from typing import TYPE_CHECKING
 from typing import Any
 
 from bringup_lint.api import Check
@@ -37,6 +38,12 @@ from bringup_lint.rule_index.met import is_met
 from bringup_lint.rule_index.stored import Index
 from bringup_lint.rule_index.stored import index_of
 from bringup_lint.toml import read_toml
+
+if TYPE_CHECKING:
+    from bringup_lint.report import RuleDoc
+
+DOCS = "https://bringup-lint.github.io/bringup-lint/rules/{}/"
+"""Where a built-in rule is documented on the web: its page of the site."""
 
 
 class RuleError(Exception):
@@ -308,3 +315,22 @@ def _builtin() -> Registry:
     folder = builtin_folder()
     index = index_of(folder)
     return Registry(families([folder]) if index is None else _indexed_families(folder, index), index)
+
+
+def doc_of(rule: Rule) -> RuleDoc:
+    """A rule's documentation."""
+    from bringup_lint.report import RuleDoc
+
+    meta = rule.meta
+    return RuleDoc(
+        rule.id,
+        rule.doc,
+        meta.severity,
+        meta.confidence,
+        meta.fix,
+        meta.since,
+        meta.symptoms,
+        meta.tags,
+        meta.aliases,
+        DOCS.format(rule.id) if rule.builtin else "",
+    )

@@ -26,6 +26,8 @@ COMMANDS = {
     "completion": "Print a completion script for a shell.",
     "new-rule": "Write the files of a new rule, in a checkout.",
 }
+PLAIN = {"check": "checking", "rules": "listing", "explain": "explaining"}
+"""The commands that need no click where no option is given, with their modules."""
 
 
 def dispatch(arguments: list[str], prog: str = "bringup-lint", question: Question | None = None) -> None:
@@ -40,27 +42,23 @@ def dispatch(arguments: list[str], prog: str = "bringup-lint", question: Questio
             prog = f"{prog} {name}"
     elif at == 0 and not os.path.lexists(arguments[0]):
         _hint(arguments[0])
+    if name in PLAIN and (arguments or name != "explain") and not any(word.startswith("-") for word in arguments):
+        plain = importlib.import_module(f"bringup_lint.cli.{PLAIN[name]}").plain
+        sys.exit(_code(lambda: plain(tuple(arguments), question)))
     module = importlib.import_module(f"bringup_lint.cli.{name.replace('-', '_')}")
     sys.exit(_code(lambda: module.command.main(arguments, prog_name=prog, standalone_mode=False, obj=question)))
 
 
 def _code(command: Callable[[], object]) -> int:
     """The exit code of a command; what escapes from it is one line on standard error."""
-    import click
-
     from bringup_lint.cli.streams import complain
     from bringup_lint.cli.streams import prepare
-    from bringup_lint.cli.streams import say
 
     try:
         prepare()
         os.getcwd()
         done = command()
-    except click.ClickException as error:
-        usage = error.ctx.get_usage() + "\n\n" if isinstance(error, click.UsageError) and error.ctx else ""
-        say(f"{usage}Error: {error.format_message()}")
-        return error.exit_code
-    except (KeyboardInterrupt, click.Abort):
+    except KeyboardInterrupt:
         return 130
     except FileNotFoundError as error:
         if error.filename is None:
@@ -68,8 +66,23 @@ def _code(command: Callable[[], object]) -> int:
             return 2
         return _bug(error)
     except Exception as error:
-        return _bug(error)
+        return _of_click(error) if "click" in sys.modules else _bug(error)
     return done if isinstance(done, int) else 0
+
+
+def _of_click(error: Exception) -> int:
+    """The exit code for what click raises, which says what is wrong with the command line."""
+    import click
+
+    from bringup_lint.cli.streams import say
+
+    if isinstance(error, click.Abort):
+        return 130
+    if not isinstance(error, click.ClickException):
+        return _bug(error)
+    usage = error.ctx.get_usage() + "\n\n" if isinstance(error, click.UsageError) and error.ctx else ""
+    say(f"{usage}Error: {error.format_message()}")
+    return error.exit_code
 
 
 def _bug(error: Exception) -> int:

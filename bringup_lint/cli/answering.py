@@ -21,9 +21,7 @@ from bringup_lint.cli.terminal import wants_colour
 
 TYPE_CHECKING = False  # an answer is given before typing is loaded
 if TYPE_CHECKING:
-    import click
-
-    from bringup_lint.cli.outputs import Output
+    from bringup_lint.cli.reports import Output
     from bringup_lint.discover.record import Record
 
 OFF = "BRINGUP_LINT_NO_CACHE"
@@ -73,17 +71,11 @@ def replayed(answer: Answer) -> int:
     return answer.code
 
 
-def keep(question: Question, ctx: click.Context, record: Record, code: int) -> None:
-    """Keep what this run said, if the same question will have the same answer."""
-    if code in (0, 1) and _given(ctx) <= _REPEATABLE and _is_plain(ctx.meta["outputs"]):
+def keep(question: Question, given: set[str], outputs: list[Output], record: Record, code: int) -> None:
+    """Keep what this run said, if the same question will have the same answer. ``given`` are the options of the
+    command line."""
+    if code in (0, 1) and given <= _REPEATABLE and _is_plain(outputs):
         question.keep(Answer("".join(written), "".join(said), code), record)
-
-
-def _given(ctx: click.Context) -> set[str]:
-    """The options of the command line."""
-    from click.core import ParameterSource
-
-    return {name for name in ctx.params if ctx.get_parameter_source(name) is not ParameterSource.DEFAULT}
 
 
 def _is_plain(outputs: list[Output]) -> bool:

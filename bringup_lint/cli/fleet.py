@@ -16,17 +16,17 @@ from typing import Any
 
 import click
 
-from bringup_lint.cli.check import configuration
+from bringup_lint.cli.checking import configuration
 from bringup_lint.cli.options import colour_option
 from bringup_lint.cli.options import configuration_options
 from bringup_lint.cli.options import ignores_option
 from bringup_lint.cli.options import names
 from bringup_lint.cli.options import target_options
 from bringup_lint.cli.options import verdict_options
-from bringup_lint.cli.outputs import Output
 from bringup_lint.cli.outputs import PairedOptions
 from bringup_lint.cli.outputs import file_option
-from bringup_lint.cli.outputs import write
+from bringup_lint.cli.reports import Output
+from bringup_lint.cli.reports import write
 from bringup_lint.cli.streams import complain
 from bringup_lint.cli.terminal import terminal_width
 from bringup_lint.cli.terminal import wants_colour
@@ -106,10 +106,10 @@ def _judge(outputs: list[Output], paths: tuple[str, ...], options: dict[str, Any
 def fleet_report(summaries: Iterable[Summary], inventory: Inventory, job: Job) -> FleetReport:
     """Everything that a format may say about a fleet. Raises ConfigError."""
     from bringup_lint.finding import Severity
-    from bringup_lint.finish import doc_of
     from bringup_lint.fleet.fleet import Fleet
     from bringup_lint.fleet.judge import judge
     from bringup_lint.registry import Registry
+    from bringup_lint.registry import doc_of
 
     robots = tuple(sorted(summaries, key=lambda summary: summary.name))
     registry = Registry.of(job.rule_folders)

@@ -12,7 +12,7 @@ import click
 from bringup_lint.cli.options import configuration_options
 from bringup_lint.cli.options import root_option
 from bringup_lint.cli.options import target_options
-from bringup_lint.cli.outputs import write
+from bringup_lint.cli.reports import write
 from bringup_lint.cli.streams import complain
 from bringup_lint.config import ConfigError
 from bringup_lint.graph.layers import LAYERS
@@ -59,8 +59,8 @@ def command(ctx: click.Context, paths: tuple[str, ...], **options: Any) -> None:
 
 
 def _draw(paths: tuple[str, ...], options: dict[str, Any]) -> str:
-    from bringup_lint.cli.check import configuration
-    from bringup_lint.cli.check import read_robot
+    from bringup_lint.cli.checking import configuration
+    from bringup_lint.cli.checking import read_robot
     from bringup_lint.cli.reporting import report_of
     from bringup_lint.engine import run
     from bringup_lint.registry import Registry

@@ -60,7 +60,7 @@ def command(ctx: click.Context, print_schema: bool, print_only: bool) -> None:
 
 
 def _surveyed() -> list[Setting]:
-    from bringup_lint.cli.check import read_robot
+    from bringup_lint.cli.checking import read_robot
     from bringup_lint.cli.survey import settings
     from bringup_lint.config import Config
 

@@ -4,18 +4,11 @@ from __future__ import annotations
 
 from pathlib import Path
 from typing import Any
-from typing import NamedTuple
 
 import click
 
+from bringup_lint.cli.reports import Output
 from bringup_lint.report import FORMATS
-
-
-class Output(NamedTuple):
-    """One report: its format, and the file it goes to (None: standard output)."""
-
-    format: str
-    file: Path | None
 
 
 class PairedOptions(click.Command):
@@ -48,17 +41,6 @@ def pair(options: list[tuple[str, Any]]) -> list[Output]:
     if sum(output.file is None for output in outputs) > 1:
         raise click.UsageError("only one report can go to standard output; give the others an --output-file")
     return outputs or [Output("text", None)]
-
-
-def write(text: str, file: Path | None) -> None:
-    """Write a report whole, or not at all. Raises NotWritten."""
-    from bringup_lint.cli.streams import put
-    from bringup_lint.writing import replace
-
-    if file is None:
-        put(text)
-        return
-    replace(file, text.encode("utf-8", "replace"))
 
 
 format_option = click.option(

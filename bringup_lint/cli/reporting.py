@@ -73,7 +73,7 @@ def save_baseline(report: Report, path: Path) -> Report:
     Raises NotWritten."""
     from bringup_lint.baseline import entries_of
     from bringup_lint.baseline import written
-    from bringup_lint.cli.outputs import write
+    from bringup_lint.cli.reports import write
 
     entries = list(entries_of((*report.findings, *report.known), report.root, report.cwd))
     write(written(entries), path)
@@ -86,7 +86,7 @@ def save_baseline(report: Report, path: Path) -> Report:
 def prune_baseline(report: Report, config: Config) -> Report:
     """Take the findings that are gone out of the baseline of the configuration. Raises ConfigError, NotWritten."""
     from bringup_lint.baseline import written
-    from bringup_lint.cli.outputs import write
+    from bringup_lint.cli.reports import write
 
     entries, gone = baseline_of(config), frozenset(report.stale)
     path = os.path.relpath(config.folder / str(config.baseline))

@@ -10,7 +10,7 @@ from lsprotocol.types import DiagnosticTag
 from lsprotocol.types import Location
 
 from bringup_lint.finding import Severity
-from bringup_lint.finish import doc_of
+from bringup_lint.registry import doc_of
 from bringup_lint.server.analysis import Analysis
 from bringup_lint.server.analysis import Found
 from bringup_lint.source import Span

@@ -11,9 +11,9 @@ from lsprotocol.types import MarkupContent
 from lsprotocol.types import MarkupKind
 from lsprotocol.types import Position
 
-from bringup_lint.finish import doc_of
 from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.graph import Node
+from bringup_lint.registry import doc_of
 from bringup_lint.report.docs import markdown
 from bringup_lint.server.analysis import Analysis
 from bringup_lint.server.analysis import Found

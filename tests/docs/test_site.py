@@ -9,8 +9,8 @@ from urllib.parse import urlparse
 
 import pytest
 
-from bringup_lint.finish import doc_of
 from bringup_lint.registry import Registry
+from bringup_lint.registry import doc_of
 from tests.conftest import PROJECT
 
 pytest.importorskip("mkdocs")

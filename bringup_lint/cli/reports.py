@@ -1,0 +1,24 @@
+"""The reports of a run: their formats, and where they go."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import NamedTuple
+
+
+class Output(NamedTuple):
+    """One report: its format, and the file it goes to (None: standard output)."""
+
+    format: str
+    file: Path | None
+
+
+def write(text: str, file: Path | None) -> None:
+    """Write a report whole, or not at all. Raises NotWritten."""
+    from bringup_lint.cli.streams import put
+    from bringup_lint.writing import replace
+
+    if file is None:
+        put(text)
+        return
+    replace(file, text.encode("utf-8", "replace"))
