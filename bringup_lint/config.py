@@ -280,7 +280,7 @@ def schema() -> dict[str, Any]:
         "paths": {"type": "object", "additionalProperties": string},
         "purposes": {"type": "object", "additionalProperties": {"enum": list(PURPOSES)}},
     }
-    defaults = {item.name.replace("_", "-"): item.default for item in fields(Config) if isinstance(item.default, str)}
+    defaults = {item.name.replace("_", "-"): item.default for item in fields(Config()) if isinstance(item.default, str)}
     properties = {}
     for key, option in OPTIONS.items():
         properties[key] = {"description": option.help, **types[option.type]}

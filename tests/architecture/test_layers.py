@@ -64,7 +64,7 @@ LAYERS = (
     {"model", "finding", "facts", "fleet.summary"},
     {"addresses"},
     {"budget", "digest", "source", "spelling", "templates", "toml"},
-    {"pattern", "dataclass"},
+    {"pattern", "dataclass", "on_demand"},
     {""},
 )
 """From the top down. The layers of one line do not import each other; ``""`` is the version of the package."""
