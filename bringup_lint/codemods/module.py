@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 from typing import NamedTuple
 from typing import TypeVar
+
+from bringup_lint.dataclass import dataclass
 
 if TYPE_CHECKING:
     import libcst
