@@ -33,3 +33,7 @@ def test_everything_is_reported(tree: Path, output: str, tmp_path: Path) -> None
     shutil.copytree(tree, tmp_path / "tree")
     run = lint("--min-severity", "info", "--output-format", output, "tree", cwd=tmp_path)
     assert run.code in (0, 1), run.stderr
+
+
+def test_the_checks_fuzz_for_a_minute() -> None:
+    assert "benchmarks/fuzz.py all -max_total_time=60" in (PROJECT / ".ci/run").read_text("utf-8")
