@@ -49,10 +49,20 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 
 def pytest_collection_finish() -> None:
-    """What is there now stays: the collector need not look through it again."""
+    settle()
+    gc.set_threshold(50_000, 20, 100)
+
+
+def settle() -> None:
+    """What is there now stays: no collection of garbage looks through it again."""
     gc.collect()
     gc.freeze()
-    gc.set_threshold(50_000, 20, 100)
+
+
+@pytest.fixture(scope="module")
+def settled() -> None:
+    """For tests that collect garbage many times, as a check of a fleet does after each robot."""
+    settle()
 
 
 @pytest.fixture

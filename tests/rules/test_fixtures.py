@@ -12,6 +12,8 @@ from bringup_lint.registry import Registry
 from tests.conftest import PROJECT
 from tests.lint import lint
 
+pytestmark = pytest.mark.usefixtures("settled")
+
 FIXTURES = PROJECT / "fixtures"
 BY_ENGINE = {"lint/internal-error", "lint/time-budget"}
 """Reported by the engine about itself; tested where a rule is made to fail, or to never end."""
