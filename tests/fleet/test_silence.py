@@ -15,6 +15,11 @@ from tests.rules.test_fixtures import cases
 from tests.rules.test_fixtures import set_modes
 
 CASES = [(rule_id, case) for rule_id, case in cases("bad") if rule_id.startswith("fleet/")]
+EVERY = 6
+"""Of so many fixtures, one is tried in a quick run; all of them in a whole one."""
+TRIED = [
+    pytest.param(*each, marks=() if number % EVERY == 0 else (pytest.mark.slow,)) for number, each in enumerate(CASES)
+]
 
 
 def copied(case: Path, to: Path) -> Path:
@@ -41,7 +46,7 @@ def accept(folder: Path, text: str) -> None:
         file.write(f"\n[[accept]]\n{text}\n")
 
 
-@pytest.mark.parametrize(("rule_id", "case"), CASES, ids=case_id)
+@pytest.mark.parametrize(("rule_id", "case"), TRIED, ids=case_id)
 def test_accepting_silences(rule_id: str, case: Path, tmp_path: Path) -> None:
     folder = copied(case, tmp_path / "fleet")
     before = judged(folder)["findings"]
@@ -52,7 +57,7 @@ def test_accepting_silences(rule_id: str, case: Path, tmp_path: Path) -> None:
     assert judged(folder, "--no-ignores")["findings"] == before
 
 
-@pytest.mark.parametrize(("rule_id", "case"), CASES, ids=case_id)
+@pytest.mark.parametrize(("rule_id", "case"), TRIED, ids=case_id)
 def test_configuration_silences(rule_id: str, case: Path, tmp_path: Path) -> None:
     folder = copied(case, tmp_path / "fleet")
     (folder / "bringup-lint.toml").write_text(f'[per-file-ignores]\n"robots/" = ["{rule_id}"]\n')
