@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import marshal
 import os
 import shutil
 import subprocess
@@ -11,7 +12,9 @@ from pathlib import Path
 
 import pytest
 
+from bringup_lint import __version__
 from bringup_lint.registry import Registry
+from bringup_lint.rule_index.stored import FILE
 from tests.conftest import PROJECT
 
 pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("packaging")]
@@ -68,6 +71,16 @@ def wheel(repository: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     pip("wheel", "-q", "--no-deps", "--no-build-isolation", "-w", folder, f"git+file://{repository}")
     (wheel,) = folder.glob("*.whl")
     return wheel
+
+
+def test_the_wheel_carries_the_index_of_its_rules(wheel: Path) -> None:
+    folder = "bringup_lint/rules/"
+    with zipfile.ZipFile(wheel) as archive:
+        index = marshal.loads(archive.read(f"{folder}{FILE}"))
+        files = {name.removeprefix(folder) for name in archive.namelist() if name.startswith(folder)}
+    rules = {name for name in files if name.endswith(".py") and "/_" not in name and "/" in name}
+    assert set(index["rules"]) == rules
+    assert index["version"] == __version__
 
 
 def pip(*arguments: str | Path) -> None:
