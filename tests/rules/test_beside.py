@@ -27,7 +27,8 @@ WHOLE = frozenset(read_toml(TABLE.read_text("utf-8"))["whole"])
 
 def is_tried(rule_id: str) -> bool:
     """A fixture without arguments of its own can be a folder of a larger tree."""
-    return not command(rule_id) and rule_id not in BY_ENGINE and arguments(folder_of(rule_id) / "bad") == ["."]
+    bad = folder_of(rule_id) / "bad"
+    return not command(rule_id) and rule_id not in BY_ENGINE and bad.is_dir() and arguments(bad) == ["."]
 
 
 TRIED = [rule_id for rule_id in RULE_IDS if is_tried(rule_id)]
