@@ -223,13 +223,21 @@ class Workspace:
     def owner(self, source: Source) -> Package | None:
         """The package that a file lies in."""
         folder = os.path.dirname(os.path.abspath(source.name))
-        while True:
-            if folder in self._folders:
-                return self._folders[folder]
+        if folder not in self._owners:
+            self._owners[folder] = self._owner_of(folder)
+        return self._owners[folder]
+
+    @cached_property
+    def _owners(self) -> dict[str, Package | None]:
+        return {}
+
+    def _owner_of(self, folder: str) -> Package | None:
+        while folder not in self._folders:
             above = os.path.dirname(folder)
             if above == folder:
                 return None
             folder = above
+        return self._folders[folder]
 
     def find(self, place: Place | None) -> Found | None:
         """The source of a file; None when the tree cannot tell."""

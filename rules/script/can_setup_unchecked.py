@@ -53,7 +53,7 @@ SETS_UP = regex(r"\bip link (?:set|add) (?:dev )?['\"]?(?:can\d|\$)[^\n]{0,200}(
 DESCRIBING = ("echo", "printf", "exit", "true", "sleep", "")
 
 
-@rule("warning", symptoms=['Cannot find device "can0"', "RTNETLINK answers: Operation not supported"])
+@rule("warning", symptoms=['Cannot find device "can0"'])
 def can_setup_unchecked(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("shell-script"):
         if not source.judged or LOOKS.search(source.text):

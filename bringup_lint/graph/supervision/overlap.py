@@ -13,7 +13,11 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.launch import Launch
     from bringup_lint.graph.systemd.unit import Unit
     from bringup_lint.graph.systemd.units import Units
+    from bringup_lint.source import Located
     from bringup_lint.source import Span
+
+    _Command = tuple[Located | None, Located | None, frozenset[Located]]
+    """Package, launch file and arguments."""
 
 _WHOLE_ROBOT = regex(r"(?:\w+_)?(?:bringup|robot|full|all|system|stack|main)(?:\.launch)?\.(?:py|xml|ya?ml)$")
 _ONE_LAYER = regex(
@@ -54,16 +58,53 @@ def overlaps(launches: list[UnitLaunch], units: Units, launch: Launch) -> Iterat
     """Each launch file that is brought up a second time, once."""
     told: set[Span] = set()
     order = {each.unit: at for at, each in reversed(list(enumerate(launches)))}
+    same, started = _by_command(launches), _by_file(launches, launch)
     for first in launches:
-        for second in launches:
+        includes = _includes(first.ros, launch)
+        including = {at: span for file, span in includes.items() for at in started.get(file, ())}
+        for at in sorted({*same[_command(first.ros)], *including}):
+            second = launches[at]
             where = second.ros.where.span
-            if second.unit is first.unit or units.conflict(first.unit, second.unit) or where in told:
+            if second.unit is first.unit or where in told or units.conflict(first.unit, second.unit):
                 continue
-            include = _including(first.ros, second.ros, launch)
-            earlier = order[first.unit] < order[second.unit]
-            if include is not None or (_is_same(first.ros, second.ros) and earlier):
+            include = including.get(at)
+            if include is not None or order[first.unit] < order[second.unit]:
                 told.add(where)
                 yield Overlap(first, second, include)
+
+
+def _by_command(launches: list[UnitLaunch]) -> dict[_Command, list[int]]:
+    """The numbers of the launches with each command."""
+    found: dict[_Command, list[int]] = {}
+    for at, each in enumerate(launches):
+        found.setdefault(_command(each.ros), []).append(at)
+    return found
+
+
+def _command(ros: Ros) -> _Command:
+    return ros.package, ros.target, frozenset(ros.arguments)
+
+
+def _by_file(launches: list[UnitLaunch], launch: Launch) -> dict[int, list[int]]:
+    """``id`` of a launch file -> the numbers of the launches that start it without arguments."""
+    found: dict[int, list[int]] = {}
+    for at, each in enumerate(launches):
+        file = launch.named(each.ros.package, each.ros.target)
+        if file is not None and not each.ros.arguments:
+            found.setdefault(id(file), []).append(at)
+    return found
+
+
+def _includes(outer: Ros, launch: Launch) -> dict[int, Span]:
+    """``id`` of each other launch file that the file of a command includes without condition -> the first include."""
+    entry = launch.named(outer.package, outer.target)
+    if entry is None or outer.arguments:
+        return {}
+    found: dict[int, Span] = {}
+    for include in launch.expansion(entry).includes:
+        if include.target is not None and include.target is not entry and not include.conditions:
+            found.setdefault(id(include.target), include.action.span)
+    return found
 
 
 def umbrellas(launches: list[UnitLaunch], units: Units, launch: Launch) -> Iterator[Umbrella]:
@@ -79,19 +120,3 @@ def umbrellas(launches: list[UnitLaunch], units: Units, launch: Launch) -> Itera
 
 def _is_layer(each: UnitLaunch, whole: UnitLaunch) -> bool:
     return each.ros.package == whole.ros.package and bool(_ONE_LAYER.match(each.ros.where))
-
-
-def _is_same(one: Ros, other: Ros) -> bool:
-    return one.target == other.target and one.package == other.package and set(one.arguments) == set(other.arguments)
-
-
-def _including(outer: Ros, inner: Ros, launch: Launch) -> Span | None:
-    """The unconditional include by which the launch file of one command leads to that of the other."""
-    entry = launch.named(outer.package, outer.target)
-    wanted = launch.named(inner.package, inner.target)
-    if entry is None or wanted is None or entry is wanted or outer.arguments or inner.arguments:
-        return None
-    for include in launch.expansion(entry).includes:
-        if include.target is wanted and not include.conditions:
-            return include.action.span
-    return None
