@@ -30,9 +30,7 @@ from bringup_lint.discover.tree import is_below
 from bringup_lint.discover.walk import SKIPPED_FOLDERS
 from bringup_lint.discover.walk import walk
 from bringup_lint.pattern import regex
-from bringup_lint.source import Problem
 from bringup_lint.source import Source
-from bringup_lint.templates import template_language
 
 MOST_MEMBERS = 500_000
 MOST_KEPT = 256 * 1024 * 1024
@@ -182,10 +180,7 @@ class LayeredTree(Tree):
         entry = self.resolved(path)
         if entry is None:
             return "", ""
-        text, complaint = decode(self.data(entry))
-        if complaint and source.judged:
-            self.problems.append(Problem("encoding", source.whole, complaint))
-        return text, template_language(source.name, text)
+        return decode(self.data(entry))
 
     @staticmethod
     def data(entry: Entry) -> bytes:

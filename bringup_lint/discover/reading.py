@@ -129,12 +129,18 @@ def _has_endless_number(data: bytes) -> bool:
     )
 
 
+PROGRAM = "is a compiled program"
+"""What ``decode`` says of one: no mistake where a command names it."""
+
+
 def decode(data: bytes) -> tuple[str, str]:
     """The text and what was wrong with its encoding (empty when nothing). Undecodable bytes become U+FFFD."""
     if data.startswith((b"\xff\xfe", b"\xfe\xff")):
         return data.decode(
             "utf-16", errors="replace"
         ), "is UTF-16, which none of its readers understands; save it as UTF-8"
+    if data.startswith(b"\x7fELF"):
+        return "", PROGRAM
     if b"\0" in data:
         return "", "contains NUL bytes: it is binary or damaged"
     if _has_endless_number(data):

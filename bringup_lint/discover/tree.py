@@ -21,6 +21,7 @@ from bringup_lint.discover.git_index import read_index
 from bringup_lint.discover.held import Held
 from bringup_lint.discover.held import over
 from bringup_lint.discover.ignored import is_ignored
+from bringup_lint.discover.reading import PROGRAM
 from bringup_lint.discover.reading import Unreadable
 from bringup_lint.discover.reading import decode
 from bringup_lint.discover.reading import read_bytes
@@ -118,7 +119,8 @@ class Tree:
             source.template = template_language(source.name, source.text)
         if self.held is not None:
             source = self.held.shared(source)
-        if complaint and source.judged and source.kind not in _ANY_ENCODING:
+        is_expected = complaint == PROGRAM if source.kind == "shell-script" else source.kind in _ANY_ENCODING
+        if complaint and source.judged and not is_expected:
             self.problems.append(Problem("encoding", source.whole, complaint))
         return source
 

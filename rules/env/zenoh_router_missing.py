@@ -39,6 +39,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.ros import at_least
 
 ELSEWHERE = ("ZENOH_ROUTER_CHECK_ATTEMPTS", "ZENOH_SESSION_CONFIG_URI", "ZENOH_CONFIG_OVERRIDE")
 ROUTER = regex(r"zenohd\b|zenoh[-_]router(?!-missing)")
@@ -47,7 +48,7 @@ ROUTER = regex(r"zenohd\b|zenoh[-_]router(?!-missing)")
 
 @rule("error", confidence="medium", symptoms=["Unable to connect to a Zenoh router", "Have you started a router"])
 def zenoh_router_missing(robot: Robot) -> Iterator[Finding]:
-    if any(ROUTER.search(source.text) for source in robot.sources):
+    if at_least(robot.target.ros, "humble") is False or any(ROUTER.search(source.text) for source in robot.sources):
         return
     for process in robot.ros.processes:
         environment = process.environment

@@ -41,7 +41,11 @@ from bringup_lint.api import rule
 
 SCRIPT = regex(r"\.(?:sh|bash|py|zsh)$")
 COMPILED = "\0"
-MISSPELT = regex(r"(?:#|!# ?|# ! ?)/(?:usr/)?bin/(?:env +)?(?:ba|da|z)?sh(?: -\w+)?[ \t\r]*$", re.M)
+MISSPELT = regex(
+    r"(?:#[ \t]*bringup-lint:[^\n]*\n)?((?:#|!# ?|# ! ?)/(?:usr/)?bin/(?:env +)?(?:ba|da|z)?sh(?: -\w+)?)[ \t\r]*$",
+    re.M,
+)
+"""A first line with such a mistake; a comment that silences this rule may precede it."""
 
 
 @rule("error", symptoms=["Exec format error", "203/EXEC"])
@@ -67,7 +71,7 @@ def no_shebang(robot: Robot) -> Iterator[Finding]:
         misspelt = MISSPELT.match(source.text) if source.judged and source not in seen else None
         if misspelt is not None:
             yield finding(
-                source.located(0, misspelt.end()),
+                source.located(*misspelt.span(1)),
                 "The first line is a comment and names no interpreter: only a shell can start the script",
                 advice="write #! in front of the path",
                 severity="warning",

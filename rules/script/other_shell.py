@@ -53,8 +53,9 @@ BOTH = regex(r"\b(?:ZSH_VERSION|ZSH_NAME|BASH_VERSION|BASH_SOURCE)\b")
 @rule("error", symptoms=["source: not found", "bad substitution", "ros2: command not found"])
 def other_shell(robot: Robot) -> Iterator[Finding]:
     found: dict[Source, list[tuple[Located, str, str]]] = {}
+    by_services = _run_by_services(robot)
     for source, run in robot.scripts.run("source", "."):
-        wrong = _wrong(source, run) if run.certain else None
+        wrong = _wrong(source, run) if run.certain and source not in by_services else None
         if wrong is not None:
             found.setdefault(source, []).append((run.words[0], *wrong))
     for source, ((first, message, advice), *others) in found.items():
@@ -65,6 +66,17 @@ def other_shell(robot: Robot) -> Iterator[Finding]:
                 advice=advice,
                 related=[note(word, "here too") for word, _, _ in others],
             )
+
+
+def _run_by_services(robot: Robot) -> set[Source]:
+    """The scripts that services run with sh, of which systemd/sh-source speaks."""
+    return {
+        step.script
+        for unit in robot.units.services
+        for process in robot.units.processes(unit)
+        for step in process.steps
+        if step.script is not None and step.shell in ("sh", "dash")
+    }
 
 
 def _wrong(source: Source, run: Run) -> tuple[str, str] | None:

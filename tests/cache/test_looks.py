@@ -190,7 +190,7 @@ def link(path: Path, content: str) -> None:
 
 
 def close(path: Path, content: str) -> None:
-    if path.exists():
+    if path.exists() and not path.is_symlink():
         path.chmod(0o755 if content else 0o600)
 
 

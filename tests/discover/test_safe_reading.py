@@ -95,6 +95,16 @@ def test_nul_bytes_and_utf_16(tree: Path) -> None:
     assert "etc/systemd/system/nul.service:1:1: error[lint/encoding] The file contains NUL bytes" in run.stdout
 
 
+def test_a_compiled_program_is_no_damaged_script(tree: Path) -> None:
+    (tree / "rover").write_bytes(b"\x7fELF\2\1\1\0" + bytes(100))
+    (tree / "rover.service").write_text("[Service]\nExecStart=/opt/rover/rover\n")
+    (tree / "etc/systemd/system").mkdir(parents=True)
+    (tree / "etc/systemd/system/other.service").write_bytes(b"\x7fELF\2\1\1\0")
+    run = concise(cwd=tree)
+    assert "rover:1" not in run.stdout
+    assert "etc/systemd/system/other.service:1:1: error[lint/encoding] The file is a compiled program" in run.stdout
+
+
 def test_large_file_is_reported_not_read(tree: Path) -> None:
     with (tree / "large.service").open("wb") as file:
         file.write(b"[Service]\n")
@@ -200,7 +210,7 @@ def test_nothing_is_run_written_or_connected_to(tmp_path: Path) -> None:
         capture_output=True,
         text=True,
         cwd=tmp_path,
-        env={**os.environ, "PYTHONPATH": str(PROJECT)},
+        env={**os.environ, "PYTHONPATH": str(PROJECT), "PYTHONDONTWRITEBYTECODE": "1"},
     )
     assert "EXIT" in run.stdout, run.stderr
     assert "GUARD" not in run.stdout

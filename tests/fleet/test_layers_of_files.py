@@ -42,6 +42,17 @@ def test_an_archive_is_judged_as_its_folder_is(tmp_path: Path) -> None:
     assert sorted(path.name for path in tmp_path.iterdir()) == ["alpha", "alpha.tar.gz", "beta", "beta.tar.gz"]
 
 
+def test_templates_of_an_archive_are_read_as_in_a_folder(tmp_path: Path) -> None:
+    for name in ("alpha", "beta"):
+        text = "[Service]\nExecStart={{ command }}\n{% if slow %}\nRestartSec=20\n{% endif %}\n"
+        write(tmp_path, {f"{name}/etc/systemd/system/rover.service": text})
+        with tarfile.open(tmp_path / f"{name}.tar", "w") as archive:
+            archive.add(tmp_path / name, arcname=".")
+    folders, archives = judged("alpha", "beta", cwd=tmp_path), judged("alpha.tar", "beta.tar", cwd=tmp_path)
+    for one, other in zip(folders["robots"], archives["robots"]):
+        assert [each["message"] for each in one["findings"]] == [each["message"] for each in other["findings"]]
+
+
 def test_an_overlay_counts_in_place_of_the_image(tmp_path: Path) -> None:
     write(
         tmp_path,
