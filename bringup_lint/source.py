@@ -44,7 +44,7 @@ class Source:
     mode: int | None = None
     """Permission bits, when they are real (a root file system); None in a checkout."""
     virtual: bool = False
-    """Text that is no file, such as a running graph; ``name`` then says what it is, in angle brackets."""
+    """Text that is not a file, such as a running graph; ``name`` then says what it is, in angle brackets."""
     link: str | None = None
     """Where the symbolic link points, as written in it; None for a plain file."""
     uid: int | None = None

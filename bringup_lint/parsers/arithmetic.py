@@ -14,7 +14,7 @@ _LIMIT = 200
 def evaluate(text: str, variables: Mapping[str, str]) -> int | None:
     """The number that ``42``, ``$NAME``, ``${NAME:-42}`` or ``$((7400 + 250 * NAME))`` stands for.
 
-    None when it is no number, or when a name has no value.
+    None when it is not a number, or when a name has no value.
     """
     text = text.strip().strip("\"'")
     if text.isdecimal() and len(text) < 10:

@@ -143,7 +143,7 @@ PORT_DEFAULTS = {
 
 
 def port_numbers(domain: Domain) -> dict[str, int] | None:
-    """The parameters of the port formula; None when one depends on the environment or is no number."""
+    """The parameters of the port formula; None when one depends on the environment or is not a number."""
     numbers = dict(PORT_DEFAULTS)
     for name in numbers:
         setting = domain.get(f"Discovery/Ports/{name}")

@@ -1,4 +1,4 @@
-"""What is no node of the graph, but declared somewhere: parameters and executables."""
+"""What is not a node of the graph, but declared somewhere: parameters and executables."""
 
 from __future__ import annotations
 

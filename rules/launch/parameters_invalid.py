@@ -2,7 +2,7 @@
 
 ## What it finds
 `parameters=` that is a dictionary or a text instead of a list, actions such as `OpaqueFunction` in the list, and in its
-dictionaries keys that are no text, None, lists of lists and lists of dictionaries. `remappings=` with anything but
+dictionaries keys that are not strings, None, lists of lists and lists of dictionaries. `remappings=` with anything but
 tuples of two.
 
 ## Why it matters on a robot
@@ -35,9 +35,9 @@ from bringup_lint.api import rule
 from bringup_lint.api.python import in_list
 
 WRONG = {
-    "not-a-list": ("parameters= is no list", "put it into a list"),
+    "not-a-list": ("parameters= is not a list", "put it into a list"),
     "action": ("An action is given as parameters", "start the node in the OpaqueFunction, with what it computes"),
-    "key": ("The name of a parameter is no text", "quote it"),
+    "key": ("The name of a parameter is not a string", "quote it"),
     "nested-list": ("A parameter is a list of lists", "write a flat list"),
     "list-of-maps": ("A parameter is a list of dictionaries", "write a list of names, and a dictionary for each name"),
     "nothing": ("A parameter is None", "give a value, or leave the parameter out"),

@@ -2,7 +2,7 @@
 
 ## What it finds
 Python launch files with a syntax error, XML and YAML launch files that are not well-formed (also `--` inside an XML
-comment), and YAML launch files that are no list of tags.
+comment), and YAML launch files that are not a list of tags.
 
 ## Why it matters on a robot
 `ros2 launch` stops before it starts a single node. A unit that runs it fails at every boot.

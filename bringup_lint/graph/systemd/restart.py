@@ -94,7 +94,7 @@ class RestartPolicy:
 
     @property
     def never_trips(self) -> bool:
-        """Whether even a service that fails at once is restarted for ever."""
+        """Whether even a service that fails at once is restarted forever."""
         return self.known and self.restarts and (not self.limited or self.loop() > self.interval)
 
     @property

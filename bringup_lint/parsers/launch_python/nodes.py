@@ -127,7 +127,7 @@ def _note_old(state: State, args: Arguments, owner: str) -> None:
 
 
 def _note_refused(state: State, thing: Any) -> None:
-    """Keep what ``parameters=`` may not be: anything but a list, and in its dictionaries keys that are no text and
+    """Keep what ``parameters=`` may not be: anything but a list, and in its dictionaries keys that are not strings and
     lists with lists of numbers."""
     if isinstance(thing, Mapping) or _is_text(thing):
         _refuse(state, "not-a-list", thing.span)
