@@ -40,8 +40,14 @@ def entries_of(findings: Iterable[Finding], root: str, cwd: str = "") -> Iterato
     """The entries for presented findings; there is none for a suppressed one."""
     for finding in findings:
         if finding.suppression is None:
-            path = _text(below_root(finding.source.name, root, cwd))
-            yield Entry(path, finding.rule, _text(finding.message), finding.fingerprint)
+            yield Entry(
+                path_of(finding.source.name, root, cwd), finding.rule, _text(finding.message), finding.fingerprint
+            )
+
+
+def path_of(name: str, root: str, cwd: str = "") -> str:
+    """The path by which an entry names a file."""
+    return _text(below_root(name, root, cwd))
 
 
 def written(entries: Iterable[Entry]) -> str:

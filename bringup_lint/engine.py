@@ -50,7 +50,9 @@ class Outcome:
     hidden: dict[Severity, int]
     """How many findings of each severity lie below the lowest severity shown."""
     unsaid: frozenset[str] = frozenset()
-    """The rules that were not asked for, or of which a finding lies below the lowest severity shown."""
+    """The rules that were not asked for."""
+    quiet: frozenset[tuple[str, str]] = frozenset()
+    """Rules and files of the findings below the lowest severity shown."""
     elsewhere: int = 0
     """How many findings are left out because the change that is judged has no part in them."""
 
@@ -133,15 +135,16 @@ def run(
     unique = list(_unique(sorted(graded, key=_order)))
     lowest = Severity[config.min_severity.upper()]
     shown, hidden = [], Counter[Severity]()
-    unsaid = {rule_id for rule_id in registry.paths if not selection.runs(rule_id)}
+    unsaid = frozenset(rule_id for rule_id in registry.paths if not selection.runs(rule_id))
+    quiet: set[tuple[str, str]] = set()
     for found in (*steps.attempt("looking for copies", lambda: list(merged(unique)), unique), *steps.unplaced):
         if found.severity >= lowest or found.rule in selection.select:
             shown.append(found)
         else:
             hidden[found.severity] += 1
-            unsaid.add(found.rule)
+            quiet.add((found.rule, found.source.name))
     said = dict.fromkeys(failure.message for failure in (*failures, *steps.failures))
-    return Outcome(tuple(shown), rules, tuple(said), hidden, frozenset(unsaid))
+    return Outcome(tuple(shown), rules, tuple(said), hidden, unsaid, frozenset(quiet))
 
 
 def _suppressed(

@@ -9,6 +9,7 @@ from collections import Counter
 from collections.abc import Iterable
 from collections.abc import Iterator
 from collections.abc import Mapping
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 from typing import Any
@@ -16,6 +17,7 @@ from typing import NamedTuple
 
 from bringup_lint.apart import Steps
 from bringup_lint.baseline import Entry
+from bringup_lint.baseline import path_of
 from bringup_lint.baseline import sift
 from bringup_lint.engine import Outcome
 from bringup_lint.finding import Finding
@@ -89,18 +91,22 @@ def finish(
         below=outcome.hidden,
         elsewhere=outcome.elsewhere,
         known=sifted.known,
-        stale=tuple(_stale(sifted.gone, outcome, robot, root)),
+        stale=tuple(_stale(sifted.gone, outcome, robot, root, cwd)),
         picture=picture,
         at_boot=boot,
     )
 
 
-def _stale(gone: Iterable[Entry], outcome: Outcome, robot: Robot, root: str) -> Iterator[str]:
-    """The fingerprints of the entries whose finding is gone: this run would have found it."""
+def _stale(gone: Sequence[Entry], outcome: Outcome, robot: Robot, root: str, cwd: str) -> Iterator[str]:
+    """The fingerprints of the entries whose finding is gone: this run would have found it, and it is none of those
+    below the lowest severity shown."""
     if outcome.failures:
         return
+    quiet = {(rule, path_of(name, root, cwd)) for rule, name in outcome.quiet} if gone else set()
     for entry in gone:
-        if entry.rule not in outcome.unsaid and robot.tree.judges(os.path.join(root, entry.path)):
+        if entry.rule in outcome.unsaid or (entry.rule, entry.path) in quiet:
+            continue
+        if robot.tree.judges(os.path.join(root, entry.path)):
             yield entry.fingerprint
 
 

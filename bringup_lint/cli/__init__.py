@@ -81,7 +81,8 @@ def _of_click(error: Exception) -> int:
     if not isinstance(error, click.ClickException):
         return _bug(error)
     usage = error.ctx.get_usage() + "\n\n" if isinstance(error, click.UsageError) and error.ctx else ""
-    say(f"{usage}Error: {error.format_message()}")
+    message = error.format_message().replace("\n\t", "\n  ")
+    say(f"{usage}Error: {message}")
     return error.exit_code
 
 

@@ -25,6 +25,7 @@ from bringup_lint.fix import save
 from bringup_lint.fix import writable
 from bringup_lint.source import Source
 from bringup_lint.suppress.placing import comments
+from bringup_lint.toml import quoted
 from bringup_lint.toml import read_toml
 from bringup_lint.writing import NotWritten
 from bringup_lint.writing import correct
@@ -122,9 +123,10 @@ def _configured(places: Places, config: Config, reason: str) -> tuple[NotWritten
 def _write_entries(path: Path, config: Config, entries: dict[str, set[str]], reason: str) -> None:
     if outside := [pattern for pattern in entries if pattern.startswith("/../")]:
         raise NotWritten(path, f"{outside[0][1:]} is not below its folder")
-    lines = [
-        f"{json.dumps(pattern, ensure_ascii=False)} = {json.dumps(sorted(entries[pattern]))}" for pattern in entries
-    ]
+    try:
+        lines = [f"{quoted(pattern)} = {json.dumps(sorted(entries[pattern]))}" for pattern in entries]
+    except ValueError as error:
+        raise NotWritten(path, f"TOML cannot hold a name that is not UTF-8, for [{_TABLE}]") from error
     text = with_entries(config.text, [f"# {reason}", *sorted(lines)], inside=path.name == "pyproject.toml")
     try:
         read_toml(text)
@@ -144,7 +146,3 @@ def with_entries(text: str, lines: list[str], *, inside: bool) -> str:
     if at is None:
         return f"{text.rstrip()}\n\n".lstrip("\n") + "\n".join([header, *lines]) + "\n"
     return "\n".join([*before[: at + 1], *lines, *before[at + 1 :]])
-
-
-def _quoted(text: str) -> str:
-    return json.dumps(text, ensure_ascii=False)

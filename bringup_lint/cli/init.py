@@ -16,6 +16,7 @@ from bringup_lint.cli.streams import complain
 from bringup_lint.cli.streams import say
 from bringup_lint.config import FILE_NAME
 from bringup_lint.config import schema
+from bringup_lint.toml import quoted
 from bringup_lint.writing import NotWritten
 from bringup_lint.writing import create
 
@@ -80,17 +81,13 @@ def _table(table: str, group: list[Setting]) -> str:
 def _lines(table: str, group: list[Setting]) -> Iterator[str]:
     if table == "exclude":
         yield "exclude = ["
-        yield from (f"    {_quoted(each.value)},  # {_plain(each.why)}" for each in group)
+        yield from (f"    {quoted(each.value)},  # {_plain(each.why)}" for each in group)
         yield "]"
         return
     if group[0].name:
         yield f"[{table}]"
     for each in group:
-        yield f"{_quoted(each.name) if each.name else table} = {_quoted(each.value)}  # {_plain(each.why)}"
-
-
-def _quoted(text: str) -> str:
-    return json.dumps(text, ensure_ascii=False)
+        yield f"{quoted(each.name) if each.name else table} = {quoted(each.value)}  # {_plain(each.why)}"
 
 
 def _plain(text: str) -> str:

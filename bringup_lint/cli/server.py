@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import click
 
 from bringup_lint.cli.reporting import known_to
+from bringup_lint.cli.streams import complain
 
 if TYPE_CHECKING:
     from bringup_lint.server.worker import Worker
@@ -23,7 +24,8 @@ def command(stdio: bool) -> int:
     try:
         import pygls  # noqa: F401
     except ImportError:
-        raise click.ClickException("the language server needs pygls: pip install 'bringup-lint[lsp]'") from None
+        complain("the language server needs pygls: pip install 'bringup-lint[lsp]'")
+        return 2
     from bringup_lint.server.worker import Worker
 
     worker = Worker()

@@ -72,7 +72,13 @@ def settings(robot: Robot) -> list[Setting]:
     kept = [source for source in robot.sources if source.judged and not _is_in(source, left_out)]
     purposes = list(_purposes(robot, kept))
     deployed = [source for source in kept if not _is_in(source, purposes)]
-    return [*_target(robot), *left_out, *_deploy(robot, deployed), *purposes]
+    found = [*_target(robot), *left_out, *_deploy(robot, deployed), *purposes]
+    return [each for each in found if _is_text(each.name + each.value + each.why)]
+
+
+def _is_text(words: str) -> bool:
+    """Whether a configuration can hold them: names of files may be bytes that no encoding has."""
+    return not any("\ud800" <= char <= "\udfff" for char in words)
 
 
 def _is_in(source: Source, folders: Iterable[Setting]) -> bool:

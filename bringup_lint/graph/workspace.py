@@ -220,6 +220,21 @@ class Workspace:
     def _top(self) -> str:
         return os.path.commonpath(self._folders) if self._folders else "/"
 
+    def needs(self, package: str, other: str) -> bool:
+        """Whether a package of the workspace depends on another one, directly or by others of the workspace."""
+        todo, seen = [package], {package}
+        while todo:
+            known = self.packages.get(todo.pop())
+            if known is None:
+                continue
+            for _, name in known.manifest.depends:
+                if name == other:
+                    return True
+                if name not in seen:
+                    seen.add(str(name))
+                    todo.append(str(name))
+        return False
+
     def owner(self, source: Source) -> Package | None:
         """The package that a file lies in."""
         folder = os.path.dirname(os.path.abspath(source.name))

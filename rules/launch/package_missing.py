@@ -38,11 +38,14 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import launch
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.spelling import nearest
 
+PLACEHOLDER = regex(r"^(?:your|my)_(?:package|pkg|robot|node)|package_name$")
 
-@rule("error", fix="safe", symptoms=["PackageNotFoundError", "not found, searching"])
+
+@rule("error", fix="safe", symptoms=["PackageNotFoundError", "package '*' not found, searching"])
 def package_missing(robot: Robot) -> Iterator[Finding]:
     workspace = robot.launch.workspace
     seen = set()
@@ -68,14 +71,19 @@ def package_missing(robot: Robot) -> Iterator[Finding]:
         elif not robot.launch.comes_with(owner, package) and (owner.name, package) not in seen:
             seen.add((owner.name, str(package)))
             own = package in workspace.packages or package in workspace.ambiguous
+            if not own and PLACEHOLDER.search(package):
+                continue
+            is_above = workspace.needs(package, owner.name)
             built = f"colcon build --packages-up-to {owner.name} leaves it out"
             effect = built if own else "rosdep does not install it"
             yield finding(
                 package,
                 f"{package} is not an exec_depend of {owner.name}: {effect}",
-                advice=f"add <exec_depend>{package}</exec_depend> to the package.xml",
+                advice=f"{package} depends on {owner.name}: start it from a launch file of {package}"
+                if is_above
+                else f"add <exec_depend>{package}</exec_depend> to the package.xml",
                 related=[note(owner.place, "the package that starts it")],
-                fix=dependency(owner, package),
+                fix=None if is_above else dependency(owner, package),
                 severity="info",
             )
 

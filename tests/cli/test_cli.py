@@ -225,6 +225,15 @@ def test_what_a_run_cannot_find_is_not_gone(bad: Path, arguments: list[str]) -> 
     assert run.stderr == "known.json: 0 findings removed, 2 left\n"
 
 
+def test_a_finding_below_the_lowest_severity_keeps_those_of_its_file_alone(bad: Path) -> None:
+    (bad / "other.service").write_bytes(LATIN1)
+    only_lint("--write-baseline", "known.json", cwd=bad)
+    (bad / "robot.service").write_text(CLEAN)
+    (bad / "lower.toml").write_text('[severity]\n"lint" = "info"\n')
+    run = lint("--baseline", "known.json", "--prune-baseline", "--config", "lower.toml", cwd=bad)
+    assert run.stderr == "known.json: 1 finding removed, 1 left\n  robot.service: lint/encoding\n"
+
+
 @pytest.mark.parametrize("arguments", [[], ["--write-baseline", "b.json", "--baseline", "b.json"]])
 def test_what_cannot_be_pruned_is_wrong_usage(bad: Path, arguments: list[str]) -> None:
     run = lint("--prune-baseline", *arguments, cwd=bad)

@@ -112,3 +112,12 @@ def test_names_of_files_stay_in_their_comment(tmp_path: Path) -> None:
     tree(tmp_path, {'vendor/a"\n[x]\n/a.service': UNIT, 'b"\n[y]/fixtures/a.service': UNIT})
     lint("init", cwd=tmp_path)
     assert read(tmp_path / "bringup-lint.toml").exclude == ('/b"\n\\[y\\]/fixtures/', "/vendor/")
+
+
+def test_names_that_toml_cannot_hold_as_they_are(tmp_path: Path) -> None:
+    tree(tmp_path, {"vendor/x\x7f/a.service": UNIT, "x\x7fdel/fixtures/a.service": UNIT})
+    undecodable = tmp_path / "bad\udcff" / "fixtures"
+    undecodable.mkdir(parents=True)
+    (undecodable / "a.service").write_text(UNIT)
+    assert lint("init", cwd=tmp_path).code == 0
+    assert read(tmp_path / "bringup-lint.toml").exclude == ("/vendor/", "/x\x7fdel/fixtures/")

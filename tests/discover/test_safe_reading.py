@@ -105,6 +105,21 @@ def test_a_compiled_program_is_no_damaged_script(tree: Path) -> None:
     assert "etc/systemd/system/other.service:1:1: error[lint/encoding] The file is a compiled program" in run.stdout
 
 
+def test_no_module_of_the_folder_is_imported(tmp_path: Path) -> None:
+    for name in ("json.py", "re.py", "click.py"):
+        (tmp_path / name).write_text("open('ran', 'w')\n")
+    (tmp_path / "robot.service").write_text(UNIT)
+    run = subprocess.run(
+        [sys.executable, "-m", "bringup_lint", "."],
+        capture_output=True,
+        text=True,
+        cwd=tmp_path,
+        env={**os.environ, "PYTHONPATH": str(PROJECT)},
+    )
+    assert "1 file checked" in run.stdout, run.stderr
+    assert not (tmp_path / "ran").exists()
+
+
 def test_large_file_is_reported_not_read(tree: Path) -> None:
     with (tree / "large.service").open("wb") as file:
         file.write(b"[Service]\n")

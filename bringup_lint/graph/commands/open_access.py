@@ -34,6 +34,10 @@ class OpenAccess(NamedTuple):
     advice: str
 
 
+_LAST_NAME = 200
+"""Words among which the name of a program may be that another one starts."""
+
+
 def open_access(words: tuple[Located, ...]) -> OpenAccess | None:
     """The server that a command starts, when it lets in everybody who reaches it."""
     plain = unwrapped(words)
@@ -48,7 +52,7 @@ def open_access(words: tuple[Located, ...]) -> OpenAccess | None:
 
 def _started_by_another(words: tuple[Located, ...]) -> OpenAccess | None:
     """``python3 -m jupyter lab``, ``docker exec screen x11vnc``."""
-    for at, word in enumerate(words[1:], 1):
+    for at, word in enumerate(words[1:_LAST_NAME], 1):
         name = program_name(word)
         for known in (_vnc, _x11vnc, _jupyter):
             found = known(name, words[at:])

@@ -18,6 +18,7 @@ from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.commands.command_line import CommandLine
 from bringup_lint.graph.commands.command_line import Step
 from bringup_lint.graph.commands.environment import SETUP_FILE
+from bringup_lint.graph.commands.environment import UNKNOWN
 from bringup_lint.graph.commands.environment import Environment
 from bringup_lint.graph.commands.environment import after_commands
 from bringup_lint.graph.commands.environment import assign_before
@@ -69,6 +70,8 @@ class Stop(NamedTuple):
 
 
 DEFAULT_STOP = Stop()
+MOST_ENVIRONMENTS = 200
+"""Programs of one command line of which each has an environment of its own; nothing is known of that of the others."""
 
 
 @dataclass(eq=False)
@@ -127,7 +130,10 @@ class Runner:
 
     def starts_of(self, line: CommandLine) -> list[Start]:
         """The ROS programs that a command line starts."""
-        return [Start(ros, self.environment_at(line, step), line, step) for step, ros in line.ros]
+        return [
+            Start(ros, self.environment_at(line, step) if number < MOST_ENVIRONMENTS else UNKNOWN, line, step)
+            for number, (step, ros) in enumerate(line.ros)
+        ]
 
     def environment_at(self, line: CommandLine, until: Step | None = None) -> Environment:
         """The environment at a step of a command line, or after all of them."""

@@ -19,6 +19,12 @@ from ament_bringup_lint.xunit import suite_name
 
 SEVERITIES = ("info", "warning", "error")
 FOUND = 1
+BRINGUP_LINT = (
+    sys.executable,
+    "-c",
+    "import sys; sys.path = [path for path in sys.path if path]; from bringup_lint.__main__ import main; main()",
+)
+"""The command; ``python -m`` would look for modules in the folder that is checked."""
 """The exit code of bringup-lint for findings. Everything above means that it could not check the package."""
 
 
@@ -75,7 +81,7 @@ def _command(arguments: argparse.Namespace) -> list[str]:
     if arguments.fail_on == "info":
         options.append(("--min-severity", "info"))
     given = [word for option, value in options if value for word in (option, value)]
-    return [sys.executable, "-m", "bringup_lint", "check", "--output-format", "json", *given, "--", *arguments.paths]
+    return [*BRINGUP_LINT, "check", "--output-format", "json", *given, "--", *arguments.paths]
 
 
 def _failing(report: dict[str, Any], fail_on: str | None) -> Iterator[dict[str, Any]]:

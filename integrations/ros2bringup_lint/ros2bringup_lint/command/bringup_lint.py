@@ -8,6 +8,13 @@ import sys
 
 from ros2cli.command import CommandExtension
 
+BRINGUP_LINT = (
+    sys.executable,
+    "-c",
+    "import sys; sys.path = [path for path in sys.path if path]; from bringup_lint.__main__ import main; main()",
+)
+"""The command; ``python -m`` would look for modules in the folder that is checked."""
+
 
 class BringupLintCommand(CommandExtension):
     """Check how the robot comes up, with bringup-lint."""
@@ -18,4 +25,4 @@ class BringupLintCommand(CommandExtension):
         parser.add_argument("arguments", nargs=argparse.REMAINDER, help="arguments of bringup-lint")
 
     def main(self, *, parser: argparse.ArgumentParser, args: argparse.Namespace) -> int:
-        return subprocess.run([sys.executable, "-m", "bringup_lint", *args.arguments], check=False).returncode
+        return subprocess.run([*BRINGUP_LINT, *args.arguments], check=False).returncode
