@@ -45,7 +45,9 @@ from bringup_lint.api.spelling import nearest
 PLACEHOLDER = regex(r"^(?:your|my)_(?:package|pkg|robot|node)|package_name$")
 
 
-@rule("error", fix="safe", symptoms=["PackageNotFoundError", "package '*' not found, searching"])
+@rule(
+    "error", fix="safe", symptoms=["PackageNotFoundError", "not found, searching", "package '*' not found, searching"]
+)
 def package_missing(robot: Robot) -> Iterator[Finding]:
     workspace = robot.launch.workspace
     seen = set()
