@@ -171,3 +171,19 @@ def test_the_command_of_ros2(tmp_path: Path) -> None:
     assert run("--help").stdout.startswith("Usage: bringup-lint")
     assert run("explain", "netplan/file-mode").stdout.startswith("netplan/file-mode")
     assert run("nosuchfile").returncode == 2
+
+
+def test_no_module_of_the_folder_is_imported(tmp_path: Path) -> None:
+    (tmp_path / "rover.service").write_text(BROKEN)
+    (tmp_path / "json.py").write_text("open('ran', 'w')\n")
+    code = "import sys; sys.path.pop(0); from ament_bringup_lint.main import main; sys.exit(main(['.']))"
+    paths = os.pathsep.join([str(PROJECT), str(FOLDER / "ament_bringup_lint")])
+    run = subprocess.run(
+        [sys.executable, "-c", code],
+        capture_output=True,
+        text=True,
+        cwd=tmp_path,
+        env={**os.environ, "PYTHONPATH": paths},
+    )
+    assert run.returncode == 1 and "systemd/unbalanced-quotes" in run.stderr
+    assert not (tmp_path / "ran").exists()
