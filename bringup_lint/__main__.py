@@ -4,9 +4,9 @@ else."""
 from __future__ import annotations
 
 import gc
-import os
 import sys
 
+_HOME = __file__.rpartition("/bringup_lint/")[0]
 YOUNG_OBJECTS = 200_000
 """How many objects more than before start the search for garbage."""
 
@@ -38,6 +38,6 @@ def _collect_seldom() -> None:
 
 
 if __name__ == "__main__":
-    if sys.path[0] == os.getcwd():
-        del sys.path[0]  # python -m puts it there: a json.py of the tree would be imported
+    if not (sys.flags.isolated or getattr(sys.flags, "safe_path", False)) and sys.path[0] != _HOME:
+        del sys.path[0]  # the folder that python -m puts there: a json.py of the tree would be imported
     main()
