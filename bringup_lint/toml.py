@@ -16,10 +16,17 @@ def read_toml(text: str) -> dict[str, Any]:
     return parsed
 
 
+def holds(text: str) -> bool:
+    """Whether TOML can hold a text: the name of a file may be bytes that are not UTF-8."""
+    try:
+        text.encode("utf-8")
+    except UnicodeEncodeError:
+        return False
+    return True
+
+
 def quoted(text: str) -> str:
-    """The basic string that stands for a text. Raises ValueError for a name of a file whose bytes are not UTF-8, which
-    TOML cannot hold."""
+    """The basic string that stands for a text that TOML can hold."""
     import json
 
-    text.encode("utf-8")
     return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")

@@ -26,6 +26,7 @@ from bringup_lint.fix import Proposal
 from bringup_lint.fix import apply_fixes
 from bringup_lint.fix import planned
 from bringup_lint.fix import taken_back
+from bringup_lint.plural import counted
 
 if TYPE_CHECKING:
     from bringup_lint.engine import Outcome
@@ -97,7 +98,7 @@ def _tell(fixed: Counter[str], plan: Plan, stubborn: Iterable[str] = (), done: s
     """Say on stderr what was fixed, by rule, and what was not and why."""
     count = fixed.total()
     if count:
-        say(f"{done} {count} finding{'s' * (count > 1)}.")
+        say(f"{done} {counted(count, 'finding')}.")
     for rule, times in sorted(fixed.items()):
         say(f"  {times} {rule}")
     for rule in sorted(stubborn):

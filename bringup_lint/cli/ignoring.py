@@ -11,7 +11,6 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from bringup_lint.cli.reporting import counted
 from bringup_lint.cli.reporting import known_to
 from bringup_lint.cli.streams import complain
 from bringup_lint.cli.streams import say
@@ -23,8 +22,10 @@ from bringup_lint.finding import Finding
 from bringup_lint.fix import Changes
 from bringup_lint.fix import save
 from bringup_lint.fix import writable
+from bringup_lint.plural import counted
 from bringup_lint.source import Source
 from bringup_lint.suppress.placing import comments
+from bringup_lint.toml import holds
 from bringup_lint.toml import quoted
 from bringup_lint.toml import read_toml
 from bringup_lint.writing import NotWritten
@@ -100,7 +101,7 @@ def _tell(sources: Iterable[Source], places: Places, how: str) -> None:
     sources = list(sources)
     if sources:
         findings = [found for source in sources for found in places[source]]
-        say(f"Suppressed {counted(findings, 'finding')} in {counted(sources, 'file')} {how}.")
+        say(f"Suppressed {counted(len(findings), 'finding')} in {counted(len(sources), 'file')} {how}.")
 
 
 def _configured(places: Places, config: Config, reason: str) -> tuple[NotWritten, ...]:
@@ -123,10 +124,9 @@ def _configured(places: Places, config: Config, reason: str) -> tuple[NotWritten
 def _write_entries(path: Path, config: Config, entries: dict[str, set[str]], reason: str) -> None:
     if outside := [pattern for pattern in entries if pattern.startswith("/../")]:
         raise NotWritten(path, f"{outside[0][1:]} is not below its folder")
-    try:
-        lines = [f"{quoted(pattern)} = {json.dumps(sorted(entries[pattern]))}" for pattern in entries]
-    except ValueError as error:
-        raise NotWritten(path, f"TOML cannot hold a name that is not UTF-8, for [{_TABLE}]") from error
+    if not all(map(holds, entries)):
+        raise NotWritten(path, f"TOML cannot hold a name that is not UTF-8, for [{_TABLE}]")
+    lines = [f"{quoted(pattern)} = {json.dumps(sorted(entries[pattern]))}" for pattern in entries]
     text = with_entries(config.text, [f"# {reason}", *sorted(lines)], inside=path.name == "pyproject.toml")
     try:
         read_toml(text)

@@ -33,6 +33,7 @@ from bringup_lint.cli.reports import write
 from bringup_lint.cli.streams import complain
 from bringup_lint.cli.streams import say
 from bringup_lint.config import ConfigError
+from bringup_lint.plural import counted
 
 if TYPE_CHECKING:
     from bringup_lint.graph.observed.observed import Observed
@@ -212,7 +213,7 @@ def _at(where: Located) -> str:
 def _tell(robot: Robot, observed: Observed) -> None:
     """What the files leave open, so that a rule stays silent; on standard error."""
     expected, nodes = robot.expected, len(observed.nodes)
-    say(f"Domain {observed.graph.domain} shows {nodes} node{'s' * (nodes != 1)}, tools left out.")
+    say(f"Domain {observed.graph.domain} shows {counted(nodes, 'node')}, tools left out.")
     for domain, others in observed.elsewhere.items():
         if others and not nodes:
             shown = ", ".join(str(node.name) for node in others[:3]) + ", ..." * (len(others) > 3)

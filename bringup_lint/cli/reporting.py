@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Collection
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -13,6 +12,7 @@ from bringup_lint.cli.streams import say
 from bringup_lint.cli.terminal import terminal_width
 from bringup_lint.config import ConfigError
 from bringup_lint.finding import Severity
+from bringup_lint.plural import counted
 
 _BASELINE_LIMIT = 64 * 1024 * 1024
 """Bytes."""
@@ -77,7 +77,7 @@ def save_baseline(report: Report, path: Path) -> Report:
 
     entries = list(entries_of((*report.findings, *report.known), report.root, report.cwd))
     write(written(entries), path)
-    say(f"{path} now holds {counted(entries, 'finding')}: --baseline {path} reports what is new")
+    say(f"{path} now holds {counted(len(entries), 'finding')}: --baseline {path} reports what is new")
     suppressed = tuple(found for found in report.findings if found.suppression is not None)
     code = report.exit_code if report.exit_code > 1 else 0
     return replace(report, findings=suppressed, known=(*report.known, *report.shown), stale=(), exit_code=code)
@@ -94,11 +94,7 @@ def prune_baseline(report: Report, config: Config) -> Report:
     removed = [entry for entry in entries if entry.fingerprint in gone]
     if removed:
         write(written(left), Path(path))
-    say(f"{path}: {counted(removed, 'finding')} removed, {len(left)} left")
+    say(f"{path}: {counted(len(removed), 'finding')} removed, {len(left)} left")
     for entry in removed:
         say(f"  {entry.path}: {entry.rule}")
     return replace(report, stale=())
-
-
-def counted(things: Collection[object], name: str) -> str:
-    return f"{len(things)} {name}{'s' * (len(things) != 1)}"

@@ -18,6 +18,8 @@ from bringup_lint.graph.purpose import by_path
 from bringup_lint.graph.target import mentioned
 from bringup_lint.parsers import package_xml
 from bringup_lint.pattern import regex
+from bringup_lint.plural import counted
+from bringup_lint.toml import holds
 
 if TYPE_CHECKING:
     from bringup_lint.robot import Robot
@@ -73,12 +75,7 @@ def settings(robot: Robot) -> list[Setting]:
     purposes = list(_purposes(robot, kept))
     deployed = [source for source in kept if not _is_in(source, purposes)]
     found = [*_target(robot), *left_out, *_deploy(robot, deployed), *purposes]
-    return [each for each in found if _is_text(each.name + each.value + each.why)]
-
-
-def _is_text(words: str) -> bool:
-    """Whether a configuration can hold them: names of files may be bytes that no encoding has."""
-    return not any("\ud800" <= char <= "\udfff" for char in words)
+    return [each for each in found if holds(each.name + each.value + each.why)]
 
 
 def _is_in(source: Source, folders: Iterable[Setting]) -> bool:
@@ -125,7 +122,7 @@ def _exclude(robot: Robot) -> Iterator[Setting]:
                 break
     for folder, why in sorted(found.items()):
         count = sum(source.judged and source.name.startswith(f"{folder}/") for source in robot.sources)
-        why = f"{why}; {count} file{'s' * (count != 1)} of a known kind"
+        why = f"{why}; {counted(count, 'file')} of a known kind"
         yield Setting("exclude", "", f"/{escaped(folder)}/", why, f"{folder}/")
 
 

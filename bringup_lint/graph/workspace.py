@@ -220,20 +220,15 @@ class Workspace:
     def _top(self) -> str:
         return os.path.commonpath(self._folders) if self._folders else "/"
 
-    def needs(self, package: str, other: str) -> bool:
-        """Whether a package of the workspace depends on another one, directly or by others of the workspace."""
-        todo, seen = [package], {package}
+    def required(self, package: Package) -> Iterator[str]:
+        """What a package depends on, directly or through other packages of the workspace."""
+        todo, seen = [package], {package.name}
         while todo:
-            known = self.packages.get(todo.pop())
-            if known is None:
-                continue
-            for _, name in known.manifest.depends:
-                if name == other:
-                    return True
-                if name not in seen:
+            for _, name in todo.pop().manifest.depends:
+                yield name
+                if name in self.packages and name not in seen:
                     seen.add(str(name))
-                    todo.append(str(name))
-        return False
+                    todo.append(self.packages[str(name)])
 
     def owner(self, source: Source) -> Package | None:
         """The package that a file lies in."""

@@ -11,6 +11,8 @@ from bringup_lint.finding import Finding
 from bringup_lint.finding import Severity
 from bringup_lint.finding.place import inside
 from bringup_lint.pattern import regex
+from bringup_lint.plural import counted
+from bringup_lint.plural import of_severity
 from bringup_lint.report.columns import printable
 from bringup_lint.report.model import Report
 from bringup_lint.report.unicode import sound
@@ -32,16 +34,14 @@ def render(report: Report) -> str:
 
 def _heading(report: Report) -> str:
     counts = Counter(finding.severity for finding in report.shown)
-    files = "1 file" if report.files == 1 else f"{report.files} files"
+    files = counted(report.files, "file")
     if not counts:
         return f"### bringup-lint: nothing to report in {files}"
-    said = ", ".join(_count(counts[severity], str(severity)) for severity in reversed(Severity) if counts[severity])
+    said = ", ".join(
+        of_severity(counts[severity], str(severity)) for severity in reversed(Severity) if counts[severity]
+    )
     places = len({finding.source.name for finding in report.shown})
     return f"### bringup-lint: {said} in {places} of {files}"
-
-
-def _count(count: int, word: str) -> str:
-    return f"{count} {word}" if count == 1 or word == "info" else f"{count} {word}s"
 
 
 def _table(report: Report) -> Iterator[str]:
@@ -51,7 +51,7 @@ def _table(report: Report) -> Iterator[str]:
         yield "\n".join((*head, *(_row(finding, report) for finding in findings[:ROWS])))
     left = Counter(finding.severity for finding in findings[ROWS:])
     if left:
-        said = ", ".join(_count(left[severity], str(severity)) for severity in sorted(left, reverse=True))
+        said = ", ".join(of_severity(left[severity], str(severity)) for severity in sorted(left, reverse=True))
         yield f"{ROWS} of {len(findings)} findings are shown; {said} left out."
 
 

@@ -8,7 +8,8 @@ from collections.abc import Iterator
 
 from bringup_lint.finding import Applicability
 from bringup_lint.finding import Finding
-from bringup_lint.finding import Severity
+from bringup_lint.plural import counted
+from bringup_lint.plural import of_severity
 from bringup_lint.report.model import Part
 from bringup_lint.report.model import Report
 from bringup_lint.report.paint import Paint
@@ -36,7 +37,7 @@ def summary(report: Report, width: int, paint: Paint) -> str:
     """What was found in how many files, and on further lines what is not shown or can be fixed."""
     shown = list(report.shown)
     counts = Counter(finding.severity for finding in shown)
-    said = [paint(str(severity), _count(number, severity)) for severity, number in sorted(counts.items())]
+    said = [paint(str(severity), of_severity(number, str(severity))) for severity, number in sorted(counts.items())]
     files = counted(report.files, "file")
     if said:
         head = f"{', '.join(reversed(said))} in {_affected(shown, report.files)}{files}"
@@ -116,11 +117,3 @@ def _filled(asides: Iterator[str], width: int) -> list[str]:
         else:
             lines.append(aside)
     return lines
-
-
-def counted(count: int, name: str) -> str:
-    return f"{count} {name}{'s' * (count != 1)}"
-
-
-def _count(count: int, severity: Severity) -> str:
-    return f"{count} {severity}" if severity is Severity.INFO else counted(count, str(severity))

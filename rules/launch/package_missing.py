@@ -75,7 +75,8 @@ def package_missing(robot: Robot) -> Iterator[Finding]:
             own = package in workspace.packages or package in workspace.ambiguous
             if not own and PLACEHOLDER.search(package):
                 continue
-            is_above = workspace.needs(package, owner.name)
+            starts = workspace.packages.get(package)
+            is_above = starts is not None and owner.name in workspace.required(starts)
             built = f"colcon build --packages-up-to {owner.name} leaves it out"
             effect = built if own else "rosdep does not install it"
             yield finding(

@@ -175,7 +175,8 @@ def test_the_command_of_ros2(tmp_path: Path) -> None:
 
 def test_no_module_of_the_folder_is_imported(tmp_path: Path) -> None:
     (tmp_path / "rover.service").write_text(BROKEN)
-    (tmp_path / "json.py").write_text("open('ran', 'w')\n")
+    for name in ("json.py", "bringup_lint.py"):
+        (tmp_path / name).write_text("open('ran', 'w')\n")
     code = "import sys; sys.path.pop(0); from ament_bringup_lint.main import main; sys.exit(main(['.']))"
     paths = os.pathsep.join([str(PROJECT), str(FOLDER / "ament_bringup_lint")])
     run = subprocess.run(

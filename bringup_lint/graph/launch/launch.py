@@ -398,17 +398,11 @@ class Launch:
     def comes_with(self, owner: Package, name: str) -> bool:
         """Whether a package is there when another one's dependencies are, as far as this can be told: through packages
         of the workspace, or because a package of the same family is depended on."""
-        todo, seen = [owner], set()
         family = name.partition("_")[0]
-        while todo:
-            package = todo.pop()
-            for _, depend in package.manifest.depends:
-                if depend == name or (depend.partition("_")[0] == family and depend not in self.workspace.packages):
-                    return True
-                if depend in self.workspace.packages and depend not in seen:
-                    seen.add(str(depend))
-                    todo.append(self.workspace.packages[str(depend)])
-        return False
+        return any(
+            depend == name or (depend.partition("_")[0] == family and depend not in self.workspace.packages)
+            for depend in self.workspace.required(owner)
+        )
 
     def named(self, package: str | None, target: str | None) -> LaunchFile | None:
         """The file that ``ros2 launch package target`` starts; a path when there is no package."""

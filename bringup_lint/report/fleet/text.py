@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from bringup_lint.fleet.fleet import Difference
 from bringup_lint.fleet.fleet import FleetFinding
 from bringup_lint.fleet.fleet import listed
+from bringup_lint.plural import counted
 from bringup_lint.report.columns import printable
 from bringup_lint.report.fleet.model import FleetReport
 from bringup_lint.report.paint import Paint
@@ -73,9 +74,9 @@ def _robots(report: FleetReport, paint: Paint) -> Iterator[str]:
 
 def _summary(report: FleetReport) -> Iterator[str]:
     counts = report.counts
-    found = ", ".join(f"{counts[name]} {name}{'s' * (counts[name] != 1)}" for name in ("error", "warning", "info"))
+    found = ", ".join(counted(counts[name], name) for name in ("error", "warning", "info"))
     accepted = sum(bool(each.declared) for each in report.findings)
     own = sum(len(robot.own) for robot in report.robots)
     yield f"Fleet of {len(report.robots)} robots: {found}{f', {accepted} accepted' if accepted else ''}."
-    yield f"On single robots: {own} finding{'s' * (own != 1)}, as bringup-lint ROBOT shows."
+    yield f"On single robots: {counted(own, 'finding')}, as bringup-lint ROBOT shows."
     yield from (f"bringup-lint failed inside: {failure}" for failure in report.failures)

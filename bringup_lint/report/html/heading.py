@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 from typing import Any
 
+from bringup_lint.plural import counted
 from bringup_lint.report.html.markup import text
 from bringup_lint.report.paint import painter
 from bringup_lint.report.summary import summary
@@ -40,11 +41,7 @@ def _summary(data: Mapping[str, Any], report: Report | None) -> tuple[str, list[
     if not data["nodes"]:
         return "", []
     counts = (len(data[part]) for part in ("nodes", "edges", "layers"))
-    return ", ".join(map(_count, counts, ("node", "edge", "layer"))), []
-
-
-def _count(count: int, word: str) -> str:
-    return f"{count} {word}" if count == 1 else f"{count} {word}s"
+    return ", ".join(map(counted, counts, ("node", "edge", "layer"))), []
 
 
 def _assumed(report: Report) -> Iterator[str]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from bringup_lint.plural import counted
+
 SIGNS = {"error": "✖", "warning": "▲", "info": "●"}
 STROKES = {"error": "#b3261e", "warning": "#b26a00", "info": "#0072b2", "": "#5f6368"}
 FILLS = {
@@ -23,4 +25,4 @@ ALWAYS_WHOLE = frozenset({"user", "program", "topic", "process", "enclave"})
 
 def marked(label: str, severity: str, count: int) -> list[str]:
     """The lines of a node: its label, and the sign of its worst finding with their number."""
-    return [label, f"{SIGNS[severity]} {count} finding{'s' * (count > 1)}"] if severity else [label]
+    return [label, f"{SIGNS[severity]} {counted(count, 'finding')}"] if severity else [label]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from bringup_lint.graph.environment.launched import launch_variables
 from bringup_lint.graph.launch.started import exclusive
 from tests.graph.launch.test_launch import tree
 
@@ -26,17 +25,3 @@ def test_nodes_of_different_values_exclude_each_other(tmp_path: Path) -> None:
     one, other, same = expansion.nodes
     assert exclusive(one, other) and exclusive(other, one)
     assert not exclusive(other, same)
-
-
-def test_variables_of_unknown_value_are_left_out(tmp_path: Path) -> None:
-    launch = tree(
-        tmp_path,
-        {
-            "launch/a.launch.xml": """\
-                <launch>
-                  <set_env name="KNOWN" value="7"/>
-                  <set_env name="UNKNOWN" value="$(env HOME)"/>
-                </launch>"""
-        },
-    )
-    assert [(variable.name, variable.text) for variable in launch_variables(launch)] == [("KNOWN", "7")]

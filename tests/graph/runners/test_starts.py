@@ -23,7 +23,7 @@ def long_command(size: int) -> str:
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "text", "small"),
-    [("start.sh", start_script, 500), ("rover.service", long_command, 6_000)],
+    [("start.sh", start_script, 250), ("rover.service", long_command, 6_000)],
 )
 def test_time_grows_as_the_file(tmp_path: Path, name: str, text: Callable[[int], str], small: int) -> None:
     def check(size: int) -> None:

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections import Counter
 from importlib.resources import files
 
+from bringup_lint.plural import counted
 from bringup_lint.report.fleet.html.findings import findings
 from bringup_lint.report.fleet.html.matrix import matrix
 from bringup_lint.report.fleet.html.robots import robots
@@ -31,5 +32,5 @@ def render(report: FleetReport) -> str:
 
 def _summary(report: FleetReport) -> str:
     counts = report.counts + Counter(robot=len(report.robots))
-    said = (f"{counts[name]} {name}{'s' * (counts[name] != 1)}" for name in ("robot", "error", "warning"))
+    said = (counted(counts[name], name) for name in ("robot", "error", "warning"))
     return f"{', '.join(said)} of the fleet"

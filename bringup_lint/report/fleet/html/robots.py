@@ -8,6 +8,7 @@ from html import escape
 
 from bringup_lint.fleet.summary import Own
 from bringup_lint.fleet.summary import Summary
+from bringup_lint.plural import counted
 from bringup_lint.report.fleet.html.entries import found_by
 from bringup_lint.report.fleet.html.entries import words_of
 from bringup_lint.report.fleet.model import FleetReport
@@ -27,10 +28,10 @@ def robots(report: FleetReport) -> Iterator[str]:
 
 def _robot(number: int, robot: Summary) -> str:
     failures = "".join(f"<p><b class=error>failed</b> {escape(failure)}</p>" for failure in robot.failures)
-    counted = f"{len(robot.own)} finding{'s' * (len(robot.own) != 1)} in {robot.files} files"
+    said = f"{counted(len(robot.own), 'finding')} in {counted(robot.files, 'file')}"
     return (
         f"<details id=r{number} {found_by(words_of(robot))}{' open' * bool(failures)}>"
-        f"<summary><b>{escape(robot.name)}</b> {counted} <code>{escape(robot.path)}</code></summary>"
+        f"<summary><b>{escape(robot.name)}</b> {said} <code>{escape(robot.path)}</code></summary>"
         f"{failures}{_own(robot.own)}</details>"
     )
 
