@@ -124,8 +124,8 @@ def _family(path: Path) -> dict[str, Any]:
 
 
 def _entry(text: str) -> tuple[Any, ...] | None:
+    from bringup_lint.rule_index.body import needs_of
     from bringup_lint.rule_index.described import described
-    from bringup_lint.rule_index.needs import needs_of
 
     needs = tuple(sorted((tuple(sorted(alternative, key=repr)) for alternative in needs_of(text)), key=repr))
     try:

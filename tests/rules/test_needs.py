@@ -11,13 +11,13 @@ from bringup_lint.discover.walk import discover
 from bringup_lint.registry import Registry
 from bringup_lint.registry import load
 from bringup_lint.robot import Robot
+from bringup_lint.rule_index.body import needs_of
 from bringup_lint.rule_index.met import KINDS
 from bringup_lint.rule_index.met import is_met
 from bringup_lint.rule_index.needs import NEVER
 from bringup_lint.rule_index.needs import NOTHING
 from bringup_lint.rule_index.needs import Atom
 from bringup_lint.rule_index.needs import Needs
-from bringup_lint.rule_index.needs import needs_of
 from tests.conftest import PROJECT
 
 RULE = '@rule("warning")\ndef example(robot):\n'

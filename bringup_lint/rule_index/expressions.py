@@ -1,0 +1,248 @@
+"""What is needed for an expression of a rule to have an item, to be true or to be false.
+
+What is not understood counts as given, so that a rule is never taken for silent that could speak.
+"""
+
+from __future__ import annotations
+
+import ast
+from abc import ABC
+from abc import abstractmethod
+from collections.abc import Callable
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from bringup_lint.rule_index.needs import NEVER
+from bringup_lint.rule_index.needs import NOTHING
+from bringup_lint.rule_index.needs import Needs
+from bringup_lint.rule_index.needs import Path
+from bringup_lint.rule_index.needs import any_of
+from bringup_lint.rule_index.needs import both
+from bringup_lint.rule_index.needs import either
+from bringup_lint.rule_index.needs import one
+from bringup_lint.rule_index.syntax import SAME_ITEMS
+from bringup_lint.rule_index.syntax import asks_for_one
+from bringup_lint.rule_index.syntax import is_fresh
+
+_KEYED = frozenset({"get", "flag", "has", "values", "words", "assignments", "seconds", "naming"})
+"""Methods of a unit that give nothing for a key that it does not set."""
+_FRESH = frozenset({"list", "dict", "set", "defaultdict", "Counter", "sorted"})
+
+
+class Value(NamedTuple):
+    """What a name is: an expression in a body, or the robot, or a unit."""
+
+    expression: ast.expr | None
+    body: Expressions | None
+
+
+ROBOT = Value(None, None)
+UNIT = Value(None, None)
+"""Compared by identity."""
+
+
+class Expressions(ABC):
+    """The expressions of one function, with what its names are."""
+
+    def __init__(self, names: dict[str, Value], functions: dict[str, ast.FunctionDef]) -> None:
+        self.names = names
+        self.functions = functions
+        self._asked: set[str] = set()
+
+    @abstractmethod
+    def filled(self, name: str, value: Value) -> Iterator[Needs]:
+        """What is needed where something may be put into a list that a name holds."""
+
+    @abstractmethod
+    def of_function(self, call: ast.Call, function: ast.FunctionDef, ask: Question) -> Needs:
+        """The answer to a question for the call of one of the rule's own functions."""
+
+    def path(self, node: ast.expr) -> Path | None:
+        """The way from the robot to a value; None for a value that is no plain part of it."""
+        if isinstance(node, ast.Name):
+            value = self.names.get(node.id)
+            if value is None or value is UNIT:
+                return None
+            return () if value.expression is None or value.body is None else value.body.path(value.expression)
+        if isinstance(node, ast.Attribute):
+            base = self.path(node.value)
+            return None if base is None else (*base, node.attr)
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and not node.keywords:
+            base = self.path(node.func.value)
+            words = [each.value for each in node.args if isinstance(each, ast.Constant)]
+            if base is not None and words and len(words) == len(node.args) and all(isinstance(w, str) for w in words):
+                return (*base, (node.func.attr, *words))
+        return None
+
+    def some(self, node: ast.expr) -> Needs:
+        """What is needed for an expression to have an item."""
+        path = self.path(node)
+        if path:
+            return one("some", path)
+        if isinstance(node, ast.Name):
+            return self._of_name(node, Expressions.some)
+        if isinstance(node, (ast.List, ast.Tuple, ast.Set)):
+            return either(*(self.some(e.value) if isinstance(e, ast.Starred) else NOTHING for e in node.elts))
+        if isinstance(node, ast.Dict):
+            return NOTHING if node.keys else NEVER
+        if isinstance(node, (ast.ListComp, ast.SetComp, ast.GeneratorExp, ast.DictComp)):
+            return self._comprehended(node)
+        if isinstance(node, ast.BinOp) and isinstance(node.op, (ast.Add, ast.BitOr)):
+            return either(self.some(node.left), self.some(node.right))
+        if isinstance(node, ast.IfExp):
+            chosen = both(self.true(node.test), self.some(node.body))
+            return either(chosen, both(self.false(node.test), self.some(node.orelse)))
+        if isinstance(node, ast.BoolOp) and isinstance(node.op, ast.Or):
+            return either(*map(self.some, node.values))
+        if isinstance(node, ast.NamedExpr):
+            return self.some(node.value)
+        if isinstance(node, ast.Call):
+            return self._called(node, Expressions.some)
+        if isinstance(node, ast.Subscript) and isinstance(node.slice, ast.Slice):
+            return self.some(node.value)
+        return NOTHING
+
+    def _comprehended(self, node: ast.ListComp | ast.SetComp | ast.GeneratorExp | ast.DictComp) -> Needs:
+        needs = NOTHING
+        for each in node.generators:
+            needs = both(needs, self.some(each.iter))
+            for test in each.ifs:
+                needs = both(needs, self.true(test))
+        return needs
+
+    def _of_name(self, node: ast.Name, ask: Question) -> Needs:
+        value = self.names.get(node.id)
+        if value is None or value.expression is None or value.body is None:
+            return NOTHING
+        if node.id in self._asked:
+            return NOTHING
+        self._asked.add(node.id)
+        try:
+            needs = ask(value.body, value.expression)
+        finally:
+            self._asked.discard(node.id)
+        return either(needs, *self.filled(node.id, value)) if is_fresh(value.expression) else needs
+
+    def _called(self, node: ast.Call, ask: Question) -> Needs:
+        function = node.func
+        if isinstance(function, ast.Name) and function.id in self.functions:
+            return self.of_function(node, self.functions[function.id], ask)
+        if isinstance(function, ast.Name) and function.id in SAME_ITEMS and len(node.args) == 1:
+            return self.some(node.args[0])
+        if isinstance(function, ast.Name) and function.id in _FRESH and not node.args:
+            return NEVER if not node.keywords else NOTHING
+        if isinstance(function, ast.Name) and function.id == "defaultdict":
+            return NEVER if len(node.args) == 1 else NOTHING
+        if isinstance(function, ast.Attribute) and function.attr in ("items", "values", "keys") and not node.args:
+            return self.some(function.value)
+        if isinstance(function, ast.Attribute) and function.attr == "fromkeys" and node.args:
+            return self.some(node.args[0])
+        return self._keys(node)
+
+    def _keys(self, node: ast.expr) -> Needs:
+        """What is needed for a question to a unit to be answered."""
+        if not isinstance(node, ast.Call) or not isinstance(node.func, ast.Attribute) or not self._is_unit(node.func):
+            return NOTHING
+        words = [each.value for each in node.args if isinstance(each, ast.Constant) and isinstance(each.value, str)]
+        if node.func.attr not in _KEYED or not words or not isinstance(node.args[0], ast.Constant):
+            return NOTHING
+        if node.func.attr != "seconds":
+            return one("key", words[0])
+        if len(words) != len(node.args):
+            return NOTHING
+        return any_of("key", words)
+
+    def _is_unit(self, node: ast.Attribute) -> bool:
+        """Whether an attribute is one of a unit."""
+        return isinstance(node.value, ast.Name) and self.names.get(node.value.id) is UNIT
+
+    def true(self, node: ast.expr) -> Needs:
+        """What is needed for a test to hold."""
+        if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.Not):
+            return self.false(node.operand)
+        if isinstance(node, ast.BoolOp):
+            return self._joined(node, isinstance(node.op, ast.And), self.true)
+        if isinstance(node, ast.NamedExpr):
+            return self.true(node.value)
+        if isinstance(node, ast.Compare):
+            return self._compared(node, holds=True)
+        if isinstance(node, ast.Constant):
+            return NOTHING if node.value else NEVER
+        path = self.path(node)
+        if path:
+            return one("true", path)
+        if isinstance(node, ast.Name):
+            return self._of_name(node, Expressions.true)
+        if isinstance(node, (ast.List, ast.Tuple, ast.Set, ast.Dict, ast.ListComp, ast.SetComp, ast.DictComp)):
+            return self.some(node)
+        if isinstance(node, ast.IfExp):
+            chosen = both(self.true(node.test), self.true(node.body))
+            return either(chosen, both(self.false(node.test), self.true(node.orelse)))
+        if isinstance(node, ast.Attribute) and node.attr in ("at", "value"):
+            return self._setting(node.value)
+        if isinstance(node, ast.Call):
+            return self._true_call(node)
+        return NOTHING
+
+    def _true_call(self, node: ast.Call) -> Needs:
+        if isinstance(node.func, ast.Name) and node.func.id == "any" and len(node.args) == 1:
+            if not isinstance(node.args[0], ast.GeneratorExp):
+                return self.some(node.args[0])
+            return both(self.some(node.args[0]), self.true(node.args[0].elt))
+        if isinstance(node.func, ast.Name) and node.func.id in ("enumerate", "reversed", "iter"):
+            return NOTHING
+        return self._called(node, Expressions.true)
+
+    def false(self, node: ast.expr) -> Needs:
+        """What is needed for a test not to hold."""
+        if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.Not):
+            return self.true(node.operand)
+        if isinstance(node, ast.BoolOp):
+            return self._joined(node, isinstance(node.op, ast.Or), self.false)
+        if isinstance(node, ast.Compare):
+            return self._compared(node, holds=False)
+        return NOTHING
+
+    def _joined(self, node: ast.BoolOp, all_of: bool, ask: Callable[[ast.expr], Needs]) -> Needs:
+        if not all_of:
+            return either(*map(ask, node.values))
+        needs = NOTHING
+        for each in node.values:
+            needs = both(needs, ask(each))
+        return needs
+
+    def _compared(self, node: ast.Compare, *, holds: bool) -> Needs:
+        """``unit.type == "timer"``, ``value is not None``, ``unit.get("Type") in ("notify", "dbus")``."""
+        if len(node.ops) != 1:
+            return NOTHING
+        left, (operator,), (right,) = node.left, node.ops, node.comparators
+        equal = isinstance(operator, (ast.Eq, ast.In) if holds else (ast.NotEq, ast.NotIn))
+        if isinstance(right, ast.Constant) and right.value is None:
+            return self._setting(left) if isinstance(operator, ast.IsNot if holds else ast.Is) else NOTHING
+        if not equal:
+            return NOTHING
+        words = right.elts if isinstance(right, (ast.Tuple, ast.List, ast.Set)) else [right]
+        if not all(isinstance(each, ast.Constant) and isinstance(each.value, str) for each in words):
+            return NOTHING
+        if isinstance(operator, (ast.In, ast.NotIn)) and isinstance(right, ast.Constant):
+            return NOTHING
+        if isinstance(left, ast.Attribute) and left.attr in ("type", "manager") and self._is_unit(left):
+            return any_of(left.attr, (each.value for each in words if isinstance(each, ast.Constant)))
+        return self._setting(left)
+
+    def _setting(self, node: ast.expr) -> Needs:
+        """What is needed for a value not to be None: a unit sets it."""
+        if isinstance(node, ast.NamedExpr):
+            return self._setting(node.value)
+        if isinstance(node, ast.Attribute) and node.attr in ("at", "value"):
+            return self._setting(node.value)
+        if isinstance(node, ast.Name):
+            value = self.names.get(node.id)
+            if value is None or value.expression is None or value.body is None:
+                return NOTHING
+            return value.body._setting(value.expression)
+        return self._keys(node) if asks_for_one(node) else NOTHING
+
+
+Question = Callable[[Expressions, ast.expr], Needs]
+"""``Expressions.some`` or ``Expressions.true``."""

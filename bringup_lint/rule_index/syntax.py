@@ -1,0 +1,110 @@
+"""Questions to the syntax of a rule's functions that need no knowledge of what names are."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterable
+from collections.abc import Iterator
+
+SAME_ITEMS = frozenset({"list", "tuple", "set", "frozenset", "sorted", "reversed", "enumerate", "iter"})
+_READING = frozenset({"len", "any", "all", "min", "max", "sum", "zip", "next", "dict", "map", "filter", *SAME_ITEMS})
+_READING_METHODS = frozenset({"items", "values", "keys", "get"})
+
+
+def own(node: ast.AST) -> Iterator[ast.AST]:
+    """A node and what is below it, without the functions in it."""
+    yield node
+    for child in ast.iter_child_nodes(node):
+        if not isinstance(child, (ast.FunctionDef, ast.Lambda, ast.ClassDef)):
+            yield from own(child)
+
+
+def assigned(node: ast.AST) -> tuple[ast.Name | None, ast.expr | None]:
+    """The name that a statement gives a value, and the value."""
+    if isinstance(node, ast.Assign):
+        target: ast.expr = node.targets[0] if len(node.targets) == 1 else ast.Tuple(node.targets)
+    elif isinstance(node, (ast.AnnAssign, ast.NamedExpr)):
+        target = node.target
+    else:
+        return None, None
+    return (target, node.value) if isinstance(target, ast.Name) else (None, None)
+
+
+def looped(node: ast.AST) -> Iterator[tuple[ast.expr, ast.expr]]:
+    """The targets of loops with what they loop over."""
+    if isinstance(node, (ast.For, ast.comprehension)):
+        yield node.target, node.iter
+
+
+def inner_blocks(node: ast.stmt) -> Iterator[list[ast.stmt]]:
+    if isinstance(node, ast.Match):
+        yield from (case.body for case in node.cases)
+    if isinstance(node, (ast.With, ast.Try)):
+        yield node.body
+    if isinstance(node, ast.Try):
+        yield from (handler.body for handler in node.handlers)
+        yield node.orelse
+        yield node.finalbody
+
+
+def is_fresh(node: ast.expr) -> bool:
+    """Whether an expression makes a list that may be filled later."""
+    if isinstance(node, ast.Call):
+        return isinstance(node.func, ast.Name)
+    return isinstance(node, (ast.List, ast.Dict, ast.Set, ast.ListComp, ast.SetComp, ast.DictComp, ast.BinOp))
+
+
+def only_read(node: ast.AST) -> Iterator[ast.Name]:
+    """The names in places where nothing can be put into what they hold."""
+    if isinstance(node, ast.expr):
+        yield from _tested(node)
+    for each in ast.walk(node):
+        reads: Iterable[ast.AST] = ()
+        if isinstance(each, ast.Call) and isinstance(each.func, ast.Name) and each.func.id in _READING:
+            reads = each.args
+        elif isinstance(each, ast.Call) and isinstance(each.func, ast.Attribute):
+            reads = [each.func.value] if each.func.attr in _READING_METHODS else []
+        elif isinstance(each, ast.Compare):
+            reads = [each.left, *each.comparators]
+        elif isinstance(each, ast.comprehension):
+            reads = [each.iter]
+        elif isinstance(each, (ast.Return, ast.YieldFrom)) and each.value is not None:
+            reads = [each.value]
+        yield from (name for name in reads if isinstance(name, ast.Name))
+
+
+def _tested(node: ast.expr) -> Iterator[ast.Name]:
+    """The names that a test or loop asks themselves."""
+    if isinstance(node, ast.Name):
+        yield node
+    elif isinstance(node, ast.BoolOp):
+        for each in node.values:
+            yield from _tested(each)
+    elif isinstance(node, ast.UnaryOp):
+        yield from _tested(node.operand)
+
+
+def is_rule(node: ast.FunctionDef) -> bool:
+    """Whether a function is decorated as a rule."""
+    return any(
+        isinstance(each, ast.Call) and isinstance(each.func, ast.Name) and each.func.id == "rule"
+        for each in node.decorator_list
+    )
+
+
+def is_generator(function: ast.FunctionDef) -> bool:
+    """Whether a call of a function gives what it yields, not what it returns."""
+    return any(isinstance(node, (ast.Yield, ast.YieldFrom)) for node in own(function))
+
+
+def asks_for_one(node: ast.expr) -> bool:
+    """Whether an expression is the call of a ``get``."""
+    return isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr == "get"
+
+
+def takes_plain_arguments(function: ast.FunctionDef, call: ast.Call) -> bool:
+    """Whether each argument of a call is the value of one parameter."""
+    named = function.args
+    plain = not (function.decorator_list or named.vararg or named.kwarg or named.posonlyargs)
+    starred = any(isinstance(each, ast.Starred) for each in call.args) or not all(each.arg for each in call.keywords)
+    return plain and not starred
